@@ -14,14 +14,14 @@ FORMS = {
 
 
 def checked(form: str) -> str:
-    """The form; raises InputError for one that there is not."""
+    """Return the form; raise InputError for an unknown one."""
     if form not in FORMS:
         raise InputError("form", form, f"must be one of: {', '.join(FORMS)}")
     return form
 
 
 def split(key: str) -> tuple[str, str]:
-    """Target and form of a module's key.
+    """Return the target and the form of a module's key.
 
     >>> split("c"), split("numpy-pi")
     (('c', 'theta'), ('numpy', 'pi'))
@@ -31,12 +31,12 @@ def split(key: str) -> tuple[str, str]:
 
 
 def option(form: str) -> str:
-    """What a command says for a form: nothing for the default."""
+    """Return the command-line option of a form: none for the default."""
     return "" if form == THETA else f" --form {form}"
 
 
 def key(target: str, form: str) -> str:
-    """What names a module among all: its target, and its form where that is not the default."""
+    """Return the key of a module: its target, and its form where that is not the default."""
     return target if form == THETA else f"{target}-{form}"
 
 
@@ -72,7 +72,7 @@ LIMITS = (
 
 
 def limits(form: str) -> tuple[Limit, ...]:
-    """Those of a form; sensitivities are the default's alone."""
+    """Return the limits of a form; the default alone has sensitivities."""
     if form == STEP:
         return STEP_LIMITS
     return LIMITS if form == THETA else tuple(x for x in LIMITS if x.name != "max_real")

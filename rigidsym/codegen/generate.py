@@ -37,7 +37,7 @@ class Generated:
         return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
 
     def texts(self) -> dict[str, str]:
-        """Every file to write, the map among them."""
+        """Return every file to write, the map among them."""
         stem = str(self.manifest["target"])
         described = {"manifest": self.manifest, "lines": self.map}
         return {**self.files, f"{stem}.map.json": json.dumps(described, indent=1) + "\n"}
@@ -48,7 +48,7 @@ class Generated:
 
 
 def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
-    """The numeric module of a target, from the sealed ledger unless a solution is given.
+    """Generate the numeric module of a target, from the sealed ledger unless a solution is given.
 
     form: "theta" or "pi", in which the solution is written.  Raises InputError (a ValueError) for
     an unknown target or form.

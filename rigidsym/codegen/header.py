@@ -73,12 +73,12 @@ against mpmath:""",
 
 
 def special_functions(form: str) -> list[str]:
-    """The error bounds of the special functions, a line each."""
+    """Return the error bounds of the special functions, a line each."""
     return [*_LADDERS[form](), *_everywhere()]
 
 
 def _everywhere() -> list[str]:
-    """What every form has."""
+    """Return the bounds that every form has."""
     sine = reduction.sine_bound(reduction.sine_coefficients(reduction.TERMS))
     cosine = reduction.cosine_bound(reduction.cosine_coefficients(reduction.TERMS))
     return [
@@ -96,7 +96,7 @@ def _landen() -> str:
 
 
 def _theta() -> list[str]:
-    """What the theta form alone has."""
+    """Return the bounds that the theta form alone has."""
     return [
         _landen(),
         f"  nome                           relative, below {_up(float(nome.series_tail()))}",
@@ -106,7 +106,7 @@ def _theta() -> list[str]:
 
 
 def _pi() -> list[str]:
-    """What the Pi form alone has."""
+    """Return the bounds that the Pi form alone has."""
     return [
         _landen(),
         f"  complete integrals, {landen.MEANS} means   "
@@ -118,7 +118,7 @@ def _pi() -> list[str]:
 
 
 def _step() -> list[str]:
-    """What steps alone have."""
+    """Return the bounds that steps alone have."""
     return [
         f"  X and Y, {short_time.TERMS} terms of series    "
         f"relative, below {_up(float(short_time.elapsed_tail()))} up to 8 rad",
@@ -135,19 +135,19 @@ def _hyperbolic() -> float:
 
 
 def _exponential() -> str:
-    """The error bound of the exponential, which NumPy brings itself."""
+    """Return the error bound of the exponential, which NumPy brings itself."""
     left_out = exponential.bound(exponential.coefficients(exponential.TERMS))
     return f"  exp(x), x <= 0                 relative, below {_up(left_out)}"
 
 
 def _up(value: float) -> str:
-    """Two digits, rounded up."""
+    """Round a bound up to two digits."""
     text = f"{value:.1e}"
     return text if float(text) >= value else f"{value * 1.05:.1e}"
 
 
 def text(target: str, form: str) -> str:
-    """The whole paragraph, with places for shares of lines, the digest and what was measured."""
+    """Return the head, with marks for shares of lines, the digest and measured errors."""
     bounds = [
         *special_functions(form),
         *([_exponential()] if target == "c" and form != STEP else []),
@@ -159,7 +159,7 @@ def text(target: str, form: str) -> str:
 
 
 def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
-    """The files with digest and measured errors in place, and the digest.
+    """Return the files with digest and measured errors in place, and the digest.
 
     It covers everything but itself and the measured errors, which hold for one digest alone.
     """
@@ -169,17 +169,17 @@ def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
 
 
 def filled(text: str, target: str, digest: str) -> str:
-    """A text with the digest, and what was measured of code that has it, in their places."""
+    """Put the digest, and the errors measured of code that has it, in place of their marks."""
     return text.replace(MEASURED, _measured(target, digest)).replace(DIGEST, digest)
 
 
 def unsealed(text: str, target: str, digest: str) -> str:
-    """A text with the places themselves again: the inverse of `filled`."""
+    """Put the marks back: the inverse of `filled`."""
     return text.replace(digest, DIGEST).replace(_measured(target, digest), MEASURED)
 
 
 def digest_in(file: str, text: str) -> str:
-    """The digest that a file names; raises InputError where it names none, or several."""
+    """Return the digest that a file names; raise InputError where it names none, or several."""
     found = set(re.findall(r"\b[0-9a-f]{64}\b", text))
     if len(found) != 1:
         raise InputError(file, f"{len(found)} digests", "a module names its own, and no other")
@@ -187,7 +187,7 @@ def digest_in(file: str, text: str) -> str:
 
 
 def _measured(target: str, digest: str) -> str:
-    """The worst errors by regime, of exactly this code."""
+    """Return the worst errors by regime, of exactly this code."""
     return "\n".join(_measured_lines(target, digest))
 
 

@@ -55,7 +55,7 @@ class Let:
 
     @property
     def kind(self) -> str:
-        """One of KINDS: what follows a fact, what a classical formula, and what only computes."""
+        """Return one of KINDS: by a fact, by a classical formula, or arithmetic alone."""
         if self.facts:
             return "fact"
         return "classical" if self.source and _EXACT.isdisjoint(self.source) else "arithmetic"
@@ -94,7 +94,7 @@ class Function:
     formulas: tuple[Let, ...] = ()
 
     def all_extended(self) -> frozenset[str]:
-        """The parameters and targets that are extended numbers."""
+        """Return the parameters and targets that are extended numbers."""
         extended = set(self.extended)
         for let in self.lets:
             if is_extended(let.expression, extended):
@@ -102,7 +102,7 @@ class Function:
         return frozenset(extended)
 
     def used(self) -> set[str]:
-        """Every name that a let uses."""
+        """Return every name that a let uses."""
         return {name for let in self.lets for name in names(let.expression)}
 
 

@@ -39,16 +39,16 @@ class Lines:
 
     @classmethod
     def plain(cls, text: str) -> "Lines":
-        """Text that no let stands behind; a line feed at its end ends the last line."""
+        """Make a piece of underived text; a line feed at its end ends the last line."""
         return cls(tuple(text.removesuffix("\n").split("\n")), {})
 
     def kinds(self) -> Iterator[str]:
-        """What each derived line is."""
+        """Yield the kind of each derived line."""
         return (let.kind for let in self.lets.values())
 
 
 def joined(pieces: Iterable[Lines]) -> Lines:
-    """One piece after the other."""
+    """Join pieces, one after the other."""
     text: list[str] = []
     lets: dict[int, Let] = {}
     for piece in pieces:
@@ -66,7 +66,7 @@ class Module:
     digest: str
 
     def places(self) -> dict[str, list[Place]]:
-        """For each file, the derived lines (counted from 1) with their equations and facts."""
+        """Return the derived lines of each file, counted from 1, with equations and facts."""
         return {
             name: [
                 {
@@ -82,12 +82,12 @@ class Module:
 
 
 def comment(let: Let) -> str:
-    """What a let is, the facts behind it, and equations and references."""
+    """Return the comment of a let: its kind, its facts, then equations and references."""
     return note(let.kind, let.facts, let.source)
 
 
 def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
-    """The comment of a line; equations of the paper are in brackets.
+    """Return the comment of a line; equations of the paper are in brackets.
 
     >>> note("fact", ["definition attitude.M_a", "attitude.K"], ["8", "15"])
     'fact: definition attitude.M_a, attitude.K; (8), (15)'
@@ -98,7 +98,7 @@ def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
 
 
 def flat_results(function: Function) -> list[str]:
-    """The results of a function as doubles: those that are split as two."""
+    """Return the results of a function as doubles, two where one is split."""
     return [
         flat
         for name in function.results
@@ -132,7 +132,7 @@ def shares(kinds: Iterable[str], module: str) -> str:
 
 
 def handwritten(module: str) -> int:
-    """Lines that are neither blank nor comments of what a module has beside generated code."""
+    """Count the lines that a module has from runtimes, without blank lines and comments."""
     target, form = split(module)
     names = RUNTIMES.get(module if form == STEP else target, ())
     if form == THETA and target in SENSITIVITIES:

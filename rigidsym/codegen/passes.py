@@ -191,7 +191,7 @@ def _is_shared(name: str) -> bool:
 
 
 def _compound(expression: Expression) -> Iterator[Expression]:
-    """The expression and its parts, but for single names and numbers."""
+    """Yield the expression and its parts, without single names and numbers."""
     if isinstance(expression, Operation | Call):
         yield expression
     for part in children(expression):

@@ -25,7 +25,7 @@ class _File(NamedTuple):
 
 
 def _files() -> Iterator[_File]:
-    """Every generated file of this installation that has derived lines."""
+    """Yield every generated file of this installation that has derived lines."""
     home = resources.files("rigidsym.generated")
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
         if entry.name.endswith(".map.json"):
@@ -37,7 +37,7 @@ def _files() -> Iterator[_File]:
 
 
 def told(place: str) -> list[str]:
-    """What there is to say of FILE:LINE, or of FILE.
+    """Describe FILE:LINE, or FILE.
 
     Of a line: its code, what it is, the facts, definitions, readings and choices of signs it is by,
     and equations.  Of a file: how many lines are what.  Raises TraceError where nothing is derived.
@@ -74,7 +74,7 @@ def _of_line(file: _File, line: int) -> list[str]:
 
 
 def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
-    """FILE:LINE and code for every generated line that an equation stands behind.
+    """Return FILE:LINE and code for every generated line that an equation stands behind.
 
     printed: the numbers of the paper, which say whether there is such an equation.  Raises
     TraceError where there is no such line.
@@ -92,7 +92,7 @@ def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
 
 
 def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> str:
-    """What is wrong with a number behind which there are no lines."""
+    """Return an explanation for a number that no line names."""
     shown = f"({number})" if number[:1].isdigit() else number
     if number in printed:
         others = f"; lines rest on {', '.join(traced)}"
@@ -101,5 +101,5 @@ def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> st
 
 
 def _code(line: str) -> str:
-    """A generated line without its comment, in Python or in C."""
+    """Return a generated line without its comment, in Python or in C."""
     return re.split(r"  # | /\* ", line)[0].strip()

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from compilers import X86, needed, written
+from compilers import PORTABLE, STRICT, X86, needed, written
 from regimes import cases, errors
 
 ANGLE = RATE = 2e-15
@@ -90,23 +90,19 @@ class Outcome:
 
 
 @pytest.fixture(scope="module")
-def here(tmp_path_factory):
-    return written(tmp_path_factory.mktemp("hostile"))
-
-
-@pytest.fixture(scope="module")
 def motions():
     """Motions of all kinds, up to 10^12 s."""
     return [(case, case.exact()) for case in cases()[::2]]
 
 
-def outcome(here, name, options, motions, source="torque_free.c"):
-    """What comes of a build, as a program: what is loaded may set the processor's flags."""
-    compiler = needed(name)
-    program = here / "-".join([name, *options.split(), "program"])
-    sources = (here / "driver.c", here / source)
-    done = compiler.run(*options.split(), *sources, "-o", program, "-lm")
-    return Outcome(done.stderr or "no reason") if done.returncode else driven(program, motions)
+def outcome(here, name, options, motions):
+    """Return what comes of a program: a library that is loaded may set the processor's flags."""
+    compiler, flags = needed(name), options.split()
+    made, said = compiler.compiled(here / "torque_free.c", *flags)
+    if not made.exists():
+        return Outcome(said or "no reason")
+    program = compiler.linked(here, *flags, sources=("driver.c", "torque_free.c"))
+    return driven(program, motions)
 
 
 def driven(program, motions):
@@ -137,46 +133,33 @@ def test_a_build_is_right_or_refuses(build, here, motions):
 @pytest.mark.parametrize(
     "build", [("gcc", ASSOCIATIVE), ("gcc", UNSAFE_ALONE), ("clang", ASSOCIATIVE)], ids=" ".join
 )
-def test_without_its_question_a_build_would_be_wrong(build, here, motions):
+def test_without_its_question_a_build_would_be_wrong(build, once, motions):
     """The options above are hostile indeed, and no macro of these compilers tells of them."""
     name, options = build
-    text = (here / "torque_free.c").read_text()
-    (here / "unasked.c").write_text(text.replace("if (!is_rounded_once())", "if (0)"))
-    found = outcome(here, name, f"-w {OPTIMISED} {options}", motions, "unasked.c")
+    found = outcome(once("c_unasked", unasked), name, f"-w {OPTIMISED} {options}", motions)
     if found.refusal:
         pytest.skip(f"this {name} tells of it by a macro")
     assert found.codes == {"0"}
     assert found.worst[0] > 1e-13
 
 
+def unasked(folder):
+    """Write the sources without their question of how sums are rounded."""
+    written(folder)
+    source = folder / "torque_free.c"
+    source.write_text(source.read_text().replace("if (!is_rounded_once())", "if (0)"))
+
+
+USUAL = (*STRICT, "-O0"), PORTABLE, ("-std=c99", *OPTIMISED.split(), "-ffp-contract=off")
+
+
 @pytest.mark.parametrize("name", ["gcc", "clang"])
-def test_the_usual_builds_are_not_refused(name, here, motions):
-    for options in ("-O0", "-std=c99 -O2", f"-std=c99 {OPTIMISED} -ffp-contract=off"):
-        assert outcome(here, name, options, motions).is_right(), options
-
-
-ROUNDING = """
-#include <fenv.h>
-#include "torque_free.h"
-int main(void)
-{
-    const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    const double moments[] = {1.0, 2.0, 2.5}, rates[] = {0.3, 0.5, -0.7};
-    const double start[] = {1.0, 0.0, 0.0, 0.0};
-    torque_free_motion motion;
-    for (int k = 0; k < 4; k++)
-        if (fesetround(modes[k]) ||
-            torque_free_motion_init(&motion, moments, rates, start) !=
-                (k ? TORQUE_FREE_ARITHMETIC : 0))
-            return 1 + k;
-    return 0;
-}
-"""
+@pytest.mark.parametrize("flags", USUAL, ids=["-O0", "-O2", "-O3"])
+def test_the_usual_builds_are_not_refused(name, flags, here, motions):
+    assert outcome(here, name, " ".join(flags), motions).is_right()
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
 def test_plans_are_not_made_in_other_roundings(name, here):
-    (here / "rounding.c").write_text(ROUNDING)
-    sources = ("rounding.c", "torque_free.c")
-    program = needed(name).build(here, f"rounding-{name}", "-O2", sources=sources)
+    program = needed(name).linked(here, *PORTABLE, sources=("rounding.c", "torque_free.c"))
     assert subprocess.run([program], check=False).returncode == 0

@@ -8,7 +8,7 @@ from itertools import permutations
 
 import numpy as np
 import pytest
-from compilers import gcc, needed
+from compilers import PLAIN, either
 
 from rigidsym import InputError, TorqueFreeMotion, generate, inputs, step
 from rigidsym.codegen import forms
@@ -22,28 +22,24 @@ U = 2.0**-52
 
 
 @pytest.fixture(scope="module", params=["theta", "pi", "step"])
-def module(request, tmp_path_factory):
-    return built(request.param, tmp_path_factory.mktemp("rules"))
+def module(request, here):
+    return built(request.param, here)
 
 
 @pytest.fixture(scope="module")
-def steps(tmp_path_factory):
-    return built("step", tmp_path_factory.mktemp("steps"))
+def steps(here):
+    return built("step", here)
 
 
 @pytest.fixture(scope="module")
-def motions(tmp_path_factory):
-    return built("theta", tmp_path_factory.mktemp("motions"))
+def motions(here):
+    return built("theta", here)
 
 
 def built(form, here, *flags):
     files = generate("c", form=form).files
-    for name, text in files.items():
-        (here / name).write_text(text)
     source = next(name for name in files if name.endswith(".c"))
-    compiler = needed("gcc" if gcc() else "clang")
-    options = ("-std=c99", "-O1", "-shared", "-fPIC", *flags)
-    return load(compiler.build(here, "rules.so", *options, sources=(source,)), files)
+    return load(either().linked(here, *PLAIN, *flags, sources=(source,), end=".so"), files)
 
 
 def array(values):
@@ -108,8 +104,8 @@ def test_exact_bodies_too(motions, moments, more):
 
 
 @pytest.mark.parametrize("form", forms.FORMS)
-def test_a_build_may_allow_any_moments(form, tmp_path):
-    library = built(form, tmp_path, ANY_MOMENTS)
+def test_a_build_may_allow_any_moments(form, here):
+    library = built(form, here, ANY_MOMENTS)
     assert prepared(library, (1, 2, 5))[0] == 0
 
 

@@ -9,30 +9,31 @@ from itertools import product
 
 import numpy as np
 import pytest
-from compilers import STRICT, for_32_bits, gcc, needed, written
+from compilers import PLAIN, PORTABLE, REPORTS, STRICT, either, for_32_bits, gcc, needed
 from library import Library
 from regimes import cases, errors
 
-from rigidsym import TorqueFreeMotion, generate
+from rigidsym import TorqueFreeMotion
 from rigidsym.codegen import forms
+from rigidsym.codegen.targets.c import module
 from rigidsym.engines.compiler import ANY_MOMENTS
 
 ANGLE = RATE = 2e-15
 # With several lanes, as only builds for wide registers have them.
 SANITIZED = (
+    *("-std=c99", "-O1", ANY_MOMENTS),
     "-DTORQUE_FREE_LANES=4",
     "-fsanitize=address,undefined,float-cast-overflow",
     "-fno-sanitize-recover=all",
 )
-SHARED = ("-shared", "-fPIC")
 FAST = ("-O3", "-fno-math-errno", "-fno-trapping-math")
 BUILDS = {
-    "gcc native": ("gcc", "native", ("-std=c99", *FAST)),
+    "gcc native": ("gcc", "native", ("-std=c99", *FAST, "-fPIC")),
     # GNU C fuses products and sums by itself where the machine can.
-    "gcc native, GNU C": ("gcc", "native", ("-O3",)),
-    "gcc portable": ("gcc", "x86-64", ("-std=c99", "-O2")),
-    "clang native": ("clang", "native", ("-std=c99", *FAST)),
-    "clang portable": ("clang", "x86-64", ("-std=c99", "-O2")),
+    "gcc native, GNU C": ("gcc", "native", ("-O3", "-fPIC")),
+    "gcc portable": ("gcc", "", PORTABLE),
+    "clang native": ("clang", "native", ("-std=c99", *FAST, "-fPIC")),
+    "clang portable": ("clang", "", PORTABLE),
 }
 BODY = ((1.0, 2.0, 2.5), (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0))
 MATHEMATICS = {
@@ -54,11 +55,6 @@ TO_VECTORISE = ("circular_angles", "circular_state", "hyperbolic_angles", "hyper
 
 
 @pytest.fixture(scope="module")
-def here(tmp_path_factory):
-    return written(tmp_path_factory.mktemp("c"))
-
-
-@pytest.fixture(scope="module")
 def motions():
     """All cases with their true states."""
     return [(case, case.exact()) for case in cases()]
@@ -73,9 +69,8 @@ def library(here):
         if name not in made:
             kind, machine, flags = BUILDS[name]
             compiler = needed(kind)
-            file = name.translate(str.maketrans(" ,", "__")) + ".so"
-            flags = (*flags, *SHARED, *compiler.machine(machine))
-            made[name] = Library(compiler.build(here, file, *flags))
+            flags = (*flags, *(compiler.machine(machine) if machine else ()))
+            made[name] = Library(compiler.linked(here, *flags, end=".so"))
         return made[name]
 
     return get
@@ -93,15 +88,14 @@ def any_library(library):
 
 @pytest.fixture(scope="module")
 def of_any_moments(here):
-    flags = ("-std=c99", "-O1", *SHARED, ANY_MOMENTS)
-    return Library(needed("gcc" if gcc() else "clang").build(here, "any.so", *flags))
+    return Library(either().linked(here, *PLAIN, ANY_MOMENTS, end=".so"))
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
-@pytest.mark.parametrize("source", ["torque_free.c", "driver.c", "fuzz.c"])
+@pytest.mark.parametrize("source", ["driver.c", "fuzz.c"])
 def test_no_compiler_has_anything_to_say(name, source, here):
-    done = needed(name).run(*STRICT, "-c", here / source, "-o", here / "strict.o")
-    assert (done.returncode, done.stderr) == (0, "")
+    made, said = needed(name).compiled(here / source, *STRICT)
+    assert (made.exists(), said) == (True, "")
 
 
 # What clang says does not depend on the level.
@@ -117,26 +111,23 @@ LEVELS = [
 
 @pytest.mark.parametrize("form", forms.FORMS)
 @pytest.mark.parametrize(("name", "level", "moments"), LEVELS)
-def test_no_compiler_has_anything_to_say_of_any_module(name, level, moments, form, tmp_path):
-    generate("c", form=form).write(tmp_path)
-    source, flags = next(tmp_path.glob("*.c")), [level, *moments.split()]
-    done = needed(name).run(*STRICT, *flags, "-c", source, "-o", tmp_path / "strict.o")
-    assert (done.returncode, done.stderr) == (0, "")
+def test_no_compiler_has_anything_to_say_of_any_module(name, level, moments, form, here):
+    source = here / module.SOURCES[form]
+    made, said = needed(name).compiled(source, *STRICT, level, *moments.split())
+    assert (made.exists(), said) == (True, "")
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
 @pytest.mark.parametrize("standard", ["c++11", "c++20"])
 def test_it_is_cpp_too(name, standard, here):
     flags = (f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-x", "c++")
-    done = needed(name).run(*flags, "-c", here / "torque_free.c", "-o", here / "cpp.o")
-    assert (done.returncode, done.stderr) == (0, "")
+    made, said = needed(name).compiled(here / "torque_free.c", *flags)
+    assert (made.exists(), said) == (True, "")
 
 
 @pytest.fixture(scope="module", params=[1, 8, 100])
 def small(request, here):
-    flags = ("-std=c99", "-O1", *SHARED, f"-DTORQUE_FREE_BLOCK={request.param}")
-    file = f"block{request.param}.so"
-    return Library(needed("gcc" if gcc() else "clang").build(here, file, *flags))
+    return Library(either().linked(here, *PLAIN, f"-DTORQUE_FREE_BLOCK={request.param}", end=".so"))
 
 
 @pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
@@ -165,16 +156,13 @@ def test_parts_of_grids_that_are_too_far_are_refused(any_library):
     assert any_library.grid(prepared, 0.0, 2.0**40, 2, 200)[0] == 6
 
 
-REPORTS = {"gcc": "-fopt-info-vec", "clang": "-Rpass=loop-vectorize"}
-
-
 @pytest.fixture(scope="module", params=[*product(REPORTS, ["x86-64", "x86-64-v3"])], ids=" ".join)
 def compiled(request, here):
     """An optimised object, and what the compiler says of its loops."""
     name, machine = request.param
-    compiler, file = needed(name), here / f"{name}-{machine}.o"
+    compiler = needed(name)
     flags = ("-std=c99", *FAST, *compiler.machine(machine), REPORTS[name])
-    return file, compiler.remarks(here, file, *flags)
+    return compiler.compiled(here / "torque_free.c", *flags)
 
 
 def test_it_needs_nothing_but_libm_and_has_no_variables(compiled):
@@ -230,30 +218,18 @@ def driven(program, motions):
         yield np.array(list(map(float.fromhex, values))).reshape(-1, 7)
 
 
-@pytest.fixture(scope="module")
-def sanitized(here):
-    """Flags, and the module compiled with them once for all programs."""
-    flags = ("-std=c99", "-O1", "-g", ANY_MOMENTS, *SANITIZED)
-    needed("gcc").build(here, "sanitized.o", *flags, "-c")
-    return flags
-
-
-def test_sanitizers_find_nothing(here, motions, sanitized):
+def test_sanitizers_find_nothing(here, motions):
     """Undefined behaviour, bad addresses and casts, in every regime; and the states are right."""
-    sources = ("driver.c", "sanitized.o")
-    program = needed("gcc").build(here, "sanitized", *sanitized, sources=sources)
+    program = needed("gcc").linked(here, *SANITIZED, sources=("driver.c", "torque_free.c"))
     for (case, exact), found in zip(motions, driven(program, motions), strict=True):
         check(case, found, exact)
 
 
 @pytest.mark.parametrize(
-    ("module", "moments"),
-    [("sanitized.o", ANY_MOMENTS), ("torque_free.c", ANY_MOMENTS), ("torque_free.c", "")],
-    ids=["sanitized", "fast", "bodies"],
+    "flags", [SANITIZED, (*PLAIN, ANY_MOMENTS), PORTABLE], ids=["sanitized", "fast", "bodies"]
 )
-def test_arbitrary_bits_are_refused_or_move(module, moments, here, sanitized):
-    flags = sanitized if module == "sanitized.o" else ("-std=c99", "-O2", *moments.split())
-    program = needed("gcc").build(here, "fuzz", *flags, sources=("fuzz.c", module))
+def test_arbitrary_bits_are_refused_or_move(flags, here):
+    program = needed("gcc").linked(here, *flags, sources=("fuzz.c", "torque_free.c"))
     done = subprocess.run(
         [program, "200000", "1"], capture_output=True, text=True, timeout=600, check=False
     )
@@ -261,14 +237,14 @@ def test_arbitrary_bits_are_refused_or_move(module, moments, here, sanitized):
     counts = list(map(int, done.stdout.split()))
     assert all(count > 50 for code, count in enumerate(counts[:8]) if code != 4), counts
     # Moments that no body has are refused in their words, or not at all.
-    assert counts[10] > 50 if not moments else counts[8:] == [0] * 4, counts
+    assert counts[10] > 50 if ANY_MOMENTS not in flags else counts[8:] == [0] * 4, counts
 
 
 @pytest.mark.slow  # a C library for 32 bits is compiled first
 def test_on_32_bits_with_sse_states_are_right(here, motions):
     flags = ("-std=c99", "-O2", "-msse2", "-mfpmath=sse")
     sources = ("driver.c", "torque_free.c")
-    program = for_32_bits().build(here, "driver32", *flags, sources=sources)
+    program = for_32_bits().linked(here, *flags, sources=sources)
     if not can_run(program):
         pytest.skip("programs for 32-bit x86 do not run here")
     for (case, exact), found in zip(motions, driven(program, motions), strict=True):
@@ -283,18 +259,18 @@ def can_run(program):
 
 
 def test_arithmetic_of_80_bits_is_refused(here):
-    done = for_32_bits().run("-mcpu=i686", "-c", here / "torque_free.c", "-o", here / "x87.o")
-    assert done.returncode != 0
-    assert "-mfpmath=sse" in done.stderr
+    made, said = for_32_bits().compiled(here / "torque_free.c", "-mcpu=i686")
+    assert not made.exists()
+    assert "-mfpmath=sse" in said
 
 
 @pytest.mark.parametrize(
     ("name", "flag"), [("gcc", "-ffast-math"), ("gcc", "-Ofast"), ("clang", "-ffast-math")]
 )
 def test_fast_math_is_refused(name, flag, here):
-    done = needed(name).run(flag, "-c", here / "torque_free.c", "-o", here / "fast.o")
-    assert done.returncode != 0
-    assert "compile without it" in done.stderr
+    made, said = needed(name).compiled(here / "torque_free.c", flag)
+    assert not made.exists()
+    assert "compile without it" in said
 
 
 NAN, INF, MOST = math.nan, math.inf, 1.7e308

@@ -11,7 +11,7 @@ from itertools import permutations, product
 
 import numpy as np
 import pytest
-from compilers import needed, written
+from compilers import PLAIN, needed
 from library import Library
 
 from rigidsym.codegen.functions import functions
@@ -72,9 +72,8 @@ class Head(ctypes.Structure):
     )
 
 
-def in_c(folder):
-    built = needed("gcc").build(written(folder), "lib.so", "-O1", "-shared", "-fPIC")
-    library = Library(built)
+def in_c(here):
+    library = Library(needed("gcc").linked(here, *PLAIN, end=".so"))
     for inertia, omega in PATTERNS:
         code, prepared = library.prepare(inertia, omega, (1.0, 0.0, 0.0, 0.0))
         assert code == 0
@@ -85,10 +84,10 @@ def in_c(folder):
 
 
 @pytest.fixture(scope="module", params=["one by one", "at once", "in C"])
-def found(request, tmp_path_factory):
+def found(request, here):
     """Branch, axes and the gains of the rates for every pattern."""
     if request.param == "in C":
-        return list(in_c(tmp_path_factory.mktemp("decisions")))
+        return list(in_c(here))
     return list(one_by_one() if request.param == "one by one" else at_once())
 
 

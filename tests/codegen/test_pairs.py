@@ -15,7 +15,7 @@ from itertools import product
 
 import numpy as np
 import pytest
-from compilers import X86, needed, written
+from compilers import PLAIN, X86, needed
 
 from rigidsym.codegen.targets.numpy import double_double
 from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble
@@ -176,16 +176,13 @@ MACHINES = ["arrays", "floats", "native", *(["x86-64"] if X86 else [])]
 
 
 @pytest.fixture(scope="module", params=MACHINES)
-def machine(request, tmp_path_factory):
+def machine(request, here):
     """NumPy's arrays, Python's floats, and C with fused multiply-add, if there is, and without."""
     if request.param in ("arrays", "floats"):
         return InPython(request.param == "arrays")
-    here = written(tmp_path_factory.mktemp("pairs"))
     gcc = needed("gcc")
-    flags = ("-std=c99", "-O2", "-ffp-contract=off", "-shared", "-fPIC")
-    return InC(
-        gcc.build(here, "pairs.so", *flags, *gcc.machine(request.param), sources=("pairs.c",))
-    )
+    flags = (*PLAIN, "-ffp-contract=off", *gcc.machine(request.param))
+    return InC(gcc.linked(here, *flags, sources=("pairs.c",), end=".so"))
 
 
 def check_all(name, rows, machine):

@@ -1,12 +1,12 @@
 """The paper's own form, generated: sealed, traced, without a theta, and refused where unknown."""
 
 import re
-import shutil
 import subprocess
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from compilers import PLAIN, STRICT, either
 
 from rigidsym import InputError, generate
 from rigidsym.codegen import TARGETS, forms
@@ -52,41 +52,14 @@ def test_c_modules_of_both_forms_have_no_name_in_common():
     assert all(name.lower().startswith("torque_free_pi") for name in names["pi"])
 
 
-def test_both_c_modules_go_into_one_programme(tmp_path):
+def test_both_c_modules_go_into_one_programme(here):
     """Their states of one motion agree."""
-    compiler = shutil.which("cc")
-    if compiler is None:
-        pytest.skip("needs a C compiler")
-    for form in forms.FORMS:
-        generate("c", form=form).write(tmp_path)
-    calls = "\n".join(
-        f"""    {{
-        {name}_motion motion;
-        if ({name}_motion_init(&motion, inertia, omega0, attitude0)) return 1;
-        if ({name}_state_at(&motion, 180.0, q, omega)) return 2;
-        printf("%.17g %.17g %.17g %.17g\\n", q[0], q[1], q[2], q[3]);
-    }}"""
-        for name in ("torque_free", "torque_free_pi")
-    )
-    (tmp_path / "main.c").write_text(
-        f"""#include <stdio.h>
-#include "torque_free.h"
-#include "torque_free_pi.h"
-
-int main(void)
-{{
-    const double inertia[3] = {{0.0109, 0.04, 0.0506}}, omega0[3] = {{0.05, 0.03, -0.02}};
-    const double attitude0[4] = {{1, 0, 0, 0}};
-    double q[4], omega[3];
-{calls}
-    return 0;
-}}
-"""
-    )
-    sources = ["main.c", "torque_free.c", "torque_free_pi.c"]
-    options = ["-std=c99", "-O1", "-ffp-contract=off", "-Wall", "-Werror"]
-    subprocess.run([compiler, *options, *sources, "-lm", "-o", "both"], cwd=tmp_path, check=True)
-    told = subprocess.run([tmp_path / "both"], capture_output=True, text=True, check=True).stdout
+    compiler = either()
+    made, said = compiler.compiled(here / "both.c", *STRICT)
+    assert (made.exists(), said) == (True, "")
+    sources = ("both.c", "torque_free.c", "torque_free_pi.c")
+    program = compiler.linked(here, *PLAIN, sources=sources)
+    told = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     one, other = ([float(x) for x in line.split()] for line in told.splitlines())
     assert one == pytest.approx(other, abs=3e-15)
 

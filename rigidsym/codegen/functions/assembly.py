@@ -31,12 +31,12 @@ from rigidsym.solution import Solution
 
 
 def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """All functions of a form, in an order in which each calls those before it."""
+    """Return all functions of a form, in an order in which each calls those before it."""
     return tuple(map(finished, stated(solution, form)))
 
 
 def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """All functions as they are stated, before anything is left out or shared."""
+    """Return all functions as they are stated, before anything is left out or shared."""
     carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
 
     def cited(let: Let) -> Let:
@@ -67,7 +67,7 @@ def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
 
 
 def _theta(solution: Solution) -> tuple[Function, ...]:
-    """What is the theta form's own."""
+    """Return the functions that the theta form alone has."""
     return (
         nome.root_ratio(),
         angles.half_turns(),
@@ -79,7 +79,7 @@ def _theta(solution: Solution) -> tuple[Function, ...]:
 
 
 def _pi(solution: Solution) -> tuple[Function, ...]:
-    """What is the Pi form's own."""
+    """Return the functions that the Pi form alone has."""
     return (
         angles.half_turns(),
         angles.logarithm(),
@@ -91,7 +91,7 @@ def _pi(solution: Solution) -> tuple[Function, ...]:
 
 
 def finished(function: Function) -> Function:
-    """The function with what its results need alone, shared and without powers."""
+    """Keep the lines that the results need, without powers and with common parts shared."""
     formulas = live(function.lets, function.results)
     done = replace(function, lets=share(products(formulas)), formulas=formulas)
     numbers = {constant.name for constant in constants() if constant.lo is not None}
@@ -100,7 +100,7 @@ def finished(function: Function) -> Function:
 
 @cache
 def constants() -> tuple[Constant, ...]:
-    """The named numbers that functions use."""
+    """Return the named numbers that functions use."""
     with mpmath.workdps(60):
         pi_hi, log_2 = float(mpmath.pi), float(mpmath.ln2)
         pi_lo, log_2_lo = float(mpmath.pi - pi_hi), float(mpmath.ln2 - log_2)

@@ -32,21 +32,21 @@ _QUATERNION = ("q0", "q1", "q2", "q3")
 
 
 def discriminant(solution: Solution) -> Function:
-    """E_b, over any kind of numbers."""
+    """State E_b, over any kind of numbers."""
     parameters = ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d")
     lets = select(solution.sequences["constants"], ("E_b",), parameters)
     return Function("_discriminant", "K^2 - 2 H c_b over any numbers.", parameters, lets, ("E_b",))
 
 
 def circulation(solution: Solution) -> Function:
-    """Whether the rates are constant, or which axis is a."""
+    """State which axis is a, or that the rates are constant."""
     lets = select(solution.sequences["decisions"], (ROOT,), (*GIVEN, *ONES))
     summary = "1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."
     return Function("_circulation", summary, GIVEN, specialise(lets, ONES), (ROOT,))
 
 
 def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
-    """From inertia and rates to what both plans are made of."""
+    """State the start of a motion: what the constants of both branches are made from."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS, "tau")
     names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
@@ -64,7 +64,7 @@ def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
 
 
 def _signs(solution: Solution) -> list[Let]:
-    """The handedness of the axes, and the signs of what rounding leaves the sign of."""
+    """State the handedness of the axes, and the signs of numbers before they are rounded."""
     given = ("c_ad", "Omega_a", "Omega_d")
     rounded = {name: parse(f"rounded({name})") for name in given}
     return [
@@ -77,7 +77,7 @@ def _signs(solution: Solution) -> list[Let]:
 
 
 def circular_time() -> list[Let]:
-    """v in half turns: the whole ones, and the rest."""
+    """Split v into whole half turns and the rest."""
     return [
         *reduction.product("p", "v_rate", extra="v_lo"),
         *reduction.total("v", "p", "v_hi"),
@@ -87,7 +87,7 @@ def circular_time() -> list[Let]:
 
 
 def hyperbolic_time(half_period: str) -> list[Let]:
-    """y less its nearest half period; half_period: the reference for what one of them does."""
+    """Reduce y by its nearest half period; half_period is the reference for its effect."""
     return [
         *reduction.product("p_y", "y_rate", extra="y0_lo"),
         let("periods = nearest((p_y + y0_hi)*period_inverse)", half_period),
@@ -99,7 +99,7 @@ def hyperbolic_time(half_period: str) -> list[Let]:
 
 
 def elapsed_time(half_period: str) -> list[Let]:
-    """The same from y = 0 at t = 0, as y + y_lo."""
+    """Reduce y likewise, from y = 0 at t = 0, as y + y_lo."""
     return [
         *reduction.product("p_y", "y_rate"),
         let("periods = nearest(p_y*period_inverse)", half_period),
@@ -112,7 +112,7 @@ def elapsed_time(half_period: str) -> list[Let]:
 
 
 def elapsed_phase(half_period: str) -> list[Let]:
-    """The same from the phase that there was, as z + z_lo, after `elapsed_time`."""
+    """Reduce the phase likewise, from its value at t = 0, as z + z_lo; use `elapsed_time` first."""
     return [
         let("turns = nearest((p_y + z0_hi)*period_inverse)", half_period),
         *reduction.product("behind", "period", "turns", later=False),
@@ -125,7 +125,7 @@ def elapsed_phase(half_period: str) -> list[Let]:
 
 
 def hyperbolic_turns() -> list[Let]:
-    """What Lambda and the half periods turn, in half turns: the whole ones, and the rest."""
+    """Add the turns of Lambda and of the half periods: whole half turns, and the rest."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
@@ -139,7 +139,7 @@ def hyperbolic_turns() -> list[Let]:
 
 
 def imaginary_phase(ladder: str) -> list[Let]:
-    """sinh(y) at t = 0, at the bottom of the ladder of the complementary modulus."""
+    """State sinh(y) at t = 0, at the bottom of the complementary modulus' ladder."""
     return [
         # Past K/2 the phase is reflected to K - u: sc(K - u) = cs(u)/k' (DLMF 22.4(iii)).
         let("size_s = size(s)", "DLMF 22.4.3"),
@@ -153,7 +153,7 @@ def imaginary_phase(ladder: str) -> list[Let]:
 
 
 def period_bounds(vanished: str, half_period: str) -> list[Let]:
-    """The half period of y where it ends, and its inverse; `vanished` is 0 on the separatrix."""
+    """State the half period of y and its inverse; `vanished` is 0 on the separatrix."""
     return [
         let(f"period_far = choose({vanished}, 0, never, rounded(period))", half_period),
         let(f"period_d = rounded(choose({vanished}, 0, 1, period))", half_period),
@@ -162,7 +162,7 @@ def period_bounds(vanished: str, half_period: str) -> list[Let]:
 
 
 def phase_at_start(*parity: str) -> list[Let]:
-    """y at t = 0, from its hyperbolic sine; parity: the reference for what its sign does."""
+    """State y at t = 0 by its hyperbolic sine; parity is the reference for its sign."""
     return [
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
@@ -174,7 +174,7 @@ def phase_at_start(*parity: str) -> list[Let]:
 
 
 def phase() -> list[Let]:
-    """Cosine and sine of Lambda t."""
+    """State the cosine and sine of Lambda t."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
@@ -184,7 +184,7 @@ def phase() -> list[Let]:
 
 
 def flat(split: Iterable[str]) -> tuple[str, ...]:
-    """The names of the doubles that carry extended numbers."""
+    """Return the names of the doubles that carry extended numbers."""
     return tuple(f"{name}_{part}" for name in split for part in ("hi", "lo"))
 
 
@@ -195,7 +195,7 @@ def constants_function(
     split: tuple[str, ...],
     given: tuple[str, ...] = (*INITIAL, *ATTITUDE),
 ) -> Function:
-    """The constants of a branch, from what the start hands over."""
+    """Make the function of a branch's constants, from the results of the start."""
     used = {name for formula in live(lets, results) for name in names(formula.expression)}
     used |= {*results}
     extended = [name for name in given if name in used]
@@ -214,7 +214,7 @@ def constants_function(
 def at_time(
     name: str, lets: list[Let], constants: tuple[str, ...], results: tuple[str, ...]
 ) -> Function:
-    """What changes with time."""
+    """Make the function of the quantities of a branch that change with time."""
     summary = f"What changes with time on the {name} branch, at t + t_lo."
     parameters = ("t", "t_lo", *constants)
     return Function(f"_{name}_angles", summary, parameters, tuple(lets), results)
@@ -223,14 +223,14 @@ def at_time(
 def from_angles(
     name: str, lets: list[Let], given: tuple[str, ...], constants: tuple[str, ...]
 ) -> Function:
-    """The state from what changes with time."""
+    """Make the function of a branch's state, from the quantities that change with time."""
     summary = f"The state on the {name} branch, from `_{name}_angles`."
     parameters = (*given, *constants)
     return Function(f"_{name}_state", summary, parameters, tuple(lets), STATE)
 
 
 def steady(solution: Solution) -> tuple[Function, ...]:
-    """Plan, angle and state; the half angle is the phase of the other branches."""
+    """State constants, angle and state; the half angle is the phase of the other branches."""
     sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
     axis, start = ("axis1", "axis2", "axis3"), ("p0", "p1", "p2", "p3")

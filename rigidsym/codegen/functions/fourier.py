@@ -14,7 +14,7 @@ CONSTANTS = (*INERTIA, *AMPLITUDES, "K", "p_0", "p_a", "p_b", "p_d", "tau")
 
 
 def state(solution: Solution) -> Function:
-    """Rates and attitude, from the ledger's state without what it finds sn, cn, dn and psi by."""
+    """State rates and attitude by sn, cn, dn and psi, which the series give."""
     signs = tuple(sign for sign in SIGNS if sign != "rho")
     given = (*SUMMED, *CONSTANTS, *signs)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)

@@ -71,12 +71,12 @@ PARTS = {"X_re": "turn_re", "X_im": "turn_im", "T_re": "arc_re", "T_im": "arc_im
 
 
 def level(name: str, n: int) -> str:
-    """What a quantity of Landen's steps is called on a level."""
+    """Return the name of a quantity of Landen's steps on a level."""
     return name if n == 1 else f"{name}_{n}"
 
 
 def moduli(solution: Solution, modulus: str, complement: str) -> tuple[Let, ...]:
-    """The moduli of all levels below the first, by the names of that one's."""
+    """State the moduli of all levels below the first, by the names on that level."""
     lets: tuple[Let, ...] = ()
     for n in range(1, LEVELS):
         step = select(solution.sequences["landen"], ("k_next", "kc_next"), ("k", "kc"))
@@ -87,7 +87,7 @@ def moduli(solution: Solution, modulus: str, complement: str) -> tuple[Let, ...]
 
 
 def ascent(solution: Solution, modulus: str, functions: tuple[str, ...]) -> tuple[Let, ...]:
-    """Functions of the first level from those of the last, where dn is 1."""
+    """State functions of the first level by those of the last, where dn is 1."""
     lets: tuple[Let, ...] = ()
     for n in reversed(range(1, LEVELS)):
         names = {name: level(name, n) for name in (*functions, "inside")}
@@ -98,7 +98,7 @@ def ascent(solution: Solution, modulus: str, functions: tuple[str, ...]) -> tupl
 
 
 def state(solution: Solution) -> tuple[Let, ...]:
-    """Rates and attitude from s, c, d and the cosine and sine of psi/2."""
+    """State rates and attitude by s, c, d and the cosine and sine of psi/2."""
     given = ("s", "c", "d", *HALF, *KEPT)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)
     units = (let(f"{rate} = unit*{INNER[rate]}") for rate in RATES)
@@ -106,7 +106,7 @@ def state(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution) -> tuple[Let, ...]:
-    """tau, and p from the attitude at t = 0 and the regular one there."""
+    """State tau, and p by the attitude at t = 0 and the regular one there."""
     given = ("K", "epsilon", "sigma", "rho", *HALF, *INERTIA, *RATES, *ATTITUDE)
     return select(solution.sequences["constants"], ("tau", *FRONT), given)
 
@@ -119,7 +119,7 @@ def branch(
     kept: tuple[str, ...],
     split: tuple[str, ...],
 ) -> tuple[Function, ...]:
-    """Plan, angles and state; angles are given `kept`, and `split` as two doubles each."""
+    """Make constants, angles and state; angles take `kept`, and `split` as two doubles each."""
     flat = tuple(f"{x}_{part}" for x in split for part in ("hi", "lo"))
     results = (*split, *kept, *KEPT)
     extended = (*GIVEN, *INERTIA, *RATES, *ATTITUDE)
@@ -131,7 +131,7 @@ def branch(
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """Plan, angles and state."""
+    """State the circular branch: constants, angles and state."""
     return branch(
         "circular",
         solution,
@@ -188,7 +188,7 @@ def _circular_angles(solution: Solution) -> list[Let]:
 
 
 def numbers() -> list[Constant]:
-    """Where functions no longer change, and what is no longer told from zero."""
+    """Return the depth beyond which functions no longer change, and the least cosine."""
     return [
         Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is nothing"),
         Constant("least_c", 1e-45, None, "sech where it is nothing"),
@@ -196,7 +196,7 @@ def numbers() -> list[Constant]:
 
 
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """Plan, angles and state."""
+    """State the hyperbolic branch: constants, angles and state."""
     return branch(
         "hyperbolic",
         solution,
@@ -238,7 +238,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _rest_at_start() -> list[Let]:
-    """What the end of the quarter period that is nearer at t = 0 has added to psi/2."""
+    """State the share in psi/2 of the quarter period's end that is nearer at t = 0."""
     return [
         let("near_s = rounded(choose(far, near, size_s, c/d))", _REFLECTED),
         let("near_c = rounded(choose(far, near, c, kc_1*size_s/d))", _REFLECTED),
@@ -253,7 +253,7 @@ def _rest_at_start() -> list[Let]:
 
 
 def _rest(one: str, other: str) -> list[Let]:
-    """What is left of psi/2 beside the arctangent: from the crossing where one <= other."""
+    """State psi/2 beside the arctangent: from the crossing where one <= other."""
     return [
         let("from_crossing = g_1*w + g_2*third"),
         let("from_saddle = alpha - (g_1*w + h_2*third)"),
@@ -262,7 +262,7 @@ def _rest(one: str, other: str) -> list[Let]:
 
 
 def _turn(solution: Solution, names: Mapping[str, str]) -> tuple[Let, ...]:
-    """The arctangent's cosine and sine, of functions by other names."""
+    """State the arctangent's cosine and sine, by other names of functions."""
     given = ("z", "slope", "delta", "n", "rho", "s", "c", "d")
     lets = select(solution.sequences["pi_hyperbolic"], ("T_re", "T_im"), given)
     return renamed(lets, names)
@@ -303,14 +303,14 @@ def _hyperbolic_angles(solution: Solution) -> list[Let]:
 
 
 def _half_psi(solution: Solution) -> tuple[Let, ...]:
-    """Cosine and sine of psi/2, from those of its two parts."""
+    """State the cosine and sine of psi/2 by those of its two parts."""
     parts = ("X_re", "X_im", "T_re", "T_im")
     lets = select(solution.sequences["pi_hyperbolic"], tuple(HALF), parts)
     return renamed(lets, PARTS | HALF)
 
 
 def _functions() -> list[Let]:
-    """s, c and d of u_1, from those at the nearer end of the quarter period."""
+    """State s, c and d of u_1 by those at the nearer end of the quarter period."""
     return [
         let("over_d = 1/near_d", _REFLECTED),
         let("size_s = choose(depth, quarter, near_size, near_c*over_d)", _REFLECTED),

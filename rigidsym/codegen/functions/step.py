@@ -32,7 +32,7 @@ _HALF = {"cos_half_psi": "turn_re", "sin_half_psi": "turn_im"}
 
 
 def step(solution: Solution) -> tuple[Function, ...]:
-    """All functions of a step, in the order in which they are used."""
+    """Return all functions of a step, in the order in which they are used."""
     return (
         _body(solution),
         _start(solution),
@@ -68,7 +68,7 @@ def _function(
 
 
 def _body(solution: Solution) -> Function:
-    """What is of the body alone."""
+    """State the quantities that depend on the body alone."""
     given = (*INERTIA, *DIFFERENCES, "epsilon")
     results = (*ALPHAS, *SQUARES)
     lets = select(solution.sequences["step"], results, given)
@@ -78,7 +78,7 @@ def _body(solution: Solution) -> Function:
 
 
 def _start(solution: Solution) -> Function:
-    """Momentum and its projection, frequencies, the rate of psi, X and Y at the shortest time."""
+    """State momentum, projection, frequencies and psi's rate; X and Y at the shortest time."""
     given = (*INERTIA, *SQUARES, *STARTS, "epsilon", "sigma")
     names = ("h", "e_1", "e_2", "K", "psi_0", *_PROJECTED)
     lets = [
@@ -96,7 +96,7 @@ def _start(solution: Solution) -> Function:
 
 
 def _first(solution: Solution) -> Function:
-    """psi at the shortest time, but for its own rate."""
+    """State psi at the shortest time, without its own rate."""
     turned = select(
         solution.sequences["thirds"],
         ("R", "N", "cos_half_psi", "sin_half_psi"),
@@ -157,7 +157,7 @@ def _last_second_half(solution: Solution) -> Function:
 def _both_halves(
     solution: Solution, projected: tuple[str, ...]
 ) -> tuple[list[Let], tuple[str, ...]]:
-    """Angles of both halves add up: the lets, and what the sum is called."""
+    """Add the angles of both halves; return the lets, and the names of the sum."""
     factor = select(solution.sequences["projection"], ("G_re", "G_im"), ("h", "z_re", "z_im", "X"))
     sum_of_angles = select(
         solution.sequences["thirds"], ("P_re", "P_im"), ("T_re", "T_im", "E_re", "E_im")
@@ -204,7 +204,7 @@ def _shortest_of(name: str, summary: str, rates: tuple[str, ...], lets) -> Funct
 
 
 def _front(solution: Solution) -> Function:
-    """The unit quaternion in front, from the attitude where psi is 0."""
+    """State the unit quaternion in front, by the attitude where psi is 0."""
     given = ("epsilon", "sigma", *_HALF, *_SHORTEST, *ATTITUDE)
     lets = specialise(
         select(solution.sequences["constants"], _FRONT, given),
@@ -216,7 +216,7 @@ def _front(solution: Solution) -> Function:
 
 
 def _attitude(solution: Solution) -> Function:
-    """psi/2 by its start's rate and the rest, and the attitude."""
+    """State psi/2, by its rate at the start and the rest, and the attitude."""
     given = ("epsilon", "sigma", *_HALF, *_SHORTEST, *_FRONT)
     sum_of_angles = select(
         solution.sequences["thirds"], ("P_re", "P_im"), ("T_re", "T_im", "E_re", "E_im")
@@ -235,7 +235,7 @@ def _attitude(solution: Solution) -> Function:
 
 
 def _kick(solution: Solution) -> Function:
-    """On the axes of the body as they are given."""
+    """State the torque on the axes of the body as they are given."""
     lets = select(solution.sequences["kick"], TORQUE, KICK)
     summary = "The torque of what a vector in space exerts, and of what stays in the body."
     return _function("kick", summary, " ".join(KICK), "", lets, TORQUE)

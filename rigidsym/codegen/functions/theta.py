@@ -45,7 +45,7 @@ _LADDER = "K_c, sin_a, cos_a, Y_b = _ladder(kc_1, k_1, s_beta, c_beta, d_beta, k
 
 
 def secular(solution: Solution) -> list[Let]:
-    """The rate of the phase in half turns."""
+    """State the rate of the phase in half turns."""
     given = ("psi_0", "rho", "mu", "zeta")
     return [
         *select(solution.sequences["theta"], ("Lambda",), given),
@@ -54,13 +54,13 @@ def secular(solution: Solution) -> list[Let]:
 
 
 def parts(solution: Solution) -> tuple[Let, ...]:
-    """e^(i Lambda t) times theta_4 and theta_1."""
+    """State e^(i Lambda t) times theta_4 and theta_1."""
     given = ("X_re", "X_im", "T4_re", "T4_im", "T1_re", "T1_im")
     return select(solution.sequences["circular_state"], PARTS, given)
 
 
 def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
-    """The unit quaternion in front, and the rows of q_x = (sum of row times part) * scale."""
+    """State the unit quaternion in front, and the rows of q_x = (sum of row times part) * scale."""
     sequence = solution.sequences["circular_state"]
     pull_back = solution.sequences["pull_back"]
     bars = tuple(name.replace("q_", "qbar_") for name in ATTITUDE)
@@ -76,13 +76,13 @@ def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[
 
 
 def _linear(solution: Solution) -> tuple[Let, ...]:
-    """The attitude, linear in the parts over N."""
+    """Return the attitude, linear in the parts over N."""
     given = (*_FRONT, *PARTS, "N", *SIGNS)
     return inlined(select(solution.sequences["circular_state"], ATTITUDE, given), ATTITUDE)
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
-    """What multiplies each part in each component, with the constant share of 1/N."""
+    """State the factor of each part in each component, with the constant share of 1/N."""
     rows = []
     for formula in attitude:
         for part in PARTS:
@@ -94,14 +94,14 @@ def _rows(attitude: Iterable[Let]) -> list[Let]:
 
 
 def _rates(solution: Solution) -> dict[str, Let]:
-    """The rates by the Jacobi function each is a multiple of."""
+    """Return the rates by the Jacobi function that each is a multiple of."""
     given = ("sn", "cn", "dn", "sigma", "chi", "tau", *AMPLITUDES)
     rates = select(solution.sequences["rates"], RATES, given)
     return dict(zip(("dn", "sn", "cn"), rates, strict=True))
 
 
 def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
-    """What multiplies the quotient of thetas in each rate (DLMF 22.2.4 to 22.2.6).
+    """State the factor of the quotient of thetas in each rate (DLMF 22.2.4 to 22.2.6).
 
     `unit` is the power of two, in 1/s, that inner rates are times.
     """
@@ -116,7 +116,7 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
 
 
 def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
-    """The attitude and the rates from parts, rows, gains and thetas."""
+    """State the attitude and the rates by parts, rows, gains and thetas."""
     lets = []
     for x in ("0", *AXES):
         first, second, third, fourth = (f"row_{x}_{part}*{part}" for part in PARTS)
@@ -138,7 +138,7 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """Plan, angles and state."""
+    """State the circular branch: constants, angles and state."""
     kept = [
         name
         for form in ("T4_re", "T4_im", "T1_re", "T1_im", "even", "odd", "sine_even", "sine_odd")
@@ -198,7 +198,7 @@ def _circular_state(solution: Solution) -> list[Let]:
 
 
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """Plan, angles and state."""
+    """State the hyperbolic branch: constants, angles and state."""
     kept = [f"{part}_{n}" for part in ("re", "im") for n in range(theta_hyperbolic.STATE)]
     kept += ["nome", "nome2", "nome4", "nome8", "nome12"]
     timed = ("w", "p", "side", "flip", "X_im", "X_re")
@@ -234,7 +234,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _phase_at_initial_state() -> list[Let]:
-    """y at t = 0, the period of y, and the exponentials there."""
+    """State y at t = 0, the period of y, and the exponentials there."""
     return [
         # On the separatrix the nome is zero and nothing ever returns.
         let("nome_d = rounded(nome)", "DLMF 20.2.2"),

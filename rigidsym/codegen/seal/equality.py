@@ -25,7 +25,7 @@ DIFFERS = "what is printed is not what was derived"
 
 
 def is_equal(left: Expression, right: Expression) -> bool:
-    """Whether two expressions are equal as rational functions of names and calls."""
+    """Return True where two expressions are equal as rational functions of names and calls."""
     if left == right:
         return True
     atoms: dict[Expression, str] = {}
@@ -40,7 +40,7 @@ def is_equal(left: Expression, right: Expression) -> bool:
 
 
 def _by_names(expression: Expression, atoms: dict[Expression, str]) -> Expression:
-    """The expression with a name for each call, the same for equal ones."""
+    """Put a name in place of each call, the same for equal ones."""
     parts = tuple(_by_names(part, atoms) for part in children(expression))
     match rebuild(expression, parts):
         case Call("neg", (operand,)):
@@ -52,7 +52,7 @@ def _by_names(expression: Expression, atoms: dict[Expression, str]) -> Expressio
 
 
 def _atom(call: Call, atoms: dict[Expression, str]) -> str:
-    """The name of a call: that of another one with the same function and equal arguments."""
+    """Return the name of a call, which calls of the same function and equal arguments share."""
     for other, name in atoms.items():
         if isinstance(other, Call) and _are_same(call, other):
             return name
@@ -73,7 +73,7 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
-    """A ring of the kernel: the witness is a point of primes, where the units do not vanish."""
+    """Open a ring of the kernel; its sample point consists of primes, where no unit vanishes."""
     witness = dict(zip(generators, map(str, _primes(len(generators))), strict=True))
     return Context("seal", tuple(generators), witness, units=units).open()
 
@@ -98,11 +98,11 @@ class Claim:
     printed: Expression
 
     def decide(self) -> None:
-        """Raises InputError, naming place and formula, unless both are equal."""
+        """Raise InputError, naming place and formula, unless both are equal."""
         if not is_equal(self.derived, self.printed):
             raise InputError(self.place, self.formula, DIFFERS)
 
 
 def formulas_of(lets: tuple[Let, ...]) -> dict[str, Expression]:
-    """Expressions by what they set, where that is one name."""
+    """Return expressions by the name they set, where that is one."""
     return {let.targets[0]: let.expression for let in lets if len(let.targets) == 1}

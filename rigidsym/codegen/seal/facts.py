@@ -212,7 +212,7 @@ OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 
 
 def level(target: str, name: str, letters: tuple[str, str]) -> Names:
-    """What the names of a Landen step are where it sets a target: levels are numbered from 1.
+    """Return the names of a Landen step that sets a target; levels are numbered from 1.
 
     >>> level("k_3", "k_next", ("k", "kc"))["kc"], level("s", "s", ("k", "kc"))["s_next"]
     ('kc_2', 's_2')
@@ -231,7 +231,7 @@ def level(target: str, name: str, letters: tuple[str, str]) -> Names:
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Each formula that names a fact, and the fact."""
+    """Yield a claim for each formula that names a fact."""
     ledger, names = by_fact(solution), OF[form]
     for function in functions:
         parts = names.parts.get(function.name, ())
@@ -246,12 +246,12 @@ def claims(solution: Solution, functions: Iterable[Function], form: str = THETA)
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
-    """The formulas of all sequences by what the ledger has them from."""
+    """Return the formulas of all sequences by their facts in the ledger."""
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
 def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
-    """What the names of the ledger that a function may set are called there."""
+    """Return the names that a function may set by facts of the ledger."""
     if place == "_ladder":
         return {f"K{n}" for n in range(landen.STEPS)}
     found = set()
@@ -264,7 +264,7 @@ def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
 
 
 def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
-    """A line names equations of the paper by facts alone that carry them."""
+    """Check that facts of a line carry the equations of the paper that it names."""
     for fact in let.facts:
         if fact not in ledger:
             raise InputError(place, let, f"{fact}: the ledger has no such formula")
@@ -285,7 +285,7 @@ def _claim(place: str, let: Let, formula: Formula, names: Meanings) -> Claim:
 
 
 def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    """The expression with what calls of standard functions are in place of them."""
+    """Put the values of standard functions in place of their calls."""
     if expression in values:
         return values[expression]
     return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))
@@ -301,7 +301,7 @@ def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping
 
 
 def _rung(place: str, let: Let) -> Mapping[str, Expression]:
-    """K on a step of the ladder, from the step below."""
+    """Return the names of K on a step of the ladder and on the step below."""
     for n in range(landen.STEPS):
         if let.targets == (f"K{n}",):
             means = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}

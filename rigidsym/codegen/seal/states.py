@@ -45,7 +45,7 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Attitude, norm, phase and rates of each branch: the Pi form has them in one fact each."""
+    """Yield attitude, norm, phase and rates of each branch, which are one fact each in the Pi form."""
     if form == STEP:
         return
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
@@ -79,7 +79,7 @@ def _attitude(
 def _norm(
     branch: str, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Claim:
-    """over_N and scale are positive, and their product's square times W = N^2 is 1."""
+    """Claim that over_N times scale, both positive, squared and times W = N^2 is 1."""
     scale = put(state["scale"], {"over": state["over"]})
     product = Operation("*", _squared(branch, constants["over_N"]), _squared(branch, scale))
     square = Operation("*", product, constants["W"])
@@ -87,7 +87,7 @@ def _norm(
 
 
 def _squared(place: str, positive: Expression) -> Expression:
-    """The square of what is seen to be positive: roots, their quotients, and 1."""
+    """Return the square of a visibly positive expression: roots, their quotients, and 1."""
     match positive:
         case Call("sqrt", (radicand,)):
             return radicand
@@ -127,7 +127,7 @@ def _rates(
 def _steady(
     solution: Solution, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Iterator[Claim]:
-    """Half the angle is the phase."""
+    """Claim that half the angle is the phase."""
     ledger = by_fact(solution)
     angle = {"theta": ledger["definition steady.theta"].expression}
     phase = {n: put(parse(x), {"Lambda_rate": constants["Lambda_rate"]}) for n, x in _PHASE.items()}

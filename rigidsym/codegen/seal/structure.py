@@ -80,7 +80,7 @@ _STEPS = {
 
 
 def check_order(functions: Iterable[Function], numbers: set[str]) -> None:
-    """Raises InputError, naming the line, where the formulas or the lines of a function do not."""
+    """Raise InputError, naming the line, for a name or a call that is out of order."""
     called: dict[str, Function] = {}
     for function in functions:
         for lets in (function.formulas, function.lets):
@@ -109,7 +109,7 @@ def _check_names(function: Function, lets: tuple[Let, ...], numbers: set[str]) -
 
 
 def _check_use(function: Function, lets: tuple[Let, ...]) -> None:
-    """Of what a line sets, something is used later, or returned."""
+    """Check that every line sets a name that is used later, or returned."""
     wanted = set(function.results)
     for let in reversed(lets):
         if not wanted.intersection(let.targets):
@@ -118,7 +118,7 @@ def _check_use(function: Function, lets: tuple[Let, ...]) -> None:
 
 
 def _check_calls(place: str, let: Let, known: dict[str, Function]) -> None:
-    """Functions of the module are called with what they take, for what they return."""
+    """Check that calls have as many arguments and results as the functions called."""
     whole = let.expression
     if len(let.targets) > 1 and not (isinstance(whole, Call) and whole.function in known):
         raise InputError(place, let, "several names are set by no function that returns several")
@@ -141,7 +141,7 @@ def _calls(expression: Expression) -> Iterator[Call]:
 
 
 def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
-    """Raises InputError, naming the function, where one is not what the runtimes count on."""
+    """Raise InputError for a function that is not as the runtimes expect it."""
     by_name = {function.name: function for function in functions}
     if form == STEP:
         for name, (parameters, results) in _STEPS.items():
@@ -164,7 +164,7 @@ def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
 
 
 def _check_branch(branch: str, functions: Mapping[str, Function]) -> None:
-    """Angles are of times, states of angles; all else that they are given is of constants."""
+    """Check that angles take times, states take angles, and both take constants besides."""
     constants, angles, state = (
         functions[f"_{branch}_{part}"] for part in ("constants", "angles", "state")
     )
@@ -186,7 +186,7 @@ def _among(name: str, what: str, found: Iterable[str], known: Iterable[str]) -> 
 
 
 def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) -> Iterator[Claim]:
-    """Each formula of each function, and what its lines give."""
+    """Yield a claim for each formula of each function, and its lines."""
     for origin, function in zip(stated, functions, strict=True):
         _check_stated(origin, function)
         _check_shared(function)
@@ -204,7 +204,7 @@ def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) ->
 
 
 def _check_stated(origin: Function, function: Function) -> None:
-    """Formulas are left out, and nothing else happens to them."""
+    """Check that formulas were left out, and nothing else was done to them."""
     later = iter(origin.lets)
     for formula in function.formulas:
         if formula not in later:
@@ -214,7 +214,7 @@ def _check_stated(origin: Function, function: Function) -> None:
 
 
 def _check_shared(function: Function) -> None:
-    """A part that lines share is by the facts of these lines, and by no other."""
+    """Check that a shared part names the facts of the lines that share it, and no other."""
     formulas = {formula.targets[0] for formula in function.formulas}
     users: dict[str, set[str]] = {}
     for let in reversed(function.lets):

@@ -51,7 +51,7 @@ class Between:
 
 
 def between(file: str, text: str, first: str, last: str) -> Between:
-    """What a file has after its first part and before its last, which end with their lines.
+    """Return the text of a file between its first and its last part, which end with their lines.
 
     Raises InputError, naming the line, where a part is not there word for word.
     """
@@ -74,7 +74,7 @@ def _check_by_hand(file: str, lines: list[str], number: int, wanted: str) -> Non
 
 
 def _check_digests(generated: Generated) -> None:
-    """Raises InputError, naming it, for a digest that is another one."""
+    """Raise InputError for a digest that is not that of the files."""
     manifest, files = generated.manifest, dict(generated.files)
     found = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     for name in sorted({*found, *manifest["sha256"]}):
@@ -87,7 +87,7 @@ def _check_digests(generated: Generated) -> None:
 
 
 def _check_places(generated: Generated) -> None:
-    """Raises InputError, naming the line, where the map and the text differ."""
+    """Raise InputError, naming the line, where the map and the text differ."""
     for name, text in generated.files.items():
         told = {place["line"]: place for place in generated.map.get(name, ())}
         _check_comments(name, text.split("\n"), told)
@@ -103,6 +103,6 @@ def _check_comments(file: str, lines: list[str], told: Mapping[int, Place]) -> N
 
 
 def _note(line: str) -> str:
-    """What is said behind a line of code."""
+    """Return the comment behind a line of code."""
     found = _NOTE.search(line)
     return found[1] if found else ""

@@ -17,13 +17,13 @@ LOGARITHM = "DLMF 4.38.5"
 
 
 def series_tail() -> Fraction:
-    """A bound for sum_{n >= TERMS} x^(2 n)/(2 n + 1) where x is at most LARGEST."""
+    """Bound sum_{n >= TERMS} x^(2 n)/(2 n + 1) where x is at most LARGEST."""
     square = LARGEST**2
     return square**_TERMS / (2 * _TERMS + 1) / (1 - square)
 
 
 def constants() -> list[Constant]:
-    """1/3, 1/5, ... as they are used, pi and log 2."""
+    """Return 1/3, 1/5, ... as they are used."""
     odd = [2 * n + 1 for n in range(1, _TERMS)]
     return [_constant(f"over_{n}", Fraction(1, n), f"1/{n}", n <= 2 * _EXTENDED + 1) for n in odd]
 
@@ -34,7 +34,7 @@ def _constant(name: str, value: Fraction, meaning: str, extended: bool) -> Const
 
 
 def half_turns() -> Function:
-    """theta/pi where s = sin(theta), c = cos(theta) >= 0."""
+    """Return theta/pi where s = sin(theta), c = cos(theta) >= 0."""
     lets = [let("t1 = s/(1 + c)", "DLMF 4.21.28")]
     lets += [let(f"t{k + 1} = t{k}/(1 + sqrt(1 + t{k}*t{k}))", "DLMF 4.21.28") for k in range(1, 4)]
     lets += _series("t4", "-", ARCTAN)
@@ -44,7 +44,7 @@ def half_turns() -> Function:
 
 
 def logarithm() -> Function:
-    """log x for x > 0."""
+    """Return log x for x > 0."""
     lets = [
         let("e = exponent(x)", "DLMF 4.8"),
         let("f = sqrt(mantissa(x))", "DLMF 4.8"),
@@ -57,7 +57,7 @@ def logarithm() -> Function:
 
 
 def _series(variable: str, sign: str, source: str) -> list[Let]:
-    """1 +- z/3 + z^2/5 +- ..., z the square of the variable."""
+    """Return 1 +- z/3 + z^2/5 +- ..., z the square of the variable."""
     names = [f"over_{2 * n + 1}" for n in range(1, _TERMS)]
     return [
         let(

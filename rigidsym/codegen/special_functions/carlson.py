@@ -23,7 +23,7 @@ _DOUBLING, _TAYLOR, _ELEMENTARY = "DLMF 19.36.1", "DLMF 19.36.2", "DLMF 19.2.17"
 
 
 def third_kind() -> Function:
-    """(s^3/3) R_J(c^2, d^2, 1, p) of c, d, p > 0; spread is (p - c^2)(p - d^2)(p - 1)/s^6."""
+    """State (s^3/3) R_J(c^2, d^2, 1, p) of c, d, p > 0; spread is (p - c^2)(p - d^2)(p - 1)/s^6."""
     lets = [
         let("square = s*s", "DLMF 19.25.14"),
         let("e_0 = spread*(square*(square*square))", _DOUBLING),
@@ -46,7 +46,7 @@ def third_kind() -> Function:
 
 
 def _duplication(n: int) -> list[Let]:
-    """One step: roots, what R_C adds, and the next x, y, z, p and mean."""
+    """State one step: roots, the addition by R_C, and the next x, y, z, p and mean."""
     roots = [let(f"root_p_{n} = sqrt(p_{n})", _DOUBLING)]
     names = {"x": "c", "y": "d", "z": "1"} if n == 0 else {x: f"root_{x}_{n}" for x in "xyz"}
     if n:
@@ -69,12 +69,12 @@ def _duplication(n: int) -> list[Let]:
 
 
 def _arctangent(variable: str, terms: int) -> str:
-    """arctan(root(e))/root(e) = 1 - e/3 + e^2/5 - ..., which is R_C(1, 1 + e)."""
+    """Return arctan(root(e))/root(e) = 1 - e/3 + e^2/5 - ..., which is R_C(1, 1 + e)."""
     return horner(variable, ["1", *(f"({(-1) ** n})/{2 * n + 1}" for n in range(1, terms))])
 
 
 def _taylor() -> list[Let]:
-    """What is left of R_J, over 3: the series in the elementary symmetric functions E."""
+    """State the rest of R_J, over 3: the series in the elementary symmetric functions E."""
     share, mean = 4**STEPS, f"mean_{STEPS}"
     return [
         let(f"scale = 1/({share}*{mean})", _TAYLOR),

@@ -27,7 +27,7 @@ _NAMES = [f"exponential_{k}" for k in range(TERMS)]
 
 
 def function() -> Function:
-    """e^x for x <= 0, and 0 below -708, without a branch, so that loops around it vectorise."""
+    """State e^x for x <= 0, and 0 below -708, without branches, so that loops vectorise."""
     lets = (
         let("bounded = choose(least, x, x, least)", "DLMF 4.8"),
         let("n = nearest(bounded*log_2_inverse)", "DLMF 4.8"),
@@ -40,7 +40,7 @@ def function() -> Function:
 
 
 def constants() -> list[Constant]:
-    """The coefficients, and log 2 in two parts."""
+    """Return the coefficients, and log 2 in two parts."""
     with mpmath.workdps(DIGITS):
         short = mpmath.floor(mpmath.ln2 * 2**_SHORT) / 2**_SHORT
         numbers = {
@@ -57,7 +57,7 @@ def constants() -> list[Constant]:
 
 @cache
 def coefficients(count: int) -> tuple[float, ...]:
-    """The doubles E_0 ... of E, `count` of them."""
+    """Return the doubles E_0 ... of E, `count` of them."""
 
     def tail(r: mpmath.mpf) -> mpmath.mpf:
         return sum(r**n / mpmath.factorial(n + 3) for n in range(60))
@@ -67,7 +67,7 @@ def coefficients(count: int) -> tuple[float, ...]:
 
 
 def bound(terms: Sequence[float]) -> float:
-    """A bound for |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r."""
+    """Bound |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r."""
     return distance(
         terms,
         lambda k: arb(1) / factorial(k + 3),

@@ -19,7 +19,7 @@ LARGEST = Fraction(1, 500)
 
 
 def series_tail() -> Fraction:
-    """A bound for what TERMS leave out of q/e, e at most LARGEST, relative to it: q/e >= 1.
+    """Bound what TERMS leave out of q/e, e at most LARGEST, relative to it: q/e >= 1.
 
     With e = q R(q^4) as in `coefficients`, let L be a lower bound for |R| where |q| = r = 3/5; |e|
     is at least r L there, and e has the zero q = 0 alone within.  By Rouche's theorem q is analytic
@@ -35,7 +35,7 @@ def series_tail() -> Fraction:
 
 
 def coefficients(count: int) -> list[int]:
-    """1, 2, 15, 150, ...: e = (q + q^9 + q^25 + ...)/(1 + 2 q^4 + 2 q^16 + ...) reversed.
+    """Return 1, 2, 15, 150, ..., the reversed series of a quotient of thetas.
 
     >>> coefficients(6)
     [1, 2, 15, 150, 1707, 20910]
@@ -61,7 +61,7 @@ def coefficients(count: int) -> list[int]:
 
 
 def _composed(ratio: list[int], found: list[int]) -> list[int]:
-    """Coefficients in w = e^4 of (q/e) R(q^4) where q/e has the coefficients found."""
+    """Return coefficients in w = e^4 of (q/e) R(q^4) where q/e has the coefficients found."""
     size = len(found)
     fourth = _times(_times(found, found), _times(found, found))
     argument = [0, *fourth[: size - 1]]
@@ -85,7 +85,7 @@ def _inverse(a: list[int]) -> list[int]:
 
 
 def root_ratio() -> Function:
-    """r = k/root q(k), which is 4 at k = 0."""
+    """Return r = k/root q(k), which is 4 at k = 0."""
     terms = [str(value) for value in coefficients(TERMS)]
     lets = (
         let("root_kc = sqrt(kc)", "DLMF 19.8.12"),

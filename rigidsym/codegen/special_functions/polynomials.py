@@ -14,7 +14,7 @@ _PIECES = 64
 
 
 def linear(terms: Mapping[str, int]) -> str:
-    """The sum of coefficient times name; the name "1" stands for the number.
+    """Return the sum of coefficient times name; the name "1" stands for the number.
 
     >>> linear({"1": 1, "a": -4, "b": 1, "c": 0})
     '1 - 4*a + b'
@@ -33,7 +33,7 @@ def linear(terms: Mapping[str, int]) -> str:
 
 
 def horner(variable: str, coefficients: Sequence[str]) -> str:
-    """The polynomial with these coefficients, lowest first.
+    """Return the polynomial with these coefficients, lowest first.
 
     >>> horner("x", ["a", "b", "c"])
     'a + x*(b + x*c)'
@@ -48,7 +48,7 @@ def horner(variable: str, coefficients: Sequence[str]) -> str:
 def interpolated(
     function: Callable[[mpf], mpf], least: Fraction, most: Fraction, count: int
 ) -> list[mpf]:
-    """The coefficients of the polynomial through a function at Chebyshev's points, lowest first."""
+    """Interpolate a function at Chebyshev's points; return the coefficients, lowest first."""
     middle, half = _number((least + most) / 2), _number((most - least) / 2)
     rows, values = mpmath.matrix(count), mpmath.matrix(count, 1)
     for k in range(count):
@@ -72,7 +72,7 @@ def distance(
     length: int = 30,
     weight: Callable[[arb], arb] = abs,
 ) -> float:
-    """A bound for weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
+    """Bound weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
 
     `weight` takes a ball of x.  Terms of the series fall by half at least from `length` on; the
     rest is expanded about the middles of pieces, in balls.
@@ -93,5 +93,5 @@ def distance(
 
 
 def ball(value: Fraction) -> arb:
-    """A rational number as a ball."""
+    """Return a rational number as a ball."""
     return arb(fmpq(value.numerator, value.denominator))

@@ -22,7 +22,7 @@ _RANGE = Fraction(0), _FARTHEST**2
 
 
 def constants() -> list[Constant]:
-    """The coefficients of the polynomials."""
+    """Return the coefficients of the polynomials."""
     sines, cosines = sine_coefficients(TERMS), cosine_coefficients(TERMS)
     return [
         *(
@@ -39,7 +39,7 @@ def constants() -> list[Constant]:
 def product(
     name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
 ) -> list[Let]:
-    """name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra; no of_lo unless `later`."""
+    """State name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra; of_lo where `later`."""
     terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
     small = " + (".join(filter(None, terms))
     small += ")" * small.count("(")
@@ -50,7 +50,7 @@ def product(
 
 
 def total(name: str, one: str, other: str) -> list[Let]:
-    """name + name_error = one + other exactly (Knuth's sum of two)."""
+    """Return name + name_error = one + other exactly (Knuth's sum of two)."""
     lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
     return [
         let(f"{name} = {one} + {other}", EXACT_SUM),
@@ -60,7 +60,7 @@ def total(name: str, one: str, other: str) -> list[Let]:
 
 
 def whole(name: str, value: str) -> list[Let]:
-    """The nearest whole number, and the rest, which is exact."""
+    """Return the nearest whole number, and the rest, which is exact."""
     return [
         let(f"{name}_whole = nearest({value})", TURNS),
         let(f"{name}_rest = {value} - {name}_whole", TURNS, EXACT_DIFFERENCE),
@@ -68,13 +68,13 @@ def whole(name: str, value: str) -> list[Let]:
 
 
 def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
-    """Sine of pi times half_turns, with a sign."""
+    """Return sine of pi times half_turns, with a sign."""
     square = f"{half_turns}_square"
     return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
 
 
 def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
-    """Sine and cosine of pi times half_turns, whose whole part is given apart."""
+    """Return sine and cosine of pi times half_turns, whose whole part is given apart."""
     square, sign = f"{angle}_square", f"{angle}_sign"
     return [
         _square(square, half_turns),
@@ -98,13 +98,13 @@ def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
 
 @cache
 def sine_coefficients(count: int) -> tuple[float, ...]:
-    """The doubles S_0 ... of S, `count` of them."""
+    """Return the doubles S_0 ... of S, `count` of them."""
     return _fitted(lambda z: _sine_ratio(z) - mpmath.pi, count)
 
 
 @cache
 def cosine_coefficients(count: int) -> tuple[float, ...]:
-    """The doubles C_0 ... of C, `count` of them."""
+    """Return the doubles C_0 ... of C, `count` of them."""
     return _fitted(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
 
 
@@ -114,7 +114,7 @@ def _sine_ratio(z: mpf) -> mpf:
 
 
 def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
-    """Coefficients of a polynomial p with z p(z) near the function."""
+    """Return coefficients of a polynomial p with z p(z) near the function."""
     with mpmath.workdps(DIGITS):
         first = float(interpolated(lambda z: function(z) / z, *_RANGE, count)[0])
         rest = interpolated(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
@@ -122,12 +122,12 @@ def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
 
 
 def sine_bound(coefficients: Sequence[float]) -> float:
-    """A bound for |f (pi + z S(z)) - sin(pi f)|."""
+    """Bound |f (pi + z S(z)) - sin(pi f)|."""
     return distance(coefficients, lambda k: _taylor(2 * k + 3), *_RANGE, weight=_sine_weight)
 
 
 def cosine_bound(coefficients: Sequence[float]) -> float:
-    """A bound for |1 + z C(z) - cos(pi f)|."""
+    """Bound |1 + z C(z) - cos(pi f)|."""
     return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
 
 

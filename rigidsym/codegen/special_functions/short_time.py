@@ -32,7 +32,7 @@ Polynomial = dict[tuple[int, int], Fraction]
 
 @cache
 def series() -> tuple[Polynomial, ...]:
-    """The coefficients of t, t^3, t^5, ... in X."""
+    """Return the coefficients of t, t^3, t^5, ... in X."""
     found: list[Polynomial] = [{(0, 0): Fraction(1)}]
     for n in range(TERMS - 1):
         total: Polynomial = {}
@@ -49,7 +49,7 @@ def _add(total: Polynomial, power: tuple[int, int], value: Fraction) -> None:
 
 
 def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[int, int]]]:
-    """The terms of t^(2 n + 3) in X^3."""
+    """Return the terms of t^(2 n + 3) in X^3."""
     for i in range(n + 1):
         for j in range(n + 1 - i):
             for (a, b), x in found[i].items():
@@ -59,7 +59,7 @@ def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[in
 
 
 def elapsed() -> list[Let]:
-    """X_0/t less 1 and Y_0 less 1 at the time `first_t`, from what e_1 and e_2 are rounded to."""
+    """State X_0/t less 1 and Y_0 less 1 at `first_t`, by e_1 and e_2 rounded."""
     return [
         let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
         let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
@@ -71,7 +71,7 @@ def elapsed() -> list[Let]:
 
 
 def _sum(factors: list[int]) -> str:
-    """The terms but for the first, with a factor each, by powers of a_2 and Horner's scheme."""
+    """Return the terms after the first, with a factor each, by Horner's scheme in a_2."""
     by_power: dict[int, dict[int, Fraction]] = {}
     for factor, coefficient in list(zip(factors, series(), strict=True))[1:]:
         for (i, j), c in coefficient.items():
@@ -91,7 +91,7 @@ def _number(value: Fraction) -> str:
 
 
 def third_kind() -> list[Let]:
-    """The imaginary part of rate J, rate and nu being complex."""
+    """State the imaginary part of rate J, where rate and nu are complex."""
     lets = [
         let("square_X = X*X", _LEGENDRE),
         let("d_0 = 1", _LEGENDRE),
@@ -122,7 +122,7 @@ def third_kind() -> list[Let]:
 
 @cache
 def elapsed_tail() -> Fraction:
-    """A bound for what TERMS leave out of X and Y, relative to them.
+    """Bound what TERMS leave out of X and Y, relative to them.
 
     With all signs positive, f'' = e_1 f + 2 e_2 f^3 has coefficients that are no smaller, and grow
     with e_1 and e_2: r is between 0 and p in `_PARTS` parts, in each of which both are at their
@@ -135,14 +135,14 @@ def elapsed_tail() -> Fraction:
 
 
 def _left_out(part: int) -> Fraction:
-    """What the terms of Y from TERMS to 4 TERMS are at most in a part of the values of r."""
+    """Bound the terms of Y from TERMS to 4 TERMS over one part of the values of r."""
     r, further = Fraction(part, _PARTS), Fraction(part + 1, _PARTS)
     found = _majorant(1 - r / 2, further**2 / 16)
     return sum(((2 * n + 1) * found[n] * LARGEST**n for n in range(TERMS, 4 * TERMS)), Fraction(0))
 
 
 def _majorant(e_1: Fraction, e_2: Fraction) -> list[Fraction]:
-    """The coefficients of t, t^3, ... in f, where f'' = e_1 f + 2 e_2 f^3."""
+    """Return the coefficients of t, t^3, ... in f, where f'' = e_1 f + 2 e_2 f^3."""
     found = [Fraction(1)]
     squares: list[Fraction] = []
     for n in range(4 * TERMS - 1):
@@ -153,7 +153,7 @@ def _majorant(e_1: Fraction, e_2: Fraction) -> list[Fraction]:
 
 
 def third_kind_tail() -> Fraction:
-    """A bound for what is left out in psi/2 after all doublings.
+    """Bound what is left out in psi/2 after all doublings.
 
     1/Y is a product of two (1 - a x)^(-1/2) with a <= p, so that d_j <= p^j; |nu| <= h <= p/4 then
     gives |c_j| <= (4/3) p^j.  X <= t; the rate is h z z' with |z| <= 1 and |z'| <= |omega|, since

@@ -21,7 +21,7 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.4"), "DLMF 20.7.14"
 
 
 def powers() -> list[Let]:
-    """p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
+    """Return p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
     lets = [let("up1 = h_plus", *_SERIES), let("down1 = h_minus", *_SERIES)]
     lets += [let("step_up1 = h_plus*Q", *_SERIES), let("step_down1 = h_minus*Q", *_SERIES)]
     for k in range(2, SECULAR + 1):
@@ -35,7 +35,7 @@ def powers() -> list[Let]:
 
 
 def zeta() -> list[Let]:
-    """zeta = Im theta_4'/theta_4 at v = -i b, over the quarter period."""
+    """Return zeta = Im theta_4'/theta_4 at v = -i b, over the quarter period."""
     even = range(2, SECULAR + 1, 2)
     slope = linear({f"d{k}": -((-1) ** (k // 2)) * k for k in even})
     value = linear({"1": 1} | {f"p{k}": (-1) ** (k // 2) for k in even})
@@ -43,7 +43,7 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """The coefficients of the polynomials in x, from p_k, d_k and Q."""
+    """Return the coefficients of the polynomials in x, from p_k, d_k and Q."""
     even, odd = range(2, STATE + 1, 2), range(1, STATE + 1, 2)
     signs = {k: (-1) ** (k // 2) for k in range(STATE + 1)}
     cosines = {"1": _chebyshev(0)} | {f"p{k}": _scaled(_chebyshev(k // 2), signs[k]) for k in even}
@@ -60,7 +60,7 @@ def coefficients() -> list[Let]:
 
 
 def rates() -> list[Let]:
-    """theta_1 to theta_4 of real v and nome Q, the first two over 2 Q^(1/4)."""
+    """Return theta_1 to theta_4 of real v and nome Q, the first two over 2 Q^(1/4)."""
     lets = [let("Q2 = Q*Q", *_SERIES), let("Q4 = Q2*Q2", *_SERIES), let("Q6 = Q4*Q2", *_SERIES)]
     lets += [let("Q9 = Q4*Q4*Q", *_SERIES), let("Q12 = Q6*Q6", *_SERIES)]
     lets += [let("Q16 = Q12*Q4", *_SERIES), let("Q20 = Q16*Q4", *_SERIES)]
@@ -78,7 +78,7 @@ def rates() -> list[Let]:
 
 
 def at_zero() -> list[Let]:
-    """theta_2, theta_3, theta_4 of zero, nome Q; theta_2 over 2 Q^(1/4)."""
+    """Return theta_2, theta_3, theta_4 of zero, nome Q; theta_2 over 2 Q^(1/4)."""
     return [
         let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2"),
         let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3"),
@@ -89,7 +89,7 @@ def at_zero() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """What is needed at zero, and theta_3 of i b, nome Q."""
+    """State the values at zero, and theta_3 of i b, nome Q."""
     lets = at_zero()
     # e^(2 n b) Q^(n^2) = Q^(n^2 - n) h_plus^(2 n)
     lets += [let("h2_plus = h_plus*h_plus", _WATSON), let("h2_minus = h_minus*h_minus", _WATSON)]
@@ -101,7 +101,7 @@ def constants() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """Everything a state needs, from sin v and cos v."""
+    """State all thetas of a state, by sin v and cos v."""
     return [
         *argument(),
         let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
@@ -113,7 +113,7 @@ def values() -> list[Let]:
 
 
 def argument() -> list[Let]:
-    """cos 2v, and its square."""
+    """Return cos 2v, and its square."""
     return [
         let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
         let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
@@ -121,7 +121,7 @@ def argument() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
+    """Return theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
     return [
         let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
         let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
@@ -135,7 +135,7 @@ def rate_values() -> list[Let]:
 
 
 def names(form: str) -> list[str]:
-    """The coefficients of one polynomial, lowest first."""
+    """Return the coefficients of one polynomial, lowest first."""
     return [f"{form}_{j}" for j in range(_LENGTHS[form])]
 
 
@@ -146,7 +146,7 @@ _LENGTHS = {
 
 
 def _table(form: str, rows: Mapping[str, Sequence[int]], factor: str = "") -> list[Let]:
-    """One let for each power of x: the sum of symbol times whole number."""
+    """State the coefficient of each power of x: a sum of symbols times whole numbers."""
     lets = []
     for j, name in enumerate(names(form)):
         text = linear({symbol: row[j] if j < len(row) else 0 for symbol, row in rows.items()})
@@ -159,27 +159,27 @@ def _scaled(row: Sequence[int], factor: int) -> list[int]:
 
 
 def _chebyshev(n: int) -> list[int]:
-    """cos 2nv in powers of x."""
+    """Return cos 2nv in powers of x."""
     return _recurrence([1], [0, 1], n)
 
 
 def _second(n: int) -> list[int]:
-    """sin 2(n+1)v / sin 2v in powers of x."""
+    """Return sin 2(n+1)v / sin 2v in powers of x."""
     return _recurrence([1], [0, 2], n)
 
 
 def _over_sine(n: int) -> list[int]:
-    """sin (2n+1)v / sin v in powers of x."""
+    """Return sin (2n+1)v / sin v in powers of x."""
     return _recurrence([1], [1, 2], n)
 
 
 def _over_cosine(n: int) -> list[int]:
-    """cos (2n+1)v / cos v in powers of x."""
+    """Return cos (2n+1)v / cos v in powers of x."""
     return _recurrence([1], [-1, 2], n)
 
 
 def _recurrence(before: list[int], after: list[int], n: int) -> list[int]:
-    """The n-th of the polynomials with P_(n+1) = 2 x P_n - P_(n-1)."""
+    """Return the n-th of the polynomials with P_(n+1) = 2 x P_n - P_(n-1)."""
     for _ in range(n):
         doubled = [0, *(2 * value for value in after)]
         longer = [*before, *[0] * (len(doubled) - len(before))]
@@ -188,6 +188,6 @@ def _recurrence(before: list[int], after: list[int], n: int) -> list[int]:
 
 
 def series_tail() -> float:
-    """A bound for what a state leaves out of its thetas: twice the first term, p_8 or Q^25."""
+    """Bound what a state leaves out of its thetas: twice the first term, p_8 or Q^25."""
     largest = 0.208
     return 2 * max(2 * largest ** (STATE * (STATE + 1) // 2), 2 * largest**25)

@@ -23,7 +23,7 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.2"), "DLMF 20.7.14"
 
 
 def multiples() -> list[Let]:
-    """C_n and S_n from cos_a and sin_a."""
+    """Return C_n and S_n from cos_a and sin_a."""
     lets = [let("C_0 = cos_a", *_SERIES), let("S_0 = sin_a", *_SERIES)]
     lets.append(let("turn = 2*(1 - 2*(sin_a*sin_a))", "DLMF 4.21.27"))
     lets += [let("C_1 = (turn - 1)*C_0", *_SERIES), let("S_1 = (turn + 1)*S_0", *_SERIES)]
@@ -34,7 +34,7 @@ def multiples() -> list[Let]:
 
 
 def powers() -> list[Let]:
-    """q^2, q^4, ... as far as anything needs them."""
+    """State the powers q^2, q^4, ... of the nome that are used."""
     lets = [
         let("nome2 = nome*nome", *_SERIES),
         let("nome4 = nome2*nome2", *_SERIES),
@@ -46,7 +46,7 @@ def powers() -> list[Let]:
 
 
 def zeta() -> list[Let]:
-    """zeta = -theta_2'/theta_2 at a, times the scale gc of the argument."""
+    """Return zeta = -theta_2'/theta_2 at a, times the scale gc of the argument."""
     falling = ("nome2", "nome6", "nome12", "nome20", "nome30")
     slope = "S_0 + " + " + ".join(f"{2 * n + 1}*{q}*S_{n}" for n, q in enumerate(falling, 1))
     value = "C_0 + " + " + ".join(f"{q}*C_{n}" for n, q in enumerate(falling, 1))
@@ -54,7 +54,7 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """q^(n^2) C_n and -rho q^(n^2) S_n, and q^(2 n^2)."""
+    """Return q^(n^2) C_n and -rho q^(n^2) S_n, and q^(2 n^2)."""
     lets = [let("re_0 = C_0", *_SERIES), let("im_0 = -(rho*S_0)", *_SERIES)]
     for n, power in enumerate(("nome", "nome4", "nome8*nome"), 1):
         lets.append(let(f"re_{n} = {power}*C_{n}", *_SERIES))
@@ -63,7 +63,7 @@ def coefficients() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """theta_2, theta_3, theta_4 of zero (the first over 2 q^(1/2)) and theta_3 of 2 a, nome q^2."""
+    """State thetas of zero (theta_2 over 2 q^(1/2)) and theta_3 of 2 a, nome q^2."""
     return [
         *at_zero(),
         let("twice = turn*turn - 2", "DLMF 4.21.27"),
@@ -74,7 +74,7 @@ def constants() -> list[Let]:
 
 
 def at_zero() -> list[Let]:
-    """theta_2, theta_3, theta_4 of zero, nome q^2, the first over 2 q^(1/2)."""
+    """Return theta_2, theta_3, theta_4 of zero, nome q^2, the first over 2 q^(1/2)."""
     return [
         let("two = 1 + nome4 + nome12", "DLMF 20.2.2"),
         let("three = 1 + 2*nome2 + 2*nome8 + 2*(nome12*nome6)", "DLMF 20.2.3"),
@@ -83,7 +83,7 @@ def at_zero() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """Everything a state needs, from w, p and sgn(y)."""
+    """State all thetas of a state, by w, p and sgn(y)."""
     lets = [
         let("p2 = p*p", *_SERIES),
         let("qw = nome*w", *_SERIES),
@@ -119,7 +119,7 @@ def values() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|, from w, p2, qw2 and sgn(y)."""
+    """State theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|, by w, p2, qw2, sgn(y)."""
     return [
         let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
@@ -137,7 +137,7 @@ def rate_values() -> list[Let]:
 
 
 def series_tail() -> Fraction:
-    """A bound for what a state leaves out of each theta, over q^(1/4) e^|y| as above.
+    """Bound what a state leaves out of each theta, over q^(1/4) e^|y| as above.
 
     The n-th term is at most q^(n^2) (p^n + w (q w)^n) <= 2 q^(n^2); these fall by q^(2 STATE + 1)
     at least from n = STATE on.  The thetas of nome q^2 leave out less, 2 (q^18 + 2 q^24) at most.

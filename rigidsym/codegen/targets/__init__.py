@@ -25,14 +25,14 @@ TARGETS = ["numpy", "c"]
 
 
 def builder(target: str) -> Build:
-    """The `build` of a target; raises InputError for an unknown one."""
+    """Return the `build` of a target; raise InputError for an unknown one."""
     if not isinstance(target, str) or target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
     return import_module(f"{__name__}.{target}.module").build
 
 
 def reader(target: str) -> Check:
-    """The `check` of a target; raises InputError for one that cannot be read back."""
+    """Return the `check` of a target; raise InputError for one that cannot be read back."""
     try:
         return import_module(f"{__name__}.{target}.read_back").check
     except ModuleNotFoundError:

@@ -33,7 +33,7 @@ _KEPT = (*INERTIA, *DIFFERENCES, *START, "per_K2", *(f"l{k}" for k in AXES), *_A
 
 
 def sensitivity(solution: Solution) -> tuple[Function, ...]:
-    """All of them, in an order in which each calls those before it."""
+    """Return all functions, in an order in which each calls those before it."""
     return (
         moduli(solution),
         *along(solution),
@@ -45,7 +45,7 @@ def sensitivity(solution: Solution) -> tuple[Function, ...]:
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:
-    """Constants of a motion that is not at rest, and the columns at a time."""
+    """State the constants of a motion that is not at rest, and the columns at a time."""
     given = (*INERTIA, *DIFFERENCES, *START, *BEGUN)
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(

@@ -49,7 +49,7 @@ _TIMED = (*ELAPSED, *ALONG, "t", *RATES)
 
 
 def along(solution: Solution) -> tuple[Function, ...]:
-    """Constants of a motion, and both directions at a time."""
+    """State the constants of a motion, and both directions at a time."""
     constants = Function(
         "_along_constants",
         "What both directions are made from; reach: beyond which p t^2 phases are known.",
@@ -84,7 +84,7 @@ def _constants_along(solution: Solution) -> list[Let]:
 
 
 def _there(name: str) -> Let:
-    """What is divided by: itself, or 1 where it is zero and what comes of it is not taken."""
+    """State a divisor, or 1 where it is zero and its quotient is not taken."""
     return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
 
 
@@ -108,7 +108,7 @@ def _state_along(solution: Solution) -> list[Let]:
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
-    """Constants of a motion, and the columns at a time."""
+    """State the constants of a motion, and the columns at a time."""
     constants = Function(
         "_columns_constants",
         "What sensitivities of the rates are made from, at t = 0.",
@@ -153,7 +153,7 @@ def _state_of_columns(solution: Solution) -> list[Let]:
 
 
 def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """The middle rate's columns: products where they are no larger than what they are made from.
+    """State the middle rate's columns: as products, where their factors are no smaller.
 
     Near spin about b these keep all digits, and the general form is a difference of large numbers.
     """
@@ -173,7 +173,7 @@ def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
 
 
 def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """The integral of the middle rate's square, without the time itself near a spin about b."""
+    """State the integral of the middle rate's square, near a spin about b without the time."""
     spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
     return [
         let("p_divisor = choose(size(p), 0, 1, p)"),

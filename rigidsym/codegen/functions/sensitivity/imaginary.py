@@ -18,7 +18,7 @@ _SERIES = ("DLMF 20.2.1", "DLMF 20.2.2")
 
 
 def imaginary() -> tuple[Function, ...]:
-    """Constants, angles and functions."""
+    """State constants, angles and functions."""
     kept = [
         *_NOMES,
         *("gain_S", "gain_C", "gain_D", "f_gain", "f_rate", "f_period", "p", "apart"),
@@ -92,7 +92,7 @@ def _constants() -> list[Let]:
 
 
 def _exponentials(z: str, period_lo: str) -> list[Let]:
-    """The sign, e^(-2 |z|) and that from the other end of the period, to all digits of z + z_lo."""
+    """State the sign, e^(-2 |z|) and its mirror in the period, to all digits of z + z_lo."""
     return [
         let(f"{z}_side = choose(0, {z}, 1, -1)", "DLMF 20.2.1", _SQUARE),
         let(f"{z}_depth = 2*size({z})", _SQUARE),
@@ -103,7 +103,7 @@ def _exponentials(z: str, period_lo: str) -> list[Let]:
 
 
 def _over_phase(z: str, integral: str, whole: str = "") -> list[Let]:
-    """r times the integral of sd^2/lambda^2 from 0 to z, by `_exponentials`."""
+    """State r times the integral of sd^2/lambda^2 from 0 to z, by `_exponentials`."""
     w2, p2 = f"{z}_w2", f"{z}_p2"
     linear = f"{whole}*passed_period - passed_rate*{z}" if whole else f"-passed_rate*{z}"
     return [
@@ -160,13 +160,13 @@ def _state() -> list[Let]:
 
 
 def _powers() -> list[Let]:
-    """q^2, q^3, ... as far as anything needs them."""
+    """State the powers q^2, q^3, ... of the nome that are used."""
     made = {4: (2, 2), 6: (4, 2), 8: (4, 4), 12: (8, 4), 16: (8, 8), 18: (12, 6), 32: (16, 16)}
     return [let(f"nome{n} = nome{i}*nome{j}", "DLMF 20.2.2") for n, (i, j) in made.items()]
 
 
 def _at_zero() -> list[Let]:
-    """theta_2, theta_3, theta_4 of zero, the first over 2 q^(1/4)."""
+    """State theta_2, theta_3, theta_4 of zero, the first over 2 q^(1/4)."""
     return [
         let("two = 1 + nome4 + nome12 + nome12*nome12", "DLMF 20.2.2"),
         let("three = 1 + 2*nome2 + 2*nome8 + 2*nome18 + 2*nome32", "DLMF 20.2.3"),
@@ -175,7 +175,7 @@ def _at_zero() -> list[Let]:
 
 
 def _theta_values() -> list[Let]:
-    """theta_1 to theta_4 of i y, over q^(1/4) e^|y|, from w, p2, qw2 and sgn(y)."""
+    """State theta_1 to theta_4 of i y, over q^(1/4) e^|y|, by w, p2, qw2 and sgn(y)."""
     falling, turning = ["1", "nome2", "nome8", "nome18"], ["1", "-nome2", "nome8", "-nome18"]
     return [
         let("w2 = w*w", *_SERIES),
@@ -193,7 +193,7 @@ def _theta_values() -> list[Let]:
 
 
 def _third_theta(w2: str, p2: str) -> str:
-    """theta_3 of i z over 2 q^(1/4), from e^(-2 |z|) and that from the other end of the period."""
+    """Return theta_3 of i z over 2 q^(1/4), by e^(-2 |z|) and its mirror in the period."""
     return f"({_middle(w2, p2)}) + ({_ends(w2, p2)})"
 
 

@@ -16,7 +16,7 @@ RESULTS = ("p", "r", "apart", "lambda_", "divisor", "modulus", "complement")
 
 
 def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
-    """Those of Euler's equations, and what the moments change them by."""
+    """State the coefficients of Euler's equations, and their changes with the moments."""
     given = (*EXTENDED, "epsilon")
     return [
         let(f"epsilon = {HANDEDNESS}", "Levi-Civita"),
@@ -25,7 +25,7 @@ def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
 
 
 def moduli(solution: Solution) -> Function:
-    """From inertia and rates to lambda, the modulus and its complement."""
+    """State lambda, the modulus and its complement, from inertia and rates."""
     alphas = ("alpha_a", "alpha_b", "alpha_d", "tilt")
     lets = [
         *coefficients(solution, alphas),

@@ -17,7 +17,7 @@ COEFFICIENTS = tuple(f"{x}_{n}" for x in "EF" for n in range(TERMS))
 
 
 def coefficients() -> list[Let]:
-    """Of t^3 t^(2 n) in both, from p, r and p - r."""
+    """State the coefficients of t^3 t^(2 n) in both integrals, from p, r and p - r."""
     lets = [
         let("p_d = rounded(p)"),
         let("r_d = rounded(r)"),
@@ -31,7 +31,7 @@ def coefficients() -> list[Let]:
 
 
 def _of(name: str) -> list[Let]:
-    """square_n is the coefficient of t^(2 n + 2) in the square; of its integral, over 2 n + 3."""
+    """State those of one: square_n of t^(2 n + 2) in the square, and it over 2 n + 3."""
     square = f"{name}_square"
     lets = [let(f"{square}_0 = 1", _SOURCE), let(f"{name}_0 = 1/3", _SOURCE)]
     for n in range(1, TERMS):
@@ -48,23 +48,23 @@ def _of(name: str) -> list[Let]:
 
 
 def growth() -> list[Let]:
-    """p t^2, by which times are near."""
+    """State p t^2, by which times are near."""
     return [let("t2 = t*t", _SOURCE), let("growth = p*t2", _SOURCE)]
 
 
 def sine(far: str) -> Let:
-    """S_t, which is t where p t^2 is tiny: p itself may be below what products keep then."""
+    """State S_t, which is t where p t^2 is tiny: p may be below what products keep then."""
     return let(f"S_t = choose(growth, {TINY}, t, {far})", "DLMF 22.2.4")
 
 
 def root() -> Let:
-    """S_t where the far form would be a difference: by the root of its square, the slope of E_t."""
+    """State S_t as the root of E_t's slope, where the far form would be a difference."""
     square = horner("t2", [f"{2 * n + 3}*E_{n}" for n in range(TERMS)])
     return let(f"S_near = t*sqrt(size({square}))", _SOURCE)
 
 
 def values() -> list[Let]:
-    """Both integrals, near t = 0."""
+    """State both integrals near t = 0."""
     rows = {x: [f"{x}_{n}" for n in range(TERMS)] for x in "EF"}
     return [
         let(f"E_near = t*t2*({horner('t2', rows['E'])})", _SOURCE),

@@ -27,7 +27,7 @@ PASSED = ("passed", "turned")
 
 
 def real(solution: Solution) -> tuple[Function, ...]:
-    """Constants, angles and functions."""
+    """State constants, angles and functions."""
     kept = [
         *(name for form in _FORMS for name in theta_circular.names(form)),
         *("gain_S", "gain_C", "gain_D", "E_rate", "slope_0", "slope_1", "slope_2", "p", "apart"),

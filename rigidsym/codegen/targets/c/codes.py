@@ -66,7 +66,7 @@ _STEPS = (
 
 
 def filled(text: str, form: str) -> str:
-    """The text with an enumeration of a form's codes, and what is said of each, at its marks."""
+    """Fill the marks of a form's enumeration of codes, and of their messages."""
     own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
     codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
     texts = {

@@ -23,7 +23,7 @@ _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponen
 
 
 def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Operations on extended numbers as calls; `number`: whose, `dd` or `exact`."""
+    """Turn operations on extended numbers into calls; `number` is their prefix, `dd` or `exact`."""
     match expression:
         case Name() | Number():
             return expression
@@ -49,7 +49,7 @@ def lowered(expression: Expression, extended: frozenset[str], number: str) -> Ex
 
 
 def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """An extended number, whatever the expression is."""
+    """Return an expression as an extended number."""
     text = lowered(expression, extended, number)
     return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
 
@@ -81,7 +81,7 @@ def _indent(lines: list[str]) -> str:
 
 
 def constant_text(constant: Constant) -> str:
-    """The definition of a named number."""
+    """Print the definition of a named number."""
     hi = _literal(constant.hi)
     if constant.lo is None:
         return f"static const double {constant.name} = {hi}; /* {constant.meaning} */"

@@ -178,7 +178,13 @@ def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
     loop = f"for (size_t i = 0; i < {'n' if is_step else 'LANES'}; i++) {{"
     loads = [_load(x, place, function, extended) for x in function.parameters]
     to = "motion->" if has_struct else place
-    stores = [store for x in function.results for store in _stores(x, to, function)]
+    split, own = _split(function), function.all_extended()
+    stores = []
+    for x in function.results:
+        if x in split:
+            stores += [f"{to}{x}_{half}[i] = {x}.{half};" for half in ("hi", "lo")]
+        else:
+            stores.append(f"{to}{x}[i] = {f'dd_rounded({x})' if x in own else x};")
     return Frame(name, function, "dd", (head, loop, *loads), (*stores, "}", "}"))
 
 
@@ -191,13 +197,6 @@ def _load(name: str, place: str, function: Function, extended: frozenset[str]) -
         return f"const double_double {name} = {{{place}{name}_hi[i], {place}{name}_lo[i]}};"
     member = f"{name}_hi" if name in extended else name
     return f"const double {name} = {place}{member}[i];"
-
-
-def _stores(name: str, place: str, function: Function) -> list[str]:
-    if name in _split(function):
-        return [f"{place}{name}_{half}[i] = {name}.{half};" for half in ("hi", "lo")]
-    value = f"dd_rounded({name})" if name in function.all_extended() else name
-    return [f"{place}{name}[i] = {value};"]
 
 
 def members(functions: tuple[Function, ...]) -> list[str]:

@@ -154,7 +154,7 @@ def build(
 
 
 def named(text: str, form: str) -> str:
-    """A text with the names that are a form's own.
+    """Give the names in a text the prefix of a form.
 
     >>> named("torque_free_motion TORQUE_FREE_H torque_free_pi.h", PI)
     'torque_free_pi_motion TORQUE_FREE_PI_H torque_free_pi.h'
@@ -166,7 +166,7 @@ def named(text: str, form: str) -> str:
 
 
 def plain(text: str, form: str) -> str:
-    """The text that `named` makes this of."""
+    """Take the prefix of a form from the names in a text: the inverse of `named`."""
     if form == STEP:
         return text
     own = PurePath(HEADERS[form]).stem

@@ -53,7 +53,7 @@ class Statement(NamedTuple):
 
 
 def statements(file: str, derived: Between) -> Iterator[Statement]:
-    """Raises InputError, naming the line, for a character that derived text does not have."""
+    """Yield the statements; raise InputError for a character that derived text does not have."""
     _refuse(file, derived, _STRANGE)
     blank = Between(file, derived.line, _COMMENT.sub(_spaces, derived.text))
     _refuse(file, blank, _FOREIGN)
@@ -70,7 +70,7 @@ def statements(file: str, derived: Between) -> Iterator[Statement]:
 
 
 def _spaces(comment: re.Match[str]) -> str:
-    """As many lines."""
+    """Return as many lines as a comment has."""
     return " " + "\n" * comment[0].count("\n")
 
 
@@ -97,7 +97,7 @@ class Reader:
     functions: Mapping[str, Function]
 
     def read(self, text: str) -> tuple[Expression, bool]:
-        """An expression, and whether its value is extended; raises InputError for anything else."""
+        """Read an expression, and True where it is extended; raise InputError for anything else."""
         for number in _NUMBER.findall(text):
             if not _WHOLE.fullmatch(number):
                 raise InputError(self.place, text, f"{number} is no whole number with a point")
@@ -154,7 +154,7 @@ class Reader:
     def _all(
         self, arguments: tuple[Expression, ...], kinds: str, function: str
     ) -> tuple[Expression, ...]:
-        """The arguments, which are of these kinds."""
+        """Read the arguments, which are of these kinds."""
         read = [self._read(argument) for argument in arguments]
         if "".join(kind for _, kind in read) != kinds:
             raise InputError(self.place, function, "is given another kind of numbers")
@@ -167,7 +167,7 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """The number of lines that read back as their lets; raises InputError for the first not to."""
+    """Count the lines that read back as their lets; raise InputError for one that does not."""
     source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
     derived = _derived(files[source], functions, form)
@@ -187,7 +187,7 @@ def check(
 
 
 def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
-    """The files with names as they are written by hand; refuses one that is not the form's."""
+    """Return the files with plain names; refuse a name of another form."""
     found = {file: module.plain(text, form) for file, text in files.items()}
     for file, text in found.items():
         own_names = module.named(text, form).split("\n")
@@ -215,7 +215,7 @@ def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None
 
 
 def _without_rows(given: Iterator[Statement]) -> list[Statement]:
-    """Members declared in several rows as if it were one."""
+    """Join members that are declared in several rows."""
     rows: list[Statement] = []
     for statement in given:
         if rows and all(x.text.startswith("double ") for x in (statement, rows[-1])):
@@ -227,7 +227,7 @@ def _without_rows(given: Iterator[Statement]) -> list[Statement]:
 
 
 def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """What stands between the parts written by hand."""
+    """Return the text between the parts written by hand."""
     file = module.SOURCES[form]
     digest = header.digest_in(file, text)
     last = header.filled(module.source_last(functions, form), key("c", form), digest)
@@ -235,7 +235,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
 
 
 def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
-    """The numbers that functions use, to the last digit."""
+    """Yield the numbers that functions use, to the last digit."""
     used = {name for function in functions for name in function.used()}
     for number in constants:
         if number.name in used and number.lo is None:
@@ -285,7 +285,7 @@ def _check_function(
 
 
 def _check_line(reader: Reader, line: str, let: Let) -> None:
-    """A line sets what its let sets, to that, as a number of its kind."""
+    """Check that a line sets the names of its let, to its value, as a number of its kind."""
     if found := _SET.fullmatch(line):
         expression, is_pair = reader.read(found[3])
         kind = _PAIRS[reader.number] if is_pair else "double"

@@ -17,7 +17,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -30,14 +30,14 @@ def _product_error(a, b, p):
 
 
 def _two_sum(a, b):
-    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
     s = a + b
     c = s - a
     return s, (a - (s - c)) + (b - c)
 
 
 def _quick_sum(a, b):
-    """a + b exactly, for |a| >= |b| (Dekker)."""
+    """Return a + b exactly, for |a| >= |b| (Dekker)."""
     s = a + b
     return _DoubleDouble(s, b - (s - a))
 
@@ -130,7 +130,7 @@ def _exp(x):
 
 
 def _horner(x, *coefficients):
-    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    """Return c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
     total = x * coefficients[-1]
     for c in coefficients[-2:0:-1]:
         total += c
@@ -140,19 +140,19 @@ def _horner(x, *coefficients):
 
 
 def _nearest(x):
-    """The nearest whole number, for |x| < 2^51."""
+    """Return the nearest whole number, for |x| < 2^51."""
     return (x + _SHIFT) - _SHIFT if type(x) is float else np.rint(x)
 
 
 def _alternating(n):
-    """(-1)^n for a whole number n."""
+    """Return (-1)^n for a whole number n."""
     half = 0.5 * n
     rest = half - _nearest(half)
     return 1.0 - 8.0 * (rest * rest)
 
 
 def _choose(x, y, one, other):
-    """One where x <= y, else the other."""
+    """Return `one` where x <= y, else `other`."""
     return _where(x <= y, one, other)
 
 
@@ -171,7 +171,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """The e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -187,7 +187,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """The exponent of x over a number between 1/2 and 1."""
+    """Return the exponent of x, over a number between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -201,7 +201,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """The column of an axis, which is one for all or one for each."""
+    """Return the column of an axis, which is the same for all bodies or one for each."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -211,7 +211,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """The columns, in reverse order where this comes first."""
+    """Return the columns, in reverse order where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]

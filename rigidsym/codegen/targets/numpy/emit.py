@@ -20,12 +20,12 @@ _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
 
 
 def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
-    """The functions that the module prints: NumPy brings the exponential."""
+    """Return the functions that the module prints: NumPy brings the exponential."""
     return tuple(function for function in functions if function.name != "_exponential")
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """The named numbers, all functions in order, and the table of branches, if there are any."""
+    """Print the named numbers, all functions in order, and the tables, if there are any."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
     parts = [Lines((*head, "", ""), {})]
@@ -36,7 +36,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
 
 
 def constant_text(constant: Constant) -> str:
-    """The definition of a named number."""
+    """Print the definition of a named number."""
     value = repr(constant.hi)
     if constant.lo is not None:
         value = f"_DoubleDouble({constant.hi!r}, {constant.lo!r})"
@@ -44,7 +44,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def function_lines(function: Function) -> Lines:
-    """A function, a line for each of its lets."""
+    """Print a function, a line for each of its lets."""
     lets = function.lets
     if "t_lo" in function.parameters:
         lets = specialise(lets, {"t_lo": 0})
@@ -60,13 +60,13 @@ def function_lines(function: Function) -> Lines:
 
 
 def printed(expression: Expression) -> str:
-    """An expression as Python; raises ValueError for a function that the module does not have."""
+    """Print an expression as Python; raise ValueError for a function that the module lacks."""
     _check(expression)
     return to_text(_with_horner(expression), _CALLS | {"horner": "_horner"})
 
 
 def _with_horner(expression: Expression) -> Expression:
-    """Nested polynomials as one call, which works in place."""
+    """Turn nested polynomials into calls, which work in place."""
     variable, coefficients = _polynomial(expression)
     if len(coefficients) > 2:
         return Call("horner", (variable, *map(_with_horner, coefficients)))
@@ -74,7 +74,7 @@ def _with_horner(expression: Expression) -> Expression:
 
 
 def _polynomial(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
-    """The variable and the coefficients of a + x*(b + x*c), lowest first."""
+    """Return the variable and the coefficients of a + x*(b + x*c), lowest first."""
     match expression:
         case Operation("+", first, Operation("*", Name() as variable, inner)):
             same, rest = _polynomial(inner)

@@ -49,13 +49,13 @@ def build(
 
 
 def first(form: str) -> str:
-    """What is written by hand before the numbers, with places for shares, digest and errors."""
+    """Return the text before the numbers, with marks for shares, digest and measured errors."""
     head = _HEAD.format(text=header.text("numpy", form), option=option(form))
     return f"{head}\n{_part('double_double.py', '# --- double-doubles ---')}\n\n\n"
 
 
 def last(form: str) -> str:
-    """What is written by hand after the limits; the theta form alone has sensitivities."""
+    """Return the text after the limits; the theta form alone has sensitivities."""
     names = [_RUNTIMES[form], *(["sensitivity.py"] if form == THETA else [])]
     return "\n\n\n".join(_part(name, "# --- runtime ---") for name in names) + "\n"
 

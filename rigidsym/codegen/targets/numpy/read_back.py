@@ -39,7 +39,7 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """The number of lines that read back as their lets; raises InputError for the first not to."""
+    """Count the lines that read back as their lets; raise InputError for one that does not."""
     file, functions = module.FILES[form], emit.own(functions)
     derived = _derived(files[file], functions, form)
     statements = iter(_statements(derived))
@@ -59,7 +59,7 @@ def check(
 
 
 def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """What stands between the parts written by hand."""
+    """Return the text between the parts written by hand."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
     counts = shares(kinds, key("numpy", form))
@@ -97,7 +97,7 @@ def _check_statement(node: ast.stmt, file: str, expected: str) -> None:
 
 
 def _difference(found: ast.AST, wanted: ast.AST) -> tuple[ast.AST, ast.AST]:
-    """The part of a statement, the entry of a table, that is another one."""
+    """Return the parts that differ: of two statements, or of two entries of a table."""
     match found, wanted:
         case ast.Assign(targets=[ast.Name(id=name)]), ast.Assign(targets=[ast.Name(id=other)]):
             return _difference(found.value, wanted.value) if name == other else (found, wanted)
@@ -113,7 +113,7 @@ def _keys(table: ast.Dict) -> list[str]:
 
 
 def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
-    """The numbers that functions use, to the last digit."""
+    """Yield the numbers that functions use, to the last digit."""
     used = {name for function in functions for name in function.used()}
     for number in constants:
         if number.name in used:
@@ -152,7 +152,7 @@ def _check_function(
 
 
 def _head(node: ast.stmt) -> str:
-    """A function without its body: its decorators, its parameters and what is said of them."""
+    """Return a function without its body: decorators, parameters and annotations."""
     if not isinstance(node, ast.FunctionDef):
         return ast.unparse(node)
     bare = copy(node)
@@ -177,7 +177,7 @@ def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[
 
 
 def _expected(function: Function, let: Let) -> Expression:
-    """Times are doubles here: with t_lo = 0 the line says the same, and less."""
+    """Return the line of a let where t_lo = 0: times are doubles here."""
     if "t_lo" not in function.parameters:
         return let.expression
     (short,) = specialise([let], {"t_lo": 0})
@@ -187,7 +187,7 @@ def _expected(function: Function, let: Let) -> Expression:
 
 
 def _returned(node: ast.stmt) -> list[str]:
-    """The names that are returned, the halves of a pair as name_hi and name_lo."""
+    """Return the names of results, the halves of a pair as name_hi and name_lo."""
     if not isinstance(node, ast.Return) or node.value is None:
         return []
     values = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
@@ -204,7 +204,7 @@ def _name(value: ast.expr) -> str:
 
 
 def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
-    """An expression, which may call what is written by hand and the functions that are known.
+    """Read an expression, which may call hand-written functions and those that are known.
 
     Raises InputError, naming the place, for what is no expression of this module.
     """
@@ -216,7 +216,7 @@ def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
 
 
 def _check_calls(place: str, node: ast.expr, known: set[str]) -> None:
-    """Calls are of known functions: `neg`, which the parser has for a sign, is none."""
+    """Check that calls are of known functions: `neg`, which the parser has for a sign, is none."""
     for part in ast.walk(node):
         if isinstance(part, ast.Call) and ast.unparse(part.func) not in known:
             raise InputError(place, ast.unparse(part), "calls what is not known")
@@ -233,7 +233,7 @@ def _read(expression: Expression) -> Expression:
 
 
 def _nested(variable: Expression, coefficients: tuple[Expression, ...]) -> Expression:
-    """c_0 + x*(c_1 + x*(c_2 + ...))."""
+    """Return c_0 + x*(c_1 + x*(c_2 + ...))."""
     first, *rest = coefficients
     if not rest:
         return first

@@ -28,7 +28,7 @@ COLUMNS = ("attitude0", "omega0", "inertia", "t")
 
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
-    """States at the times t in s, and what they change by with their inputs.
+    """Return states at the times t in s, and their changes with the inputs.
 
     (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
     `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
@@ -73,8 +73,10 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
 
 
 def _together(shape, ends):
-    """Zeros of these shapes in one piece of memory, which allocators keep where they would give
-    pieces back to the system, and have them anew page by page."""
+    """Return zeros of these shapes in one piece of memory.
+
+    Allocators keep one piece where they would return several to the system, page by page.
+    """
     sizes = [math.prod((*shape, *end)) for end in ends]
     piece, found, begin = np.zeros(sum(sizes)), [], 0
     for end, size in zip(ends, sizes, strict=True):
@@ -84,7 +86,7 @@ def _together(shape, ends):
 
 
 def _elapsed(prepared):
-    """The constants of sensitivities, by groups that have a nome and an order of axes in common."""
+    """Return the constants of sensitivities, by groups of one nome and one order of axes."""
     c, apart, omega, discriminant = prepared["given"]
     axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
     # Where rates are constant, too, a is the axis with p >= r.
@@ -119,7 +121,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    """Return the phase at t = 0, and the p t^2 beyond which it is used: where it is known."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -129,8 +131,10 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """The indices of some bodies, and their constants by what they are for: arrays, or of one
-    body Python's floats."""
+    """Return the indices of some bodies, and their constants by the part that uses them.
+
+    Constants are arrays, or Python's floats of one body.
+    """
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
@@ -144,7 +148,7 @@ def _of_group(name, index, known):
 
 
 def _of_one(made, number):
-    """The constants of one body, as Python's floats."""
+    """Return the constants of one body, as Python's floats."""
     return {
         part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
     }
@@ -248,13 +252,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """What a function of the time gives, by name."""
+    """Return the results of a function of the time, by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """A body at rest begins to turn as it is given rates, and goes on."""
+    """Fill the changes of bodies at rest, which begin to turn as they are given rates."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [
@@ -270,7 +274,7 @@ def _at_rest(prepared, t, rows, first_of, at_once):
 
 
 def _unchanged(t, rows, at_once):
-    """At t = 0 changes are those given."""
+    """Set the changes at t = 0 to those given."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
         rows[2][some, time], rows[3][some, time] = at_once

@@ -63,7 +63,7 @@ class _RefusedError(ValueError):
 
 @np.errstate(invalid="ignore")
 def prepare(inertia):
-    """What is of bodies alone, for `step`; inertia (B, 3) in kg m^2, positive.
+    """Prepare the constants of bodies, for `step`; inertia (B, 3) in kg m^2, positive.
 
     Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
     are not positive and finite, or of too different size.
@@ -104,12 +104,12 @@ def _refuse(field, rule, good):
 
 
 def _paired(values):
-    """Pairs from doubles hi, lo, hi, lo, ..."""
+    """Make pairs from doubles hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
 def step(bodies, q, omega, dt, out):
-    """The free motion of B bodies after dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
+    """Move B bodies freely for dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
 
     bodies: of `prepare`, for one body or B of them.  q may have any length but zero, and is
     returned a unit quaternion; out, a pair of such arrays, may be (q, omega).  Raises ValueError
@@ -128,7 +128,7 @@ def step(bodies, q, omega, dt, out):
 
 
 def step_one(body, q, omega, dt):
-    """The same of one body of `prepare` and Python's floats, the same bits: q and omega as lists.
+    """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
 
     Raises ValueError or ArithmeticError for what `step` refuses, and for numbers that leave
     binary64 on the way.
@@ -143,7 +143,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Some of the bodies: one serves all."""
+    """Return the constants of some of the bodies; one body serves all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -160,7 +160,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """The attitude and the rates after dt on the axes a, b, d, and these axes.
+    """Return the attitude and the rates after dt on the axes a, b, d, and these axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -194,7 +194,7 @@ def _stepped(bodies, q, omega, dt):
 
 
 def _unit(parts):
-    """A quaternion over its length, each number as good as rounded once."""
+    """Divide a quaternion by its length, each number as good as rounded once."""
     squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
     square = sum(squares, _DoubleDouble(0.0))
     over = 1 / _sqrt(square.hi)
@@ -204,7 +204,7 @@ def _unit(parts):
 
 
 def _rounded_rates(rates, parts):
-    """Rates rounded up or down, each as often as they are near.
+    """Round rates up or down at random, each as often as it is near.
 
     Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
     one way for long.  The attitude's last digits are as good as chance.
@@ -225,7 +225,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """The attitude, of some length near that of q, and the rates as pairs, of moving bodies."""
+    """Return the attitude of moving bodies, about as long as q, and the rates as pairs."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
@@ -247,7 +247,7 @@ def _moved(moments, alphas, squares, epsilon, start, q, t):
 
 
 def torque(q, direction, coefficients):
-    """What a vector in space (..., 3) exerts on bodies of unit quaternions q (..., 4), (..., 3).
+    """Return the torque that a vector in space (..., 3) exerts on bodies of attitude q (..., 4).
 
     With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
     b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
