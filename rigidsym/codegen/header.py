@@ -1,4 +1,4 @@
-"""What the head of every generated module says: domain, conventions, grades, measured errors."""
+"""The head of every generated module: domain, conventions, grades, measured errors."""
 
 import hashlib
 import json

@@ -12,7 +12,7 @@ from rigidsym.errors import InputError
 
 
 class TraceError(LookupError):
-    """There is nothing to be told of a line or an equation, and why."""
+    """A line or an equation that has nothing behind it."""
 
 
 class _File(NamedTuple):

@@ -1030,7 +1030,7 @@ static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *
     }
 }
 
-/* What changes with time on the circular branch, at t + t_lo. */
+/* Angles of the circular branch at t + t_lo. */
 static void circular_angles(const torque_free_circular *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict sin_v_out,
     double *restrict cos_v_out, double *restrict X_im_out, double *restrict X_re_out)
@@ -1372,7 +1372,7 @@ static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lan
     }
 }
 
-/* What changes with time on the hyperbolic branch, at t + t_lo. */
+/* Angles of the hyperbolic branch at t + t_lo. */
 static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p_out,
     double *restrict side_out, double *restrict flip_out, double *restrict X_im_out,
@@ -1567,7 +1567,7 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
     *complement_out = complement;
 }
 
-/* What both directions are made from; reach: beyond which p t^2 phases are known. */
+/* Constants of both directions; reach: the p t^2 beyond which phases are known. */
 static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
     double_double Omega_b0, double_double Omega_d0, double axis_a, double axis_b,
@@ -1604,7 +1604,7 @@ static void along_constants(double_double c_a, double_double c_b, double_double 
     motion->reach = reach;
 }
 
-/* What the rates change by where p and r grow alike, and where r does. */
+/* Changes of the rates where p and r grow alike, and where r does. */
 static void along_state(const torque_free_along *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
     const double *restrict E_t_in, const double *restrict f_in,
@@ -1692,7 +1692,7 @@ static void along_state(const torque_free_along *motion, size_t n, const double 
     }
 }
 
-/* What sensitivities of the rates are made from, at t = 0. */
+/* Constants of sensitivities of the rates, at t = 0. */
 static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
     double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
@@ -1793,7 +1793,7 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->d_by_c_d = dd_rounded(d_by_c_d);
 }
 
-/* What the rates change by, and integrals of their squares, from functions of the time. */
+/* Changes of the rates, and integrals of their squares, from functions of the time. */
 static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
     const double *restrict E_t_in, const double *restrict f_in,
@@ -2082,7 +2082,7 @@ static void real_constants(double_double p, double_double r, double_double apart
     motion->F_9 = F_9;
 }
 
-/* What changes with time where m <= 1/2, at t + t_lo. */
+/* Angles of the elapsed time where m <= 1/2, at t + t_lo. */
 static void real_angles(const torque_free_real *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict sin_v_out,
     double *restrict cos_v_out)
@@ -2351,7 +2351,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->F_9 = F_9;
 }
 
-/* What changes with time where m > 1/2, at t + t_lo. */
+/* Angles of the elapsed time where m > 1/2, at t + t_lo. */
 static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
     double *restrict y_out, double *restrict side_out, double *restrict flip_out,
@@ -2530,7 +2530,7 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
     }
 }
 
-/* What sensitivities of the attitude are made from, at t = 0; not at rest. */
+/* Constants of sensitivities of the attitude, at t = 0; not at rest. */
 static void turn_constants(double c1, double c2, double c3, double c12, double c13, double c23, double Omega1_0,
     double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
     torque_free_turn *motion)
@@ -2597,7 +2597,7 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
     motion->B33 = B33;
 }
 
-/* What the attitude changes by, and the state with the time. */
+/* Changes of the attitude, and of the state with the time. */
 static void turn_state(const torque_free_turn *motion, size_t n, const double *restrict q0_in,
     const double *restrict q1_in, const double *restrict q2_in,
     const double *restrict q3_in, const double *restrict Omega1_in,
@@ -2794,7 +2794,7 @@ static void steady_constants(double_double Omega1, double_double Omega2, double_
     motion->p3 = dd_rounded(p3);
 }
 
-/* What changes with time on the steady branch, at t + t_lo. */
+/* Angles of the steady branch at t + t_lo. */
 static void steady_angles(const torque_free_steady *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict X_im_out, double *restrict X_re_out)
 {
@@ -2848,15 +2848,15 @@ static void steady_state(const torque_free_steady *motion, size_t n, const doubl
     }
 }
 
-/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
-   so that no compiler knows the outcome. */
+/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
+   in all numbers, so that no compiler can compute the outcome. */
 
 static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
 
-/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
 static int sums_hold(void)
 {
     const volatile double zero = 0.0;
@@ -2871,8 +2871,8 @@ static int sums_hold(void)
            is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
 }
 
-/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
-   products across functions, and what was split off is counted twice. */
+/* Return 1 where a difference of products has all its digits: clang's -ffp-contract=fast fuses sums
+   with products across functions, so that low parts are counted twice. */
 static int differences_hold(void)
 {
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
@@ -2886,8 +2886,8 @@ static int differences_hold(void)
                    -6.277847770376781e-21);
 }
 
-/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
 static int quotients_hold(void)
 {
     static const double quotients[][4] = {
@@ -2908,7 +2908,7 @@ static int quotients_hold(void)
     return holds;
 }
 
-/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
+/* Return 1 where the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
    turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
 static int angles_hold(void)
 {
@@ -2951,11 +2951,11 @@ static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
-/* Of a motion that was prepared; a number that memory has by no chance. */
+/* The mark of a prepared motion: a number that memory hardly has by chance. */
 enum { PREPARED = 0x7f4a7c15 };
 
-/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
-   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
+   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
 #ifdef ALLOW_NONPHYSICAL
@@ -3079,7 +3079,7 @@ static void limit(torque_free_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -3102,7 +3102,7 @@ static int take(torque_free_motion *motion, const lanes *lane, size_t i, const d
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* What is put in lane i: what a motion's constants come from. */
+/* Put into lane i the numbers that a motion's constants are made from. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
@@ -3187,8 +3187,8 @@ static double log2_sum(double x, double y)
     return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
-/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
-   over, the motion followed is the separatrix, or that spin, up to a time.
+/* Follow the separatrix, or spin about the middle axis, up to a time, where E_b is too faint, or where
+   rates taken for zero could decide when that spin turns over.
 
    With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
@@ -3231,7 +3231,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* What sensitivities are made from, where they are asked for. */
+/* Keep the numbers that sensitivities are made from. */
 static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -3289,7 +3289,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
         steady_init(motion, omega, unit_q);
 }
 
-/* The same from doubles, or a code. */
+/* Begin a motion from doubles, or return a code. */
 static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -3308,7 +3308,7 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
     for (int k = 0; k < 3; k++) {
         c[k] = dd_of(scaled_by(inertia[k], -c_scale));
         omega[k] = dd_of(scaled_by(omega0[k], -scale));
-        /* What is not zero stays so. */
+        /* Numbers other than zero stay so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
@@ -3332,7 +3332,7 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
     return TORQUE_FREE_OK;
 }
 
-/* One motion that was begun, where it has a code of its own. */
+/* Finish one motion that was begun, and return its code. */
 static int end(torque_free_motion *motion, torque_free_motion *made, lanes *lane)
 {
     int code = TORQUE_FREE_OK;
@@ -3460,7 +3460,7 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo, in rows s apart. */
+/* Write the angles at the inner times t + t_lo, in rows s apart. */
 static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
@@ -3548,7 +3548,7 @@ int torque_free_states_at(const torque_free_motion *motion, size_t n, const doub
     return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_UNPREPARED;
 }
 
-/* One state needs no block. */
+/* Write one state, which needs no block. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
@@ -3592,7 +3592,7 @@ static void grid_table(const torque_free_motion *motion, double step, double *re
     block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
+/* Write the angles at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
@@ -3624,7 +3624,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The same where what changes with time is more than sines and cosines. */
+/* Write the states of a grid where angles are more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -3740,7 +3740,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "c879726f5ae985ac72f398d5941e9832730d441c23d3966f6b44bf259a0eaba8"; }
+const char *torque_free_digest(void) { return "ac80465bc499b539e7606d64dd5894c2c3ca3da1c9ac2f6728b0694292f46008"; }
 
 const char *torque_free_message(int code)
 {
@@ -3797,7 +3797,7 @@ const char *torque_free_rule(int code)
     }
 }
 
-/* How many sensitivities are computed side by side: each takes some ninety doubles of stack. */
+/* The number of sensitivities computed side by side: each takes some ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
@@ -3839,7 +3839,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    /* Where it is not known when a motion turns over, it hardly does. */
+    /* A motion hardly turns over where the time of that is not known. */
     const int turns_over = motion->branch == 2;
     const double reach = turns_over ? 1.0 : never;
     const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
@@ -3886,7 +3886,7 @@ static size_t width_of(int asked)
 
 static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
 
-/* Three columns of a row: what is asked for of those by the turn at t = 0, omega0 and the moments is the
+/* Put three columns of a row: the chosen ones by the turn at t = 0, omega0 and the moments are the
    groups of a row, one after the other. */
 static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
                             size_t i, double by_rate, double by_moment, double again)
@@ -3932,7 +3932,7 @@ static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t
     }
 }
 
-/* What n <= SENSITIVE states change by, at inner times t. */
+/* Write the changes of n <= SENSITIVE states, at inner times t. */
 static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
@@ -3965,7 +3965,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     }
     turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
                state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
-    /* All of them, which is asked for most, without a question for each number. */
+    /* All columns, the most frequent choice, without a test for each number. */
     if (asked == TORQUE_FREE_BY_ALL)
         put_rows(TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
     else

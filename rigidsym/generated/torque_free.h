@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest c879726f5ae985ac72f398d5941e9832730d441c23d3966f6b44bf259a0eaba8
+digest ac80465bc499b539e7606d64dd5894c2c3ca3da1c9ac2f6728b0694292f46008
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -122,7 +122,7 @@ typedef struct {
     double Lambda_rate_hi, Lambda_rate_lo, axis1, axis2, axis3, p0, p1, p2, p3;
 } torque_free_steady;
 
-/* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
+/* Return codes; 0 is success.  A call for one body that fails writes nothing. */
 enum {
     TORQUE_FREE_OK = 0, /* success */
     TORQUE_FREE_NOT_FINITE = 1, /* every number must be finite; times, too */
@@ -142,8 +142,8 @@ enum {
 typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
-    int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
-    int prepared;        /* what tells it from memory that torque_free_motion_init has not written */
+    int blurred;         /* 1 where later times are refused as TORQUE_FREE_SEPARATRIX */
+    int prepared;        /* a mark that torque_free_motion_init has written the struct */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
@@ -154,34 +154,34 @@ typedef struct {
         torque_free_steady steady;
     } of;
     double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
+    double given[20];    /* moments, their differences, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Moments that no body can have, but for rounding, are refused
-   as TORQUE_FREE_NONPHYSICAL, here and by all that takes moments, unless the source is compiled with
+   inertial, of any length but zero.  Functions that take moments refuse those that no body can
+   have, beyond rounding, as TORQUE_FREE_NONPHYSICAL, unless the source is compiled with
    -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
-/* The same for numbers known beyond binary64, each the sum of two doubles {hi, lo}; sizes are as if
-   the largest moment and the largest rate were between 1/2 and 4.  What pairs would lose by
-   subtraction is asked for, right to all digits of a double_double: differences, moments 0 less 1, 1 less 2
-   and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign is the regime's.  Rates are
-   times `unit` rad/s, a power of two. */
+/* The constants of a motion from numbers known beyond binary64, each the sum of two doubles {hi, lo}.
+   The largest moment and the largest rate should be between 1/2 and 4.  Numbers that pairs would lose
+   by subtraction are arguments, right to all digits of a double_double: differences, moments 0 less 1,
+   1 less 2 and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign decides the
+   regime.  Rates are times `unit` rad/s, a power of two. */
 int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
                                 const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
    attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
-   TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all that follows,
+   TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all functions below,
    TORQUE_FREE_UNPREPARED. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns a code as it does. */
+   not overlap each other or t.  Returns a code as torque_free_state_at does. */
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
@@ -195,28 +195,28 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
    Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
    t is t[bodies][n].
-   codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
-   NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
-   ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
+   codes[bodies]: the code of each body; refused bodies and times have states of NaN, and 0 is
+   returned.  Where codes is NULL, the first body that is refused ends the call: its number is left
+   in *failed, its code is returned, and the states of the bodies before it are written. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes /* or NULL */, size_t *failed);
 
-/* The largest |t| (s) that a motion has states for; no number where it was not prepared. */
+/* The largest |t| (s) that a motion has states for; NaN where it was not prepared. */
 double torque_free_last_time(const torque_free_motion *motion);
 
-/* sizeof(torque_free_motion), and the digest of the header and the source, for who loads a library. */
+/* sizeof(torque_free_motion), and the digest of the header and the source, for callers of a shared library. */
 size_t torque_free_motion_size(void);
 const char *torque_free_digest(void);
 
-/* What a code means, in one line: the field and its rule. */
+/* The message of a code, in one line: the field and its rule. */
 const char *torque_free_message(int code);
 
 /* The field of the input that a code is about, "" for none, and the rule that it breaks. */
 const char *torque_free_field(int code);
 const char *torque_free_rule(int code);
 
-/* What states change by, to be asked for as a sum: columns are there in this order. */
+/* Inputs that states change with, to be added up; columns are in this order. */
 enum {
     TORQUE_FREE_BY_ATTITUDE0 = 1, /* three: a small turn at t = 0, in space */
     TORQUE_FREE_BY_OMEGA0 = 2,    /* three: the rates at t = 0 */
@@ -225,19 +225,19 @@ enum {
     TORQUE_FREE_BY_ALL = 15
 };
 
-/* The states at n times t[n] (s), as torque_free_states_at has them, and what they change by.
+/* The states at n times t[n] (s), as torque_free_states_at has them, and their changes with the inputs.
    attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
    itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
-   principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; what leaves
-   binary64 is infinite.  Returns a code as torque_free_states_at does, or TORQUE_FREE_GROWTH with states
+   principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; numbers beyond
+   binary64 are infinite.  Returns a code as torque_free_states_at does, or TORQUE_FREE_GROWTH with states
    at all times and changes that are NaN at some. */
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
 
-/* The same for n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
-   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, times that are refused have states
-   of NaN, and neither they nor those at which changes leave binary64 have other changes; a body with such a
+/* States and changes at n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
+   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, refused times have states
+   of NaN, and changes are NaN at these times and at those where they leave binary64; a body with such a
    time has code TORQUE_FREE_GROWTH, whatever else it has. */
 int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
                                            const double *attitude0, size_t n, const double *t, size_t stride,
@@ -245,9 +245,9 @@ int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
                                            double *attitude_t, double *rates_t, int *codes /* or NULL */,
                                            size_t *failed);
 
-/* Both with no other changes than `columns`, a sum of what stands above: attitude[n][3][m] and
+/* Both with the changes in `columns` alone, a sum of the inputs above: attitude[n][3][m] and
    rates[n][3][m] have three columns for each of the first three that is in it, attitude_t and rates_t are
-   written where TORQUE_FREE_BY_T is.  Only what is asked for can be refused by TORQUE_FREE_GROWTH. */
+   written where TORQUE_FREE_BY_T is.  TORQUE_FREE_GROWTH is about these columns alone. */
 int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int columns,
                                     double *q, double *omega, double *attitude /* or NULL */,
                                     double *rates /* or NULL */, double *attitude_t /* or NULL */,

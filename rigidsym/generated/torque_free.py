@@ -22,7 +22,7 @@ Lines of code:
     475  23 %  follow facts of the ledger, each named on its line
     589  28 %  follow classical formulas, each with its reference
     102   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    925  44 %  are the runtime, written by hand
+    928  44 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 4a63e367a2a18e313fc54ecc8d1ff2d6255fdd531a3c6d46771b64208baa1d43
+digest 349e81bd65d0b21499222026611939152fb0c565804c9a0a5610d280cf584074
 """
 
 # ruff: noqa
@@ -56,7 +56,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -69,14 +69,14 @@ def _product_error(a, b, p):
 
 
 def _two_sum(a, b):
-    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
     s = a + b
     c = s - a
     return s, (a - (s - c)) + (b - c)
 
 
 def _quick_sum(a, b):
-    """a + b exactly, for |a| >= |b| (Dekker)."""
+    """Return a + b exactly, for |a| >= |b| (Dekker)."""
     s = a + b
     return _DoubleDouble(s, b - (s - a))
 
@@ -169,7 +169,7 @@ def _exp(x):
 
 
 def _horner(x, *coefficients):
-    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    """Return c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
     total = x * coefficients[-1]
     for c in coefficients[-2:0:-1]:
         total += c
@@ -179,19 +179,19 @@ def _horner(x, *coefficients):
 
 
 def _nearest(x):
-    """The nearest whole number, for |x| < 2^51."""
+    """Return the nearest whole number, for |x| < 2^51."""
     return (x + _SHIFT) - _SHIFT if type(x) is float else np.rint(x)
 
 
 def _alternating(n):
-    """(-1)^n for a whole number n."""
+    """Return (-1)^n for a whole number n."""
     half = 0.5 * n
     rest = half - _nearest(half)
     return 1.0 - 8.0 * (rest * rest)
 
 
 def _choose(x, y, one, other):
-    """One where x <= y, else the other."""
+    """Return `one` where x <= y, else `other`."""
     return _where(x <= y, one, other)
 
 
@@ -210,7 +210,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """The e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -226,7 +226,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """The exponent of x over a number between 1/2 and 1."""
+    """Return the exponent of x, over a number between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -240,7 +240,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """The column of an axis, which is one for all or one for each."""
+    """Return the column of an axis, which is the same for all bodies or one for each."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -250,7 +250,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """The columns, in reverse order where this comes first."""
+    """Return the columns, in reverse order where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -642,7 +642,7 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
 
 
 def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo):
-    """What changes with time on the circular branch, at t + t_lo."""
+    """Angles of the circular branch at t + t_lo."""
     p = v_rate_hi * t  # arithmetic: Dekker 1971
     p_error = _product_error(v_rate_hi, t, p) + (v_rate_lo * t + v_lo)  # arithmetic: Dekker 1971
     v = p + v_hi  # arithmetic: Knuth 4.2.2
@@ -839,7 +839,7 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c
 
 
 def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi, Lambda_rate_lo, jump_hi, jump_lo, period_far, period_inverse):
-    """What changes with time on the hyperbolic branch, at t + t_lo."""
+    """Angles of the hyperbolic branch at t + t_lo."""
     p_y = y_rate_hi * t  # arithmetic: Dekker 1971
     p_y_error = _product_error(y_rate_hi, t, p_y) + (y_rate_lo * t + y0_lo)  # arithmetic: Dekker 1971
     periods = _nearest((p_y + y0_hi) * period_inverse)  # classical: DLMF 20.2.7
@@ -945,7 +945,7 @@ def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, 
 
 
 def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach):
-    """What both directions are made from; reach: beyond which p t^2 phases are known."""
+    """Constants of both directions; reach: the p t^2 beyond which phases are known."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
     alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
@@ -965,7 +965,7 @@ def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_
 
 
 def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r, share, half_over_p, reach):
-    """What the rates change by where p and r grow alike, and where r does."""
+    """Changes of the rates where p and r grow alike, and where r does."""
     common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
     common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
     below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
@@ -1010,7 +1010,7 @@ def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Ome
 
 
 def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d):
-    """What sensitivities of the rates are made from, at t = 0."""
+    """Constants of sensitivities of the rates, at t = 0."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
     alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
@@ -1070,7 +1070,7 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
 
 
 def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k, kappa_a, kappa_d, p, apart, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
-    """What the rates change by, and integrals of their squares, from functions of the time."""
+    """Changes of the rates, and integrals of their squares, from functions of the time."""
     common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5)
     common_2 = common_1 * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5)
     Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_2 * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
@@ -1221,7 +1221,7 @@ def _real_constants(p, r, apart, lambda_, divisor, modulus, complement):
 
 
 def _real_angles(t, v_rate_hi, v_rate_lo):
-    """What changes with time where m <= 1/2, at t + t_lo."""
+    """Angles of the elapsed time where m <= 1/2, at t + t_lo."""
     v = v_rate_hi * t  # arithmetic: Dekker 1971
     v_error = _product_error(v_rate_hi, t, v) + v_rate_lo * t  # arithmetic: Dekker 1971
     v_whole = _nearest(v)  # classical: DLMF 4.16
@@ -1376,7 +1376,7 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement, y0):
 
 
 def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse):
-    """What changes with time where m > 1/2, at t + t_lo."""
+    """Angles of the elapsed time where m > 1/2, at t + t_lo."""
     p_y = y_rate_hi * t  # arithmetic: Dekker 1971
     p_y_error = _product_error(y_rate_hi, t, p_y) + y_rate_lo * t  # arithmetic: Dekker 1971
     periods = _nearest(p_y * period_inverse)  # classical: DLMF 20.2.7
@@ -1460,7 +1460,7 @@ def _imaginary_state(w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns
 
 
 def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
-    """What sensitivities of the attitude are made from, at t = 0; not at rest."""
+    """Constants of sensitivities of the attitude, at t = 0; not at rest."""
     common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n1_0; (3)
     common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n2_0; (3)
     common_3 = c3 * Omega3_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n3_0; (3)
@@ -1503,7 +1503,7 @@ def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0,
 
 
 def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
-    """What the attitude changes by, and the state with the time."""
+    """Changes of the attitude, and of the state with the time."""
     common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
     common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
     R11 = 1 - 2 * (common_1 + common_2)  # fact: definition turned_columns.R11; (3)
@@ -1584,7 +1584,7 @@ def _steady_constants(Omega1, Omega2, Omega3, p0, p1, p2, p3):
 
 
 def _steady_angles(t, Lambda_rate_hi, Lambda_rate_lo):
-    """What changes with time on the steady branch, at t + t_lo."""
+    """Angles of the steady branch at t + t_lo."""
     L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
     L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
     L_whole = _nearest(L)  # classical: DLMF 4.16
@@ -1739,7 +1739,7 @@ class _RefusedError(ValueError):
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
-    """Constants of free motions, for `states`; nothing in them is the caller's memory.
+    """Prepare constants of free motions, for `states`; they share no memory with the caller.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
@@ -1765,10 +1765,11 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
 
 @np.errstate(all="ignore")
 def _made(columns, shape, refused):
-    """Prepared motions from inertia, omega0 and attitude0 by columns: arrays (B,), or Python's
-    floats of one body; refused (B,) is where bodies that are are noted, None to raise an error.
+    """Prepare motions from inertia, omega0 and attitude0 by columns.
 
-    Python raises an ArithmeticError where arrays go on with what is not finite.
+    Columns are arrays (B,), or Python's floats of one body.  Refused bodies are noted in `refused`
+    (B,), or raise an error where it is None.  Python raises an ArithmeticError where arrays
+    continue with infinities and NaN.
     """
     _check(*columns, refused)
     if refused is not None and refused.any():
@@ -1790,7 +1791,7 @@ def _made(columns, shape, refused):
 
 
 def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
-    """One motion prepared whose numbers are known beyond binary64, each the sum of two doubles.
+    """Prepare one motion whose numbers are known beyond binary64, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
@@ -1815,7 +1816,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """c, given (rates) and q are columns of pairs in inner units; refused as in `_made`.
+    """Prepare motions from c, given (rates) and q, which are columns of pairs in inner units.
 
     apart: what each moment is above the next in turn.
     """
@@ -1853,7 +1854,7 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
 
 
 def _rows(columns):
-    """Columns side by side, (B, N)."""
+    """Stack columns side by side, (B, N)."""
     many = isinstance(columns[0], np.ndarray)
     return np.stack(columns, axis=-1) if many else np.array([columns])
 
@@ -1863,7 +1864,7 @@ def _pair_rows(columns):
 
 
 def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
-    """The group of bodies whose rates are constant."""
+    """Add the group of bodies whose rates are constant."""
     rest = _largest([x.hi for x in omega]) == 0
     first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
     values = _steady_constants(first, omega[1], omega[2], *q)
@@ -1874,7 +1875,7 @@ def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
-    """The groups of moving bodies: the circular and the hyperbolic branch."""
+    """Add the groups of moving bodies: the circular and the hyperbolic branch."""
     known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for x, axis in zip("abd", axes, strict=True):
         known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
@@ -1895,7 +1896,7 @@ def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _limit(made, index, constants, fast):
-    """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
+    """Bound the times of bodies that cannot exist, which can turn much faster than at t = 0."""
     largest = _largest([constants[name] for name in fast])
     limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
@@ -1908,7 +1909,7 @@ def _check_rates(constants, amplitudes, bodies, refused):
 
 
 def _blot_out(made, refused):
-    """No numbers for all that states of refused bodies are made from."""
+    """Set to NaN all numbers that states of refused bodies are made from."""
     made["q0"][refused] = made["omega0"][refused] = np.nan
     for _, index, constants in made["groups"]:
         for values in constants.values():
@@ -1916,13 +1917,13 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """What the constants of an entry are, by name, from arguments found by name."""
+    """Return the constants of an entry by name, from arguments found by name."""
     values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
-    """One number as Python's, which is faster than arrays of one."""
+    """Return one number as Python's, which is faster than arrays of one."""
     if isinstance(value, _DoubleDouble):
         return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
@@ -1938,13 +1939,13 @@ def _filled(constants, size):
 
 
 def states(prepared, t, out=None, errors="raise"):
-    """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
-    (..., N, 3) for t (N,) or, with a row for each motion, t (..., N).  q is continuous in the
-    double cover from attitude0 on.
+    """Return the states (q, omega) at the times t in s.
 
+    Shapes are (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and (..., N, 3) for t (N,) or,
+    with a row for each motion, t (..., N).  q is continuous in the double cover from attitude0 on.
     out: arrays (q, omega) of these shapes to write into, which are returned; they share no memory
-    with each other, t or what is prepared.  Memory beyond them does not grow with N.  Raises
-    ValueError for times that are not finite or too late; with errors="nan" their states are NaN.
+    with each other, t or `prepared`.  Memory beyond them does not grow with N.  Raises ValueError
+    for times that are not finite or too late; with errors="nan" their states are NaN.
     """
     lenient = _is_lenient(errors)
     if out is None and type(t) is float and prepared["shape"] == ():
@@ -1969,12 +1970,12 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """The rows of times of some motions: the same for all where t has one row."""
+    """Return the rows of times of some motions; one row serves all."""
     return t if len(t) == 1 else t[bodies]
 
 
 def _begin(prepared, t, q, omega):
-    """Motions are at their start at t = 0, to the last bit."""
+    """Set motions to their start at t = 0, to the last bit."""
     body, zero = np.nonzero(t == 0)
     for name, rows in (("q0", q), ("omega0", omega)):
         if zero.size and len(t) == 1:
@@ -1990,7 +1991,7 @@ def _is_lenient(errors):
 
 
 def _single(prepared, t, lenient):
-    """The state of one body at one time, by Python's floats."""
+    """Return the state of one body at one time, by Python's floats."""
     unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
     if not -max_angle <= inner <= max_angle:
@@ -2009,7 +2010,7 @@ def _single(prepared, t, lenient):
 
 
 def _in_floats(prepared):
-    """The constants of one body as Python's floats; kept, since they serve every call."""
+    """Return the constants of one body as Python's floats; kept, since they serve every call."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: value.item() for key, value in constants.items()}
@@ -2039,7 +2040,7 @@ def _fits(array, shape):
 
 
 def _are_near(prepared, t):
-    """Whether all times are finite and near enough for all bodies."""
+    """Return True where all times are finite and near enough for all bodies."""
     if not (t.size and prepared["unit"].size):
         return True
     # No array as long as a row is made for this.
@@ -2067,7 +2068,7 @@ def _refuse_times(prepared, t):
 
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
-    """No numbers for states at times that are not finite or too far."""
+    """Set to NaN the states at times that are not finite or too far."""
     step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
@@ -2079,7 +2080,7 @@ def _erase(prepared, t, q, omega):
 
 @np.errstate(all="ignore")
 def _fill(prepared, name, index, constants, t, q, omega):
-    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Fill the rows of one group, in blocks: of times, or of bodies where times are few."""
     branch = BRANCHES[name]
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
@@ -2103,7 +2104,7 @@ def _fill(prepared, name, index, constants, t, q, omega):
 
 
 def _write(prepared, branch, body, columns, t, q, omega, some):
-    """The states of one body at a block of times, or of some bodies at all times."""
+    """Write the states of one body at a block of times, or of some bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
     axes = prepared["axes"][body]
@@ -2141,7 +2142,7 @@ def _are_finite(columns):
 
 
 def _batch(inertia, omega0, attitude0):
-    """What the leading shapes broadcast to."""
+    """Broadcast the leading shapes."""
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
@@ -2168,7 +2169,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times.
+    """Return the rates and E_b of the motions to follow, and the last inner times.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -2205,7 +2206,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Which motions are not followed but as separatrix or spin, which as spin, up to what times.
+    """Return which motions become separatrix or spin, which become spin, and their last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -2237,7 +2238,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Columns over a power of two that brings the largest into [1, 2), and that power."""
+    """Divide columns by a power of two that brings the largest into [1, 2); return it, too."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -2249,7 +2250,7 @@ def _scaled(columns):
 
 
 def _differences(apart, axes):
-    """c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    """Return c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
     found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
         forward = (axes[y] - axes[x]) % 3 == 1
@@ -2264,7 +2265,7 @@ def _sign(x):
 
 
 def _sorted(apart):
-    """The axes by their moments, largest first."""
+    """Sort the axes by their moments, largest first."""
     # By how many moments are below each, less those above.
     above = [_sign(x.hi) for x in apart]
     ranks = [above[k] - above[k - 1] for k in range(3)]
@@ -2274,13 +2275,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """E_b as a pair: where its terms cancel, from integers."""
+    """Return E_b as a pair: where its terms cancel, from integers."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -2300,7 +2301,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """E_b of one motion in integer arithmetic, as two doubles."""
+    """Return E_b of one motion in integer arithmetic, as two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -2311,7 +2312,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Python integers and the power of two that turns them into x."""
+    """Return Python's integers and the power of two that turns them into x."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))
@@ -2327,7 +2328,7 @@ COLUMNS = ("attitude0", "omega0", "inertia", "t")
 
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
-    """States at the times t in s, and what they change by with their inputs.
+    """Return states at the times t in s, and their changes with the inputs.
 
     (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
     `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
@@ -2372,8 +2373,10 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
 
 
 def _together(shape, ends):
-    """Zeros of these shapes in one piece of memory, which allocators keep where they would give
-    pieces back to the system, and have them anew page by page."""
+    """Return zeros of these shapes in one piece of memory.
+
+    Allocators keep one piece where they would return several to the system, page by page.
+    """
     sizes = [math.prod((*shape, *end)) for end in ends]
     piece, found, begin = np.zeros(sum(sizes)), [], 0
     for end, size in zip(ends, sizes, strict=True):
@@ -2383,7 +2386,7 @@ def _together(shape, ends):
 
 
 def _elapsed(prepared):
-    """The constants of sensitivities, by groups that have a nome and an order of axes in common."""
+    """Return the constants of sensitivities, by groups of one nome and one order of axes."""
     c, apart, omega, discriminant = prepared["given"]
     axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
     # Where rates are constant, too, a is the axis with p >= r.
@@ -2418,7 +2421,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    """Return the phase at t = 0, and the p t^2 beyond which it is used: where it is known."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -2428,8 +2431,10 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """The indices of some bodies, and their constants by what they are for: arrays, or of one
-    body Python's floats."""
+    """Return the indices of some bodies, and their constants by the part that uses them.
+
+    Constants are arrays, or Python's floats of one body.
+    """
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
@@ -2443,7 +2448,7 @@ def _of_group(name, index, known):
 
 
 def _of_one(made, number):
-    """The constants of one body, as Python's floats."""
+    """Return the constants of one body, as Python's floats."""
     return {
         part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
     }
@@ -2547,13 +2552,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """What a function of the time gives, by name."""
+    """Return the results of a function of the time, by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """A body at rest begins to turn as it is given rates, and goes on."""
+    """Fill the changes of bodies at rest, which begin to turn as they are given rates."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [
@@ -2569,7 +2574,7 @@ def _at_rest(prepared, t, rows, first_of, at_once):
 
 
 def _unchanged(t, rows, at_once):
-    """At t = 0 changes are those given."""
+    """Set the changes at t = 0 to those given."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
         rows[2][some, time], rows[3][some, time] = at_once

@@ -1106,7 +1106,7 @@ static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *
     }
 }
 
-/* What changes with time on the circular branch, at t + t_lo. */
+/* Angles of the circular branch at t + t_lo. */
 static void circular_angles(const torque_free_pi_circular *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict s_out, double *restrict c_out,
     double *restrict X_im_out, double *restrict X_re_out, double *restrict d_out)
@@ -1448,7 +1448,7 @@ static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lan
     }
 }
 
-/* What changes with time on the hyperbolic branch, at t + t_lo. */
+/* Angles of the hyperbolic branch at t + t_lo. */
 static void hyperbolic_angles(const torque_free_pi_hyperbolic *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict s_out, double *restrict c_out,
     double *restrict X_im_out, double *restrict X_re_out, double *restrict d_out)
@@ -1663,7 +1663,7 @@ static void steady_constants(double_double Omega1, double_double Omega2, double_
     motion->p3 = dd_rounded(p3);
 }
 
-/* What changes with time on the steady branch, at t + t_lo. */
+/* Angles of the steady branch at t + t_lo. */
 static void steady_angles(const torque_free_pi_steady *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict X_im_out, double *restrict X_re_out)
 {
@@ -1717,15 +1717,15 @@ static void steady_state(const torque_free_pi_steady *motion, size_t n, const do
     }
 }
 
-/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
-   so that no compiler knows the outcome. */
+/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
+   in all numbers, so that no compiler can compute the outcome. */
 
 static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
 
-/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
 static int sums_hold(void)
 {
     const volatile double zero = 0.0;
@@ -1740,8 +1740,8 @@ static int sums_hold(void)
            is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
 }
 
-/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
-   products across functions, and what was split off is counted twice. */
+/* Return 1 where a difference of products has all its digits: clang's -ffp-contract=fast fuses sums
+   with products across functions, so that low parts are counted twice. */
 static int differences_hold(void)
 {
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
@@ -1755,8 +1755,8 @@ static int differences_hold(void)
                    -6.277847770376781e-21);
 }
 
-/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
 static int quotients_hold(void)
 {
     static const double quotients[][4] = {
@@ -1777,7 +1777,7 @@ static int quotients_hold(void)
     return holds;
 }
 
-/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
+/* Return 1 where the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
    turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
 static int angles_hold(void)
 {
@@ -1819,11 +1819,11 @@ static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
 
-/* Of a motion that was prepared; a number that memory has by no chance. */
+/* The mark of a prepared motion: a number that memory hardly has by chance. */
 enum { PREPARED = 0x7f4a7c15 };
 
-/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
-   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
+   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
 #ifdef ALLOW_NONPHYSICAL
@@ -1947,7 +1947,7 @@ static void limit(torque_free_pi_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -1970,7 +1970,7 @@ static int take(torque_free_pi_motion *motion, const lanes *lane, size_t i, cons
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_PI_OK : TORQUE_FREE_PI_RATES;
 }
 
-/* What is put in lane i: what a motion's constants come from. */
+/* Put into lane i the numbers that a motion's constants are made from. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_pi_motion *motion, const double_double c[3],
@@ -2055,8 +2055,8 @@ static double log2_sum(double x, double y)
     return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
-/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
-   over, the motion followed is the separatrix, or that spin, up to a time.
+/* Follow the separatrix, or spin about the middle axis, up to a time, where E_b is too faint, or where
+   rates taken for zero could decide when that spin turns over.
 
    With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
@@ -2099,7 +2099,7 @@ static void follow(torque_free_pi_motion *motion, const double_double c[3], cons
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* What sensitivities are made from, where they are asked for. */
+/* Keep the numbers that sensitivities are made from. */
 static void keep(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -2157,7 +2157,7 @@ static void begin(torque_free_pi_motion *motion, lanes *lane, size_t i, const do
         steady_init(motion, omega, unit_q);
 }
 
-/* The same from doubles, or a code. */
+/* Begin a motion from doubles, or return a code. */
 static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -2176,7 +2176,7 @@ static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, c
     for (int k = 0; k < 3; k++) {
         c[k] = dd_of(scaled_by(inertia[k], -c_scale));
         omega[k] = dd_of(scaled_by(omega0[k], -scale));
-        /* What is not zero stays so. */
+        /* Numbers other than zero stay so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
@@ -2200,7 +2200,7 @@ static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, c
     return TORQUE_FREE_PI_OK;
 }
 
-/* One motion that was begun, where it has a code of its own. */
+/* Finish one motion that was begun, and return its code. */
 static int end(torque_free_pi_motion *motion, torque_free_pi_motion *made, lanes *lane)
 {
     int code = TORQUE_FREE_PI_OK;
@@ -2328,7 +2328,7 @@ static void block_states(const torque_free_pi_motion *motion, size_t n, size_t s
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo, in rows s apart. */
+/* Write the angles at the inner times t + t_lo, in rows s apart. */
 static void block_angles(const torque_free_pi_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
@@ -2416,7 +2416,7 @@ int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, cons
     return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_PI_UNPREPARED;
 }
 
-/* One state needs no block. */
+/* Write one state, which needs no block. */
 int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
@@ -2460,7 +2460,7 @@ static void grid_table(const torque_free_pi_motion *motion, double step, double 
     block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
+/* Write the angles at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_pi_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
@@ -2492,7 +2492,7 @@ static void grid_states(const torque_free_pi_motion *motion, double start, doubl
     }
 }
 
-/* The same where what changes with time is more than sines and cosines. */
+/* Write the states of a grid where angles are more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_pi_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -2608,7 +2608,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "0e566dcebdd27ae0fef71cf9f3812319a704985f0691c75f2c2333cac57bab25"; }
+const char *torque_free_pi_digest(void) { return "30ff1796251e2a6912fe39fe52f1970e5fac1a27deb1036274ae908c55b11379"; }
 
 const char *torque_free_pi_message(int code)
 {

@@ -22,7 +22,7 @@ Lines of code:
     298  22 %  follow facts of the ledger, each named on its line
     311  23 %  follow classical formulas, each with its reference
      69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    680  50 %  are the runtime, written by hand
+    681  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -40,7 +40,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 3a08db32f73a9589bd25ed63d93b845d6e9c7b3715b79107bc0c9f90d3ed638d
+digest ca3f2381898acfed7c854838d45f1bf9b0f0c163678ad011c6c76f5542ebf1f5
 """
 
 # ruff: noqa
@@ -57,7 +57,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -70,14 +70,14 @@ def _product_error(a, b, p):
 
 
 def _two_sum(a, b):
-    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
     s = a + b
     c = s - a
     return s, (a - (s - c)) + (b - c)
 
 
 def _quick_sum(a, b):
-    """a + b exactly, for |a| >= |b| (Dekker)."""
+    """Return a + b exactly, for |a| >= |b| (Dekker)."""
     s = a + b
     return _DoubleDouble(s, b - (s - a))
 
@@ -170,7 +170,7 @@ def _exp(x):
 
 
 def _horner(x, *coefficients):
-    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    """Return c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
     total = x * coefficients[-1]
     for c in coefficients[-2:0:-1]:
         total += c
@@ -180,19 +180,19 @@ def _horner(x, *coefficients):
 
 
 def _nearest(x):
-    """The nearest whole number, for |x| < 2^51."""
+    """Return the nearest whole number, for |x| < 2^51."""
     return (x + _SHIFT) - _SHIFT if type(x) is float else np.rint(x)
 
 
 def _alternating(n):
-    """(-1)^n for a whole number n."""
+    """Return (-1)^n for a whole number n."""
     half = 0.5 * n
     rest = half - _nearest(half)
     return 1.0 - 8.0 * (rest * rest)
 
 
 def _choose(x, y, one, other):
-    """One where x <= y, else the other."""
+    """Return `one` where x <= y, else `other`."""
     return _where(x <= y, one, other)
 
 
@@ -211,7 +211,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """The e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -227,7 +227,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """The exponent of x over a number between 1/2 and 1."""
+    """Return the exponent of x, over a number between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -241,7 +241,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """The column of an axis, which is one for all or one for each."""
+    """Return the column of an axis, which is the same for all bodies or one for each."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -251,7 +251,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """The columns, in reverse order where this comes first."""
+    """Return the columns, in reverse order where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -717,7 +717,7 @@ def _circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s
 
 
 def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo, k_2, k_3, k_4, k_5, characteristic, spread, kappa, j, two_K, rest_0):
-    """What changes with time on the circular branch, at t + t_lo."""
+    """Angles of the circular branch at t + t_lo."""
     p = v_rate_hi * t  # arithmetic: Dekker 1971
     p_error = _product_error(v_rate_hi, t, p) + (v_rate_lo * t + v_lo)  # arithmetic: Dekker 1971
     v = p + v_hi  # arithmetic: Knuth 4.2.2
@@ -912,7 +912,7 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
 
 
 def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi, Lambda_rate_lo, jump_hi, jump_lo, period_far, period_inverse, l_2, l_3, l_4, l_5, gc, kc_1, m_c, rho, g_1, g_2, h_2, alpha, delta, spread, slope, z, characteristic, start_rest):
-    """What changes with time on the hyperbolic branch, at t + t_lo."""
+    """Angles of the hyperbolic branch at t + t_lo."""
     p_y = y_rate_hi * t  # arithmetic: Dekker 1971
     p_y_error = _product_error(y_rate_hi, t, p_y) + (y_rate_lo * t + y0_lo)  # arithmetic: Dekker 1971
     periods = _nearest((p_y + y0_hi) * period_inverse)  # classical: DLMF 22.4(i)
@@ -1039,7 +1039,7 @@ def _steady_constants(Omega1, Omega2, Omega3, p0, p1, p2, p3):
 
 
 def _steady_angles(t, Lambda_rate_hi, Lambda_rate_lo):
-    """What changes with time on the steady branch, at t + t_lo."""
+    """Angles of the steady branch at t + t_lo."""
     L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
     L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
     L_whole = _nearest(L)  # classical: DLMF 4.16
@@ -1137,7 +1137,7 @@ class _RefusedError(ValueError):
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
-    """Constants of free motions, for `states`; nothing in them is the caller's memory.
+    """Prepare constants of free motions, for `states`; they share no memory with the caller.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
@@ -1163,10 +1163,11 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
 
 @np.errstate(all="ignore")
 def _made(columns, shape, refused):
-    """Prepared motions from inertia, omega0 and attitude0 by columns: arrays (B,), or Python's
-    floats of one body; refused (B,) is where bodies that are are noted, None to raise an error.
+    """Prepare motions from inertia, omega0 and attitude0 by columns.
 
-    Python raises an ArithmeticError where arrays go on with what is not finite.
+    Columns are arrays (B,), or Python's floats of one body.  Refused bodies are noted in `refused`
+    (B,), or raise an error where it is None.  Python raises an ArithmeticError where arrays
+    continue with infinities and NaN.
     """
     _check(*columns, refused)
     if refused is not None and refused.any():
@@ -1188,7 +1189,7 @@ def _made(columns, shape, refused):
 
 
 def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
-    """One motion prepared whose numbers are known beyond binary64, each the sum of two doubles.
+    """Prepare one motion whose numbers are known beyond binary64, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
@@ -1213,7 +1214,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """c, given (rates) and q are columns of pairs in inner units; refused as in `_made`.
+    """Prepare motions from c, given (rates) and q, which are columns of pairs in inner units.
 
     apart: what each moment is above the next in turn.
     """
@@ -1251,7 +1252,7 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
 
 
 def _rows(columns):
-    """Columns side by side, (B, N)."""
+    """Stack columns side by side, (B, N)."""
     many = isinstance(columns[0], np.ndarray)
     return np.stack(columns, axis=-1) if many else np.array([columns])
 
@@ -1261,7 +1262,7 @@ def _pair_rows(columns):
 
 
 def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
-    """The group of bodies whose rates are constant."""
+    """Add the group of bodies whose rates are constant."""
     rest = _largest([x.hi for x in omega]) == 0
     first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
     values = _steady_constants(first, omega[1], omega[2], *q)
@@ -1272,7 +1273,7 @@ def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
-    """The groups of moving bodies: the circular and the hyperbolic branch."""
+    """Add the groups of moving bodies: the circular and the hyperbolic branch."""
     known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for x, axis in zip("abd", axes, strict=True):
         known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
@@ -1293,7 +1294,7 @@ def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _limit(made, index, constants, fast):
-    """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
+    """Bound the times of bodies that cannot exist, which can turn much faster than at t = 0."""
     largest = _largest([constants[name] for name in fast])
     limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
@@ -1306,7 +1307,7 @@ def _check_rates(constants, amplitudes, bodies, refused):
 
 
 def _blot_out(made, refused):
-    """No numbers for all that states of refused bodies are made from."""
+    """Set to NaN all numbers that states of refused bodies are made from."""
     made["q0"][refused] = made["omega0"][refused] = np.nan
     for _, index, constants in made["groups"]:
         for values in constants.values():
@@ -1314,13 +1315,13 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """What the constants of an entry are, by name, from arguments found by name."""
+    """Return the constants of an entry by name, from arguments found by name."""
     values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
-    """One number as Python's, which is faster than arrays of one."""
+    """Return one number as Python's, which is faster than arrays of one."""
     if isinstance(value, _DoubleDouble):
         return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
@@ -1336,13 +1337,13 @@ def _filled(constants, size):
 
 
 def states(prepared, t, out=None, errors="raise"):
-    """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
-    (..., N, 3) for t (N,) or, with a row for each motion, t (..., N).  q is continuous in the
-    double cover from attitude0 on.
+    """Return the states (q, omega) at the times t in s.
 
+    Shapes are (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and (..., N, 3) for t (N,) or,
+    with a row for each motion, t (..., N).  q is continuous in the double cover from attitude0 on.
     out: arrays (q, omega) of these shapes to write into, which are returned; they share no memory
-    with each other, t or what is prepared.  Memory beyond them does not grow with N.  Raises
-    ValueError for times that are not finite or too late; with errors="nan" their states are NaN.
+    with each other, t or `prepared`.  Memory beyond them does not grow with N.  Raises ValueError
+    for times that are not finite or too late; with errors="nan" their states are NaN.
     """
     lenient = _is_lenient(errors)
     if out is None and type(t) is float and prepared["shape"] == ():
@@ -1367,12 +1368,12 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """The rows of times of some motions: the same for all where t has one row."""
+    """Return the rows of times of some motions; one row serves all."""
     return t if len(t) == 1 else t[bodies]
 
 
 def _begin(prepared, t, q, omega):
-    """Motions are at their start at t = 0, to the last bit."""
+    """Set motions to their start at t = 0, to the last bit."""
     body, zero = np.nonzero(t == 0)
     for name, rows in (("q0", q), ("omega0", omega)):
         if zero.size and len(t) == 1:
@@ -1388,7 +1389,7 @@ def _is_lenient(errors):
 
 
 def _single(prepared, t, lenient):
-    """The state of one body at one time, by Python's floats."""
+    """Return the state of one body at one time, by Python's floats."""
     unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
     if not -max_angle <= inner <= max_angle:
@@ -1407,7 +1408,7 @@ def _single(prepared, t, lenient):
 
 
 def _in_floats(prepared):
-    """The constants of one body as Python's floats; kept, since they serve every call."""
+    """Return the constants of one body as Python's floats; kept, since they serve every call."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: value.item() for key, value in constants.items()}
@@ -1437,7 +1438,7 @@ def _fits(array, shape):
 
 
 def _are_near(prepared, t):
-    """Whether all times are finite and near enough for all bodies."""
+    """Return True where all times are finite and near enough for all bodies."""
     if not (t.size and prepared["unit"].size):
         return True
     # No array as long as a row is made for this.
@@ -1465,7 +1466,7 @@ def _refuse_times(prepared, t):
 
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
-    """No numbers for states at times that are not finite or too far."""
+    """Set to NaN the states at times that are not finite or too far."""
     step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
@@ -1477,7 +1478,7 @@ def _erase(prepared, t, q, omega):
 
 @np.errstate(all="ignore")
 def _fill(prepared, name, index, constants, t, q, omega):
-    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Fill the rows of one group, in blocks: of times, or of bodies where times are few."""
     branch = BRANCHES[name]
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
@@ -1501,7 +1502,7 @@ def _fill(prepared, name, index, constants, t, q, omega):
 
 
 def _write(prepared, branch, body, columns, t, q, omega, some):
-    """The states of one body at a block of times, or of some bodies at all times."""
+    """Write the states of one body at a block of times, or of some bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
     axes = prepared["axes"][body]
@@ -1539,7 +1540,7 @@ def _are_finite(columns):
 
 
 def _batch(inertia, omega0, attitude0):
-    """What the leading shapes broadcast to."""
+    """Broadcast the leading shapes."""
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
@@ -1566,7 +1567,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times.
+    """Return the rates and E_b of the motions to follow, and the last inner times.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1603,7 +1604,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Which motions are not followed but as separatrix or spin, which as spin, up to what times.
+    """Return which motions become separatrix or spin, which become spin, and their last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -1635,7 +1636,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Columns over a power of two that brings the largest into [1, 2), and that power."""
+    """Divide columns by a power of two that brings the largest into [1, 2); return it, too."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -1647,7 +1648,7 @@ def _scaled(columns):
 
 
 def _differences(apart, axes):
-    """c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    """Return c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
     found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
         forward = (axes[y] - axes[x]) % 3 == 1
@@ -1662,7 +1663,7 @@ def _sign(x):
 
 
 def _sorted(apart):
-    """The axes by their moments, largest first."""
+    """Sort the axes by their moments, largest first."""
     # By how many moments are below each, less those above.
     above = [_sign(x.hi) for x in apart]
     ranks = [above[k] - above[k - 1] for k in range(3)]
@@ -1672,13 +1673,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """E_b as a pair: where its terms cancel, from integers."""
+    """Return E_b as a pair: where its terms cancel, from integers."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -1698,7 +1699,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """E_b of one motion in integer arithmetic, as two doubles."""
+    """Return E_b of one motion in integer arithmetic, as two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -1709,7 +1710,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Python integers and the power of two that turns them into x."""
+    """Return Python's integers and the power of two that turns them into x."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))

@@ -904,11 +904,11 @@ static double scale(double largest)
 
 static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
 
-/* Of a body that was prepared; a number that memory has by no chance. */
+/* The mark of a prepared body: a number that memory hardly has by chance. */
 enum { PREPARED = 0x7f4a7c15 };
 
-/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
-   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
+   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
 #ifdef ALLOW_NONPHYSICAL
@@ -1051,7 +1051,7 @@ static void circulating(size_t n, lanes *x)
     }
 }
 
-/* What was found at twice the time takes the place of what it was found from. */
+/* Put the results at twice the time in the place of their arguments. */
 static void advance(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -1098,8 +1098,8 @@ static INLINED double dithered(double hi, double lo, double chance)
     return hi + (lo + chance * (next - size));
 }
 
-/* What rates are rounded by, for a motion so slow that rounding to nearest would err one way for long:
-   its attitude's last digits are as good as chance. */
+/* Round rates up or down at random, by the attitude's last digits: rounded to nearest, a slow motion's
+   rates would err one way for long. */
 static void rounded(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -1173,15 +1173,15 @@ static const double_double over_7 = {0.14285714285714285, 7.93016446160826e-18};
 static const double_double over_9 = {0.1111111111111111, 6.1679056923619804e-18};
 static const double_double over_15 = {0.06666666666666667, 9.251858538542971e-19};
 
-/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
-   so that no compiler knows the outcome. */
+/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
+   in all numbers, so that no compiler can compute the outcome. */
 
 static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
 
-/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
 static int sums_hold(void)
 {
     const volatile double zero = 0.0;
@@ -1196,8 +1196,8 @@ static int sums_hold(void)
            is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
 }
 
-/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
 static int quotients_hold(void)
 {
     static const double quotients[][4] = {
@@ -1218,8 +1218,8 @@ static int quotients_hold(void)
     return holds;
 }
 
-/* Whether what a body alone decides, and a doubling, have all their digits: clang's -ffp-contract=fast
-   fuses sums with products across functions, and what was split off is counted twice. */
+/* Return 1 where the constants of a body, and a doubling, have all their digits: clang's
+   -ffp-contract=fast fuses sums with products across functions, so that low parts are counted twice. */
 static int lanes_hold(void)
 {
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
@@ -1335,7 +1335,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "e7e08c9ddca48dc120c7e6dfc3f650d69a4633b052edbbc44a08b2f339d92f7b"; }
+const char *torque_free_step_digest(void) { return "2bbca0fd3f7f2eaa1c925abc467f1181b8e1a3a055ceffdbfed79fc5c820204a"; }
 
 const char *torque_free_step_message(int code)
 {

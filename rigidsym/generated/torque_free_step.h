@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest e7e08c9ddca48dc120c7e6dfc3f650d69a4633b052edbbc44a08b2f339d92f7b
+digest 2bbca0fd3f7f2eaa1c925abc467f1181b8e1a3a055ceffdbfed79fc5c820204a
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
@@ -56,7 +56,7 @@ extern "C" {
 
 
 
-/* What the functions return; 0 is success. */
+/* Return codes; 0 is success. */
 enum {
     TORQUE_FREE_STEP_OK = 0, /* success */
     TORQUE_FREE_STEP_NOT_FINITE = 1, /* every number must be finite; times, too */
@@ -69,16 +69,17 @@ enum {
     TORQUE_FREE_STEP_UNPREPARED = 8, /* torque_free_body_init has not made it */
 };
 
-/* What is of a body alone; written by torque_free_body_init, read by torque_free_step. */
+/* The constants of a body; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
     int axis[3];  /* by moments of inertia, the largest first */
-    int prepared; /* what tells it from memory that torque_free_body_init has not written */
+    int prepared; /* a mark that torque_free_body_init has written the struct */
     double epsilon, moments[3], alphas[6], squares[6];
 } torque_free_body;
 
 /* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.
-   Moments that no body can have, but for rounding, are refused as TORQUE_FREE_STEP_NONPHYSICAL, here and
-   by all that takes moments, unless the source is compiled with -DALLOW_NONPHYSICAL.  Returns a code above. */
+   Functions that take moments refuse those that no body can have, beyond rounding, as
+   TORQUE_FREE_STEP_NONPHYSICAL, unless the source is compiled with -DALLOW_NONPHYSICAL.  Returns a code
+   above. */
 int torque_free_body_init(torque_free_body *body, const double inertia[3]);
 
 /* The free motion after dt (s), in place: q[4], scalar first, body to inertial, of any length but
@@ -86,28 +87,28 @@ int torque_free_body_init(torque_free_body *body, const double inertia[3]);
    Returns a code above; a call that fails writes nothing. */
 int torque_free_step(const torque_free_body *body, double q[4], double omega[3], double dt);
 
-/* The same for n bodies of moments inertia[n][3], in lanes: q[n][4] and omega[n][3] to q_after[n][4]
+/* One step of each of n bodies of moments inertia[n][3], in lanes: q[n][4] and omega[n][3] to q_after[n][4]
    and omega_after[n][3], which may be q and omega themselves, and overlap nothing else.  Body k has
    the moments at inertia + k inertia_stride and the time dt[k dt_stride]: strides are 3 and 1, or 0
    where all have the same.  A body has the same bits wherever it stands among others.  The first
-   body that is refused ends the call: its number is left in *failed, its code returned, and what
-   comes LANES and more before it is done. */
+   body that is refused ends the call: its number is left in *failed, its code is returned, and bodies
+   LANES or more before it are done. */
 int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, const double *q,
                       const double *omega, const double *dt, size_t dt_stride, double *q_after,
                       double *omega_after, size_t *failed);
 
-/* sizeof(torque_free_body), and the digest of the header and the source, for who loads a library. */
+/* sizeof(torque_free_body), and the digest of the header and the source, for callers of a shared library. */
 size_t torque_free_body_size(void);
 const char *torque_free_step_digest(void);
 
-/* What a code means, in one line: the field and its rule. */
+/* The message of a code, in one line: the field and its rule. */
 const char *torque_free_step_message(int code);
 
 /* The field of the input that a code is about, "" for none, and the rule that it breaks. */
 const char *torque_free_step_field(int code);
 const char *torque_free_step_rule(int code);
 
-/* Where a body is seen from a mass point on a Kepler orbit: mean motion (rad/s), a time at periapsis
+/* The direction of a body from a mass point on a Kepler orbit: mean motion (rad/s), a time at periapsis
    (s), eccentricity, which is not 1, size of the semi-major axis (m), 3 mu (m^3/s^2), and unit
    vectors, inertial axes, towards periapsis and a right angle on from there. */
 typedef struct {
@@ -118,8 +119,8 @@ typedef struct {
    is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
    that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
    three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
-   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds what else
-   pushes a body of attitude q at a time, in body axes, and is handed data. */
+   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds another
+   torque on a body of attitude q at a time, in body axes, and is called with data. */
 typedef struct {
     const double *coefficients;
     size_t coefficients_stride;
@@ -130,8 +131,8 @@ typedef struct {
     void *data;
 } torque_free_torque;
 
-/* A splitting method: drift, kick, drift ... kick, drift, as shares of a step; a drift more than
-   kicks, and the last as long as the first. */
+/* A splitting method: drift, kick, drift ... kick, drift, as shares of a step.  There is one drift
+   more than kicks, and the last is as long as the first. */
 typedef struct {
     size_t count;
     const double *drifts, *kicks;
@@ -140,8 +141,8 @@ typedef struct {
 /* The motion of n bodies under a torque from the time begin + first step to begin + last step (s),
    in place: q[n][4] and omega[n][3].  Free motions between kicks are steps, each of |omega dt| up to
    2^3 rad; those that meet are one.  Bodies with moments inertia as in torque_free_steps.
-   The first body that is refused ends the call: its number is left in *failed, its code returned,
-   and it and what comes after it are as they were, but for bodies less than LANES away. */
+   The first body that is refused ends the call: its number is left in *failed, its code is returned,
+   and that body and all after it are unchanged, except for bodies less than LANES away. */
 int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride,
                           const torque_free_splitting *method, const torque_free_torque *torque,
                           double begin, double step, size_t first, size_t last, double *q,

@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 6de5dc97ba044239eef7eaf9625eb14614a426cb0e143ed136dc04df6c974483
+digest 33931b8397d27520c051a1b30bb845226fc380ed3e474df208809e598c02feba
 """
 
 # ruff: noqa
@@ -53,7 +53,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -66,14 +66,14 @@ def _product_error(a, b, p):
 
 
 def _two_sum(a, b):
-    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
     s = a + b
     c = s - a
     return s, (a - (s - c)) + (b - c)
 
 
 def _quick_sum(a, b):
-    """a + b exactly, for |a| >= |b| (Dekker)."""
+    """Return a + b exactly, for |a| >= |b| (Dekker)."""
     s = a + b
     return _DoubleDouble(s, b - (s - a))
 
@@ -166,7 +166,7 @@ def _exp(x):
 
 
 def _horner(x, *coefficients):
-    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    """Return c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
     total = x * coefficients[-1]
     for c in coefficients[-2:0:-1]:
         total += c
@@ -176,19 +176,19 @@ def _horner(x, *coefficients):
 
 
 def _nearest(x):
-    """The nearest whole number, for |x| < 2^51."""
+    """Return the nearest whole number, for |x| < 2^51."""
     return (x + _SHIFT) - _SHIFT if type(x) is float else np.rint(x)
 
 
 def _alternating(n):
-    """(-1)^n for a whole number n."""
+    """Return (-1)^n for a whole number n."""
     half = 0.5 * n
     rest = half - _nearest(half)
     return 1.0 - 8.0 * (rest * rest)
 
 
 def _choose(x, y, one, other):
-    """One where x <= y, else the other."""
+    """Return `one` where x <= y, else `other`."""
     return _where(x <= y, one, other)
 
 
@@ -207,7 +207,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """The e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -223,7 +223,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """The exponent of x over a number between 1/2 and 1."""
+    """Return the exponent of x, over a number between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -237,7 +237,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """The column of an axis, which is one for all or one for each."""
+    """Return the column of an axis, which is the same for all bodies or one for each."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -247,7 +247,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """The columns, in reverse order where this comes first."""
+    """Return the columns, in reverse order where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -599,7 +599,7 @@ class _RefusedError(ValueError):
 
 @np.errstate(invalid="ignore")
 def prepare(inertia):
-    """What is of bodies alone, for `step`; inertia (B, 3) in kg m^2, positive.
+    """Prepare the constants of bodies, for `step`; inertia (B, 3) in kg m^2, positive.
 
     Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
     are not positive and finite, or of too different size.
@@ -640,12 +640,12 @@ def _refuse(field, rule, good):
 
 
 def _paired(values):
-    """Pairs from doubles hi, lo, hi, lo, ..."""
+    """Make pairs from doubles hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
 def step(bodies, q, omega, dt, out):
-    """The free motion of B bodies after dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
+    """Move B bodies freely for dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
 
     bodies: of `prepare`, for one body or B of them.  q may have any length but zero, and is
     returned a unit quaternion; out, a pair of such arrays, may be (q, omega).  Raises ValueError
@@ -664,9 +664,9 @@ def step(bodies, q, omega, dt, out):
 
 
 def step_one(body, q, omega, dt):
-    """The same of one body of `prepare` and Python's floats, the same bits: q and omega as lists.
+    """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
 
-    Raises ValueError or ArithmeticError for what `step` refuses, and for numbers that leave
+    Raises ValueError or ArithmeticError where `step` refuses a body, and for numbers that leave
     binary64 on the way.
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
@@ -679,7 +679,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Some of the bodies: one serves all."""
+    """Return the constants of some of the bodies; one body serves all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -696,7 +696,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """The attitude and the rates after dt on the axes a, b, d, and these axes.
+    """Return the attitude and the rates after dt on the axes a, b, d, and these axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -730,7 +730,7 @@ def _stepped(bodies, q, omega, dt):
 
 
 def _unit(parts):
-    """A quaternion over its length, each number as good as rounded once."""
+    """Divide a quaternion by its length, each number as good as rounded once."""
     squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
     square = sum(squares, _DoubleDouble(0.0))
     over = 1 / _sqrt(square.hi)
@@ -740,7 +740,7 @@ def _unit(parts):
 
 
 def _rounded_rates(rates, parts):
-    """Rates rounded up or down, each as often as they are near.
+    """Round rates up or down at random, each as often as it is near.
 
     Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
     one way for long.  The attitude's last digits are as good as chance.
@@ -761,7 +761,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """The attitude, of some length near that of q, and the rates as pairs, of moving bodies."""
+    """Return the attitude of moving bodies, about as long as q, and the rates as pairs."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
@@ -783,7 +783,7 @@ def _moved(moments, alphas, squares, epsilon, start, q, t):
 
 
 def torque(q, direction, coefficients):
-    """What a vector in space (..., 3) exerts on bodies of unit quaternions q (..., 4), (..., 3).
+    """Return the torque that a vector in space (..., 3) exerts on bodies of attitude q (..., 4).
 
     With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
     b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.

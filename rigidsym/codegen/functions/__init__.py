@@ -1,4 +1,4 @@
-"""Which formulas, in which order, make the functions of a numeric module."""
+"""Functions of a numeric module, made of the solution's formulas in order."""
 
 from rigidsym.codegen.functions.assembly import constants, finished, functions, stated
 

@@ -1,4 +1,4 @@
-"""What motions have in common, in either form: start, reduced time, branches, constant rates.
+"""Common functions of motions in both forms: start, reduced time, branches, constant rates.
 
 The first functions are given the differences of the moments: what the moments are rounded to is not
 subtracted.  Axes are told by their numbers, 0, 1 and 2.  v is u_1 in half turns of 2 K_1; near the
@@ -215,7 +215,7 @@ def at_time(
     name: str, lets: list[Let], constants: tuple[str, ...], results: tuple[str, ...]
 ) -> Function:
     """Make the function of the quantities of a branch that change with time."""
-    summary = f"What changes with time on the {name} branch, at t + t_lo."
+    summary = f"Angles of the {name} branch at t + t_lo."
     parameters = ("t", "t_lo", *constants)
     return Function(f"_{name}_angles", summary, parameters, tuple(lets), results)
 

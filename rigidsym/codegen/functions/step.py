@@ -1,9 +1,9 @@
-"""One step from any state: what the body alone decides, the start, doublings, and the end; kicks.
+"""One step from any state: constants of the body, the start, doublings, and the end; kicks.
 
-Times begin at t/2^STEPS, where series are short, and are doubled.  What angles and rates grow from
-is extended; what only corrects them is not, but for the last doublings: for thin bodies what is
-taken from psi there is ten times as wrong as what it is made from.  The shortest rotations are
-extended until they are whole.
+Start at t/2^STEPS, where short series suffice, then double.  Numbers that angles and rates grow
+from are extended.  Corrections of them are doubles, except in the last doublings: for thin bodies
+the share taken from psi there is ten times as wrong as the numbers it is made from.  The shortest
+rotations are extended until they are complete.
 """
 
 from rigidsym.codegen.functions.common import phase

@@ -90,7 +90,7 @@ def _primes(size: int) -> list[int]:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """That what is printed for a formula, at a place, equals what was derived."""
+    """A claim that the printed form of a formula, at a place, equals the derived one."""
 
     place: str
     formula: str

@@ -39,7 +39,10 @@ def constants() -> list[Constant]:
 def product(
     name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
 ) -> list[Let]:
-    """State name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra; of_lo where `later`."""
+    """State name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra.
+
+    There is no of_lo unless `later`.
+    """
     terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
     small = " + (".join(filter(None, terms))
     small += ")" * small.count("(")

@@ -50,7 +50,7 @@ def turn(solution: Solution) -> tuple[Function, ...]:
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(
         "_turn_constants",
-        "What sensitivities of the attitude are made from, at t = 0; not at rest.",
+        "Constants of sensitivities of the attitude, at t = 0; not at rest.",
         given,
         tuple(first),
         _KEPT,
@@ -59,7 +59,7 @@ def turn(solution: Solution) -> tuple[Function, ...]:
     results = (*RESULTS, *BY_TIME)
     state = Function(
         "_turn_state",
-        "What the attitude changes by, and the state with the time.",
+        "Changes of the attitude, and of the state with the time.",
         (*TIMED, "t", *_KEPT),
         select(solution.sequences["turn"], results, (*TIMED, "t", *_KEPT)),
         results,

@@ -52,7 +52,7 @@ def along(solution: Solution) -> tuple[Function, ...]:
     """State the constants of a motion, and both directions at a time."""
     constants = Function(
         "_along_constants",
-        "What both directions are made from; reach: beyond which p t^2 phases are known.",
+        "Constants of both directions; reach: the p t^2 beyond which phases are known.",
         (*(name for name in GIVEN if name != "E_b"), "reach"),
         tuple(_constants_along(solution)),
         _ALONG_KEPT,
@@ -61,7 +61,7 @@ def along(solution: Solution) -> tuple[Function, ...]:
     )
     state = Function(
         "_along_state",
-        "What the rates change by where p and r grow alike, and where r does.",
+        "Changes of the rates where p and r grow alike, and where r does.",
         (*_ALONG_TIMED, *_ALONG_KEPT),
         tuple(_state_along(solution)),
         ALONG,
@@ -111,7 +111,7 @@ def columns(solution: Solution) -> tuple[Function, ...]:
     """State the constants of a motion, and the columns at a time."""
     constants = Function(
         "_columns_constants",
-        "What sensitivities of the rates are made from, at t = 0.",
+        "Constants of sensitivities of the rates, at t = 0.",
         GIVEN,
         tuple(_constants_of_columns(solution)),
         _KEPT,
@@ -120,7 +120,7 @@ def columns(solution: Solution) -> tuple[Function, ...]:
     )
     state = Function(
         "_columns_state",
-        "What the rates change by, and integrals of their squares, from functions of the time.",
+        "Changes of the rates, and integrals of their squares, from functions of the time.",
         (*_TIMED, *_KEPT),
         tuple(_state_of_columns(solution)),
         RESULTS,

@@ -38,7 +38,7 @@ def imaginary() -> tuple[Function, ...]:
     timed = ("w", "p2", "y", "side", "flip", "periods", *_PHASE)
     angles = Function(
         "_imaginary_angles",
-        "What changes with time where m > 1/2, at t + t_lo.",
+        "Angles of the elapsed time where m > 1/2, at t + t_lo.",
         ("t", "t_lo", *flat(_SPLIT), *_BEYOND),
         tuple(_angles()),
         timed,

@@ -46,7 +46,7 @@ def real(solution: Solution) -> tuple[Function, ...]:
     timed = ("sin_v", "cos_v")
     angles = Function(
         "_real_angles",
-        "What changes with time where m <= 1/2, at t + t_lo.",
+        "Angles of the elapsed time where m <= 1/2, at t + t_lo.",
         ("t", "t_lo", *flat(_SPLIT)),
         tuple(_angles()),
         timed,

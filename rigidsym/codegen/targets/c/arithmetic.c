@@ -1,7 +1,7 @@
 @rounding.c@
 
-/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
-   products across functions, and what was split off is counted twice. */
+/* Return 1 where a difference of products has all its digits: clang's -ffp-contract=fast fuses sums
+   with products across functions, so that low parts are counted twice. */
 static int differences_hold(void)
 {
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
@@ -17,7 +17,7 @@ static int differences_hold(void)
 
 @quotients.c@
 
-/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
+/* Return 1 where the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
    turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
 static int angles_hold(void)
 {

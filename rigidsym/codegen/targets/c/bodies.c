@@ -1,5 +1,5 @@
-/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
-   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
+   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
 #ifdef ALLOW_NONPHYSICAL

@@ -1,4 +1,4 @@
-"""What the C functions return: names, numbers and words, one table for header and source."""
+"""Return codes of the C functions: names, numbers and messages, for header and source."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ from rigidsym.codegen.forms import STEP
 
 
 class Code(NamedTuple):
-    """What is refused: the field, the rule it breaks, and what the header says beyond it."""
+    """A refusal: the field, the rule it breaks, and a remark for the header."""
 
     field: str
     rule: str

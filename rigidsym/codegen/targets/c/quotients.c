@@ -1,5 +1,5 @@
-/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
 static int quotients_hold(void)
 {
     static const double quotients[][4] = {

@@ -1,12 +1,12 @@
-/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
-   so that no compiler knows the outcome. */
+/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
+   in all numbers, so that no compiler can compute the outcome. */
 
 static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
 
-/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
 static int sums_hold(void)
 {
     const volatile double zero = 0.0;

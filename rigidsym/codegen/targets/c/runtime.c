@@ -1,7 +1,7 @@
 @limits@
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
-/* Of a motion that was prepared; a number that memory has by no chance. */
+/* The mark of a prepared motion: a number that memory hardly has by chance. */
 enum { PREPARED = 0x7f4a7c15 };
 
 @bodies.c@
@@ -111,7 +111,7 @@ static void limit(torque_free_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -134,7 +134,7 @@ static int take(torque_free_motion *motion, const lanes *lane, size_t i, const d
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* What is put in lane i: what a motion's constants come from. */
+/* Put into lane i the numbers that a motion's constants are made from. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
@@ -219,8 +219,8 @@ static double log2_sum(double x, double y)
     return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
-/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
-   over, the motion followed is the separatrix, or that spin, up to a time.
+/* Follow the separatrix, or spin about the middle axis, up to a time, where E_b is too faint, or where
+   rates taken for zero could decide when that spin turns over.
 
    With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
@@ -263,7 +263,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* What sensitivities are made from, where they are asked for. */
+/* Keep the numbers that sensitivities are made from. */
 static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -321,7 +321,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
         steady_init(motion, omega, unit_q);
 }
 
-/* The same from doubles, or a code. */
+/* Begin a motion from doubles, or return a code. */
 static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -340,7 +340,7 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
     for (int k = 0; k < 3; k++) {
         c[k] = dd_of(scaled_by(inertia[k], -c_scale));
         omega[k] = dd_of(scaled_by(omega0[k], -scale));
-        /* What is not zero stays so. */
+        /* Numbers other than zero stay so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
@@ -364,7 +364,7 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
     return TORQUE_FREE_OK;
 }
 
-/* One motion that was begun, where it has a code of its own. */
+/* Finish one motion that was begun, and return its code. */
 static int end(torque_free_motion *motion, torque_free_motion *made, lanes *lane)
 {
     int code = TORQUE_FREE_OK;
@@ -492,7 +492,7 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo, in rows s apart. */
+/* Write the angles at the inner times t + t_lo, in rows s apart. */
 static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
@@ -580,7 +580,7 @@ int torque_free_states_at(const torque_free_motion *motion, size_t n, const doub
     return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_UNPREPARED;
 }
 
-/* One state needs no block. */
+/* Write one state, which needs no block. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
@@ -624,7 +624,7 @@ static void grid_table(const torque_free_motion *motion, double step, double *re
     block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
+/* Write the angles at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
@@ -656,7 +656,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The same where what changes with time is more than sines and cosines. */
+/* Write the states of a grid where angles are more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {

@@ -1,4 +1,4 @@
-/* How many sensitivities are computed side by side: each takes some ninety doubles of stack. */
+/* The number of sensitivities computed side by side: each takes some ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
@@ -40,7 +40,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    /* Where it is not known when a motion turns over, it hardly does. */
+    /* A motion hardly turns over where the time of that is not known. */
     const int turns_over = motion->branch == 2;
     const double reach = turns_over ? 1.0 : never;
     const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
@@ -87,7 +87,7 @@ static size_t width_of(int asked)
 
 static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
 
-/* Three columns of a row: what is asked for of those by the turn at t = 0, omega0 and the moments is the
+/* Put three columns of a row: the chosen ones by the turn at t = 0, omega0 and the moments are the
    groups of a row, one after the other. */
 static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
                             size_t i, double by_rate, double by_moment, double again)
@@ -133,7 +133,7 @@ static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t
     }
 }
 
-/* What n <= SENSITIVE states change by, at inner times t. */
+/* Write the changes of n <= SENSITIVE states, at inner times t. */
 static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
@@ -166,7 +166,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     }
     turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
                state + 6 * s, @turn columns@, excess[0], excess[1], excess[2], t, @turn rows of turned_by@);
-    /* All of them, which is asked for most, without a question for each number. */
+    /* All columns, the most frequent choice, without a test for each number. */
     if (asked == TORQUE_FREE_BY_ALL)
         put_rows(TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
     else

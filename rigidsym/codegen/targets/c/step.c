@@ -10,7 +10,7 @@ static double scale(double largest)
 
 static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
 
-/* Of a body that was prepared; a number that memory has by no chance. */
+/* The mark of a prepared body: a number that memory hardly has by chance. */
 enum { PREPARED = 0x7f4a7c15 };
 
 @bodies.c@
@@ -139,7 +139,7 @@ static void circulating(size_t n, lanes *x)
     }
 }
 
-/* What was found at twice the time takes the place of what it was found from. */
+/* Put the results at twice the time in the place of their arguments. */
 static void advance(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -186,8 +186,8 @@ static INLINED double dithered(double hi, double lo, double chance)
     return hi + (lo + chance * (next - size));
 }
 
-/* What rates are rounded by, for a motion so slow that rounding to nearest would err one way for long:
-   its attitude's last digits are as good as chance. */
+/* Round rates up or down at random, by the attitude's last digits: rounded to nearest, a slow motion's
+   rates would err one way for long. */
 static void rounded(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {

@@ -8,8 +8,8 @@ static const double_double over_15 = {0.06666666666666667, 9.251858538542971e-19
 
 @quotients.c@
 
-/* Whether what a body alone decides, and a doubling, have all their digits: clang's -ffp-contract=fast
-   fuses sums with products across functions, and what was split off is counted twice. */
+/* Return 1 where the constants of a body, and a doubling, have all their digits: clang's
+   -ffp-contract=fast fuses sums with products across functions, so that low parts are counted twice. */
 static int lanes_hold(void)
 {
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,

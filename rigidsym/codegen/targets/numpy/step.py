@@ -130,7 +130,7 @@ def step(bodies, q, omega, dt, out):
 def step_one(body, q, omega, dt):
     """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
 
-    Raises ValueError or ArithmeticError for what `step` refuses, and for numbers that leave
+    Raises ValueError or ArithmeticError where `step` refuses a body, and for numbers that leave
     binary64 on the way.
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):

@@ -1,4 +1,4 @@
-"""What `runtime` finds around it in the generated module, for linters and type checkers."""
+"""Names that `runtime` finds around it in the generated module, for linters and type checkers."""
 
 from collections.abc import Callable
 from typing import TypedDict, TypeVar
@@ -60,8 +60,10 @@ class Step(TypedDict):
 
 
 class Branch(Step):
-    """How the states of a kind of motion are found: angles by rates and time, states by angles and
-    shape; `fast` are the rates that limit the time."""
+    """The functions of a branch: angles by rates and time, states by angles and shape.
+
+    `fast` are the rates that limit the time.
+    """
 
     angles: Arrays
     state: Arrays
@@ -80,8 +82,11 @@ BRANCHES: dict[str, Branch] = {}
 
 
 class Part(Step, total=False):
-    """How a part of the sensitivities is found: `state` of what changes with time, in this order,
-    and of constants gives the results; `angles` are by rates and time."""
+    """The functions of a part of the sensitivities.
+
+    `state` of the quantities `timed`, then of constants gives the results; `angles` are by rates
+    and time.
+    """
 
     angles: Arrays
     state: Arrays
