@@ -1,1 +1,1 @@
-"""Everything that shows: HTML, LaTeX's cards, SVG, matplotlib and plotly; one palette."""
+"""Pages, cards, texts for terminals, and pictures of what the package computes."""
