@@ -97,11 +97,12 @@ def _landen() -> str:
 
 def _theta() -> list[str]:
     """Return the bounds that the theta form alone has."""
+    imaginary = float(theta_hyperbolic.series_tail())
     return [
         _landen(),
         f"  nome                           relative, below {_up(float(nome.series_tail()))}",
         "  theta series in a state        what is left out below "
-        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
+        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(imaginary)}",
     ]
 
 
@@ -128,10 +129,6 @@ def _step() -> list[str]:
 
 
 _LADDERS = {THETA: _theta, PI: _pi, STEP: _step}
-
-
-def _hyperbolic() -> float:
-    return float(theta_hyperbolic.series_tail())
 
 
 def _exponential() -> str:

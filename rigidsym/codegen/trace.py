@@ -49,12 +49,10 @@ def told(place: str) -> list[str]:
     name = Path(file if colon else place).name
     if name not in known:
         raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
-    return _of_line(known[name], int(number)) if colon else _of_file(known[name])
-
-
-def _of_file(file: _File) -> list[str]:
-    kinds = (place["kind"] for place in file.places.values())
-    return shares(kinds, file.target).splitlines()
+    if colon:
+        return _of_line(known[name], int(number))
+    kinds = (place["kind"] for place in known[name].places.values())
+    return shares(kinds, known[name].target).splitlines()
 
 
 def _of_line(file: _File, line: int) -> list[str]:

@@ -55,7 +55,9 @@ class Statement(NamedTuple):
 def statements(file: str, derived: Between) -> Iterator[Statement]:
     """Yield the statements; raise InputError for a character that derived text does not have."""
     _refuse(file, derived, _STRANGE)
-    blank = Between(file, derived.line, _COMMENT.sub(_spaces, derived.text))
+    # As many lines stay as comments have.
+    bare = _COMMENT.sub(lambda comment: " " + "\n" * comment[0].count("\n"), derived.text)
+    blank = Between(file, derived.line, bare)
     _refuse(file, blank, _FOREIGN)
     text, begin, line = blank.text, 0, blank.line
     end = len(text.rstrip())
@@ -67,11 +69,6 @@ def statements(file: str, derived: Between) -> Iterator[Statement]:
         yield Statement(line, " ".join(found[1].split()))
         line += text.count("\n", found.start(1), found.end())
         begin = found.end()
-
-
-def _spaces(comment: re.Match[str]) -> str:
-    """Return as many lines as a comment has."""
-    return " " + "\n" * comment[0].count("\n")
 
 
 def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:

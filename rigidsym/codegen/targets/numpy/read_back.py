@@ -51,7 +51,9 @@ def check(
         _check_function(function, node, known, derived)
         known.add(function.name)
     tables = [f"{name} = {table}" for name, table in emit.tables(functions).items()]
-    for expected in (*tables, *_limits(form)):
+    ends = [f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form)]
+    ends += [f"STEPS = {STEPS}", f"LAST = {LAST}"] if form == STEP else []
+    for expected in (*tables, *ends):
         _check_statement(_next(statements, file, expected), file, expected)
     for left in statements:
         raise InputError(_place(file, left), ast.unparse(left), "is no statement of this module")
@@ -119,12 +121,6 @@ def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -
         if number.name in used:
             pair = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
             yield f"{number.name} = {repr(number.hi) if number.lo is None else pair}"
-
-
-def _limits(form: str) -> Iterator[str]:
-    yield from (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form))
-    if form == STEP:
-        yield from (f"STEPS = {STEPS}", f"LAST = {LAST}")
 
 
 def _check_function(
