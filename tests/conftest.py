@@ -115,3 +115,11 @@ def refused(run):
         return error
 
     return refused
+
+
+@pytest.fixture(scope="session")
+def here(once):
+    """Return a folder of this run with all C sources, and with what is built of them."""
+    from compilers import written
+
+    return once("c_builds", written)
