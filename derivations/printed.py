@@ -12,9 +12,9 @@ from rigidsym.language.expression import to_text
 from rigidsym.proof.algebra import Book, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
+from rigidsym.proof.paper.answers import Question, asked, question, telling
 from rigidsym.proof.paper.printed import in_names
-from rigidsym.proof.paper.questions import Question, asked, question, telling
-from rigidsym.proof.paper.words import SEEN_FROM_SPACE
+from rigidsym.proof.paper.shared import SEEN_FROM_SPACE
 
 CONSTANT_M = Part(
     witness={"N1": "0", "N2": "0", "N3": "0"},

@@ -15,7 +15,7 @@ from derivations.setting import Setting
 from rigidsym.io.ledger import ledger_text
 from rigidsym.language.latex import latex, symbol
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS

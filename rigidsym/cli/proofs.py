@@ -141,7 +141,7 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
     from collections import Counter
 
     from rigidsym.language.specification import Unproved, require
-    from rigidsym.proof.algebra.suppositions import encloses
+    from rigidsym.proof.algebra.enclosures import encloses
     from rigidsym.proof.kernel import KernelError, replay
 
     try:
@@ -186,7 +186,7 @@ def _ledger_text(path: Path | None) -> str:
 def export(options: Namespace) -> int:
     """Write a ledger for Coq, and let Coq decide it with --check."""
     from rigidsym.io.files import write_text
-    from rigidsym.proof.algebra.suppositions import encloses
+    from rigidsym.proof.algebra.enclosures import encloses
     from rigidsym.proof.coq import export
     from rigidsym.proof.kernel import KernelError, replay
 

@@ -13,7 +13,7 @@ from ledgers import written
 
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language.specification import Unproved, require
-from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.checker.records import Claim, Hypotheses, fill
 from rigidsym.proof.checker.specification import Catalogue

@@ -9,8 +9,8 @@ from typing import Any, TypeAlias, TypeVar
 
 from sympy import Expr
 
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide, nested
-from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest

@@ -1,13 +1,19 @@
-"""Whether balls agree with a fact: the evidence for classical identities, by Arb.
+"""Numerical evidence for classical identities: Arb's balls agree with a fact at many points.
 
-A name stands for the number that a point gives it, or for its definition, or for its reading.
-Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
-Jacobi's functions are found by inverting Legendre's F, never from theta functions: the identities
-that relate the two are what is to be checked.  A fact is agreed with where the ball of lhs - rhs
-contains zero and is small, at every point.
+A name stands for the number that a point gives it, or for its definition, or for its meaning.
+Meanings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
+Jacobi's functions are computed by inverting Legendre's F, never from theta functions, because the
+identities between the two are what is to be checked.  Balls agree with a fact at a point if the
+ball of lhs - rhs contains zero and is small there.
+
+The points are those that the author of the fact chose, and `COUNT` others whose numbers are a hash
+of the fact: from (0, 1), from its edges, from (-10, 10), or integers where the certificate says so.
+Where a relation ties names, the last of them follows from it.  Attempts that are no points of the
+context, or where a function has no value, are skipped.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from hashlib import sha256
 from operator import add, mul, sub, truediv
 
 from flint import acb, arb, ctx, fmpq
@@ -206,3 +212,76 @@ FUNCTIONS: dict[str, Callable[..., acb]] = {
     **{f"theta{kind}": _theta(kind) for kind in (1, 2, 3, 4)},
     **{f"dtheta{kind}": _theta(kind, derivative=1) for kind in (2, 4)},
 }
+
+
+COUNT, ATTEMPTS = 40, 400
+FEWER_BITS = 128
+
+
+def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
+    """Whether lhs - rhs is enclosed near zero at the points, and at those that are drawn."""
+    with ctx.workprec(BITS):
+        given = (Evaluation(context, rational(context, point)) for point in points)
+        if not all(agrees(at, fact) for at in given):
+            return False
+    free = [name for name in context.generators if name in points[0]]
+    with ctx.workprec(FEWER_BITS):
+        return _everywhere(context, fact, free)
+
+
+def _everywhere(context: Context, fact: Fact, free: Sequence[str]) -> bool:
+    """Whether balls agree at as many points as are due; KernelError where there are fewer."""
+    found = 0
+    for attempt in range(ATTEMPTS):
+        try:
+            agreed = agrees(_drawn(context, fact, free, attempt), fact)
+        except (KernelError, ZeroDivisionError):
+            continue
+        if not agreed:
+            return False
+        found += 1
+        if found == COUNT:
+            return True
+    raise KernelError(f"only {found} of {ATTEMPTS} drawn points are points where balls can look")
+
+
+def _drawn(context: Context, fact: Fact, free: Sequence[str], attempt: int) -> Evaluation:
+    known = {name: _number(context, fact, name, attempt) for name in free}
+    for name, relation in _ties(context, free):
+        sign = -1 if known.pop(name).real < 0 else 1
+        known[name] = sign * _solution(context, known, name, relation)
+    return Evaluation(context, known)
+
+
+def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
+    """A number for a name: the same for the same claim, another for any other."""
+    claim = [fact.context, *fact.lhs, "=", *fact.rhs, name, str(attempt)]
+    digest = sha256("\n".join(claim).encode()).digest()
+    share, kind = fmpq(int.from_bytes(digest[:8]), 2**64), digest[8] % 8
+    if name in fact.certificate.get("whole", ()):
+        return acb(digest[9] % 7 - 3)
+    if kind < 4:
+        return acb(share)
+    if kind < 6:
+        return acb(share / 1000 if kind == 4 else 1 - share / 1000)
+    return acb(10 * share if kind == 6 or name in context.nonnegative else -10 * share)
+
+
+def _ties(context: Context, free: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """The last name of each relation between free names, and the relation."""
+    for relation in context.relations:
+        if (tied := {*names(parse(relation))}) <= {*free}:
+            yield max(tied, key=free.index), relation
+
+
+def _solution(context: Context, known: Mapping[str, acb], name: str, relation: str) -> acb:
+    """x of a + b x = 0, or the positive one of a + b x**2 = 0; others are caught as no points."""
+    zero, one, less = (
+        Evaluation(context, {**known, name: acb(x)}).value(relation) for x in (0, 1, -1)
+    )
+    value = zero / (zero - one)
+    if (one - less).contains(0):
+        if not value.real > 0:
+            raise KernelError(f"{relation} = 0 has no real {name}")
+        value = value.sqrt()
+    return value

@@ -17,8 +17,8 @@ from functools import partial
 from itertools import chain, islice, zip_longest
 from typing import TypeAlias
 
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide
-from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.language import Tree
 from rigidsym.proof.kernel.ring import Number, at

@@ -7,7 +7,7 @@ of either one.  Where points are given, its own balls have to agree with a fact.
 says which theorems have to be among the facts.  It reads ledgers; it cannot write them.
 """
 
-from rigidsym.proof.checker.judge import check, grades
 from rigidsym.proof.checker.records import Refused
+from rigidsym.proof.checker.rules import check, grades
 
 __all__ = ["Refused", "check", "grades"]

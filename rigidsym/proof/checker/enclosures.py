@@ -1,13 +1,19 @@
-"""Balls: what an equation says at a point, to thirty digits, with every rounding accounted for.
+"""Balls: both sides of an equation at a point, to thirty digits, with all rounding accounted for.
 
-The names of a context get their values from the point, from definitions, or from readings that
-are formulas.  Two sides agree where the ball of their difference is small and holds 0.
+The names of a context get their values from the point, from definitions, or from meanings that
+are formulas.  Two sides agree where the ball of their difference is small and contains 0.
+
+Besides the points of a certificate there are others, drawn by a hash of the claim, so that no
+claim can be fitted to them.  Numbers come from (0, 1), its ends and (-8, 8); integers are small.
+Where a relation is between such names, the last of them is solved for.  Draws that are no points
+of the context, or where a function has no value, are skipped; `DUE` points have to be left.
 """
 
+import hashlib
 from collections.abc import Callable
 from operator import add, mul, sub, truediv
 
-from flint import acb, arb, ctx
+from flint import acb, arb, ctx, fmpq
 
 from rigidsym.proof.checker import elliptic
 from rigidsym.proof.checker.elliptic import between
@@ -151,3 +157,68 @@ FUNCTIONS: dict[tuple[str, int], Callable[..., acb]] = {
     ("jacobi_dn", 2): lambda u, m: elliptic.jacobi(u, m)[2],
     ("jacobi_epsilon", 2): elliptic.epsilon,
 }
+
+
+DUE, MOST = 40, 400
+# The sides agree as far as a draw can show; no claim knows its draws.
+BITS, ALIKE = 128, "1e-18"
+
+
+def look_elsewhere(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
+    """Refuse an equation that fails where it was not chosen to be looked at."""
+    free = [name for name in given.generators if name in free]
+    seen = 0
+    with ctx.workprec(BITS):
+        for k in range(MOST):
+            try:
+                values = Values(given, _draw(given, fact, free, whole, k))
+                confirmed = values.confirm(fact, ALIKE)
+            except (Refused, ArithmeticError):
+                continue
+            if not confirmed:
+                raise Refused(f"balls do not confirm {fact.lhs} = {fact.rhs} at draw {k}")
+            seen += 1
+            if seen == DUE:
+                return
+    raise Refused(f"only {seen} of {MOST} draws are points of {given.name}")
+
+
+def _draw(
+    given: Hypotheses, fact: Claim, free: list[str], whole: list[str], k: int
+) -> dict[str, acb]:
+    found = {}
+    for name in free:
+        told = repr((fact.context, fact.lhs, fact.rhs, name, k)).encode()
+        seed = hashlib.blake2b(told, digest_size=16).digest()
+        found[name] = _number(seed, name in whole, name in given.nonnegative)
+    for relation in given.relations:
+        names = {*NAME.findall(relation)}
+        if names <= {*free}:
+            name = max(names, key=free.index)
+            found[name] = _solve(given, found, name, relation)
+    return found
+
+
+def _number(seed: bytes, whole: bool, positive: bool) -> acb:
+    """A number between 0 and 1, near them, or between -8 and 8."""
+    part, choice = fmpq(int.from_bytes(seed[:8], "little"), 2**64), seed[8] % 10
+    if whole:
+        return acb(seed[9] % 9 - 4)
+    if choice == 0:
+        return acb(part / 4096)
+    if choice == 1:
+        return acb(1 - part / 4096)
+    if choice < 7:
+        return acb(part)
+    return acb(8 * part if positive or choice == 7 else -8 * part)
+
+
+def _solve(given: Hypotheses, known: dict[str, acb], name: str, relation: str) -> acb:
+    """The name from a relation without its odd, or without its even powers but a constant."""
+    at = [Values(given, {**known, name: acb(x)}).read(relation) for x in (-1, 0, 1)]
+    if (at[0] - at[2]).contains(0):
+        square = at[1] / (at[1] - at[2])
+        if not square.real > 0:
+            raise Refused(f"{name} is not real")
+        return square.sqrt() if known[name].real > 0 else -square.sqrt()
+    return at[1] / (at[1] - at[2])

@@ -2,9 +2,8 @@
 
 from rigidsym.proof.paper.counterexample import Counterexample
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
-from rigidsym.proof.paper.equations import EQUATIONS
 from rigidsym.proof.paper.prose import Judged, judged
-from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
+from rigidsym.proof.paper.verdicts import EQUATIONS, Ruling, Verdict, verdicts
 
 __all__ = [
     "EQUATIONS",

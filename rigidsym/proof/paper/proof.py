@@ -2,29 +2,27 @@
 
 from dataclasses import replace
 
-from rigidsym.proof.paper.conditions import (
+from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
+from rigidsym.proof.paper.printed import Second, Vocabulary
+from rigidsym.proof.paper.shared import (
     ACROSS,
+    ANGLE_RATES,
+    ANGLES,
     AT_START,
+    BASIS,
+    BODY,
     COMMUTES,
     CONSTANT,
     OFF_AXIS,
     POLES,
     RATE,
-    vanishing,
-)
-from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
-from rigidsym.proof.paper.printed import Second, Vocabulary
-from rigidsym.proof.paper.words import (
-    ANGLE_RATES,
-    ANGLES,
-    BASIS,
-    BODY,
     RATES,
     REDUCED,
     ROTATION,
     THREE_TURNS,
     plain,
     su2,
+    vanishing,
 )
 
 REDUCTION = Sense("reduced", REDUCED, THREE_TURNS, given=("4", "25"))

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rigidsym.proof.paper import theorem1
+from rigidsym.proof.paper import section4
 from rigidsym.proof.paper.answers import Answers, Data, ids
-from rigidsym.proof.paper.conditions import ACROSS, OFF_AXIS
 from rigidsym.proof.paper.equation import Equation, Sense
-from rigidsym.proof.paper.equations import EQUATIONS
 from rigidsym.proof.paper.proof import PROOF
+from rigidsym.proof.paper.shared import ACROSS, OFF_AXIS
+from rigidsym.proof.paper.verdicts import EQUATIONS
 
 COMPARE = "rigidsym compare"
 
@@ -66,14 +66,14 @@ PROSE = (
         "no",
         "phi1, phi2, phi3 of (25) are proper Euler angles, about the axes 1, 2, 1, and (18) is "
         "made of their half angles; that no inverse trigonometric function is printed is all",
-        (_TURNS, ("18", theorem1.EIGHTEEN)),
+        (_TURNS, ("18", section4.EIGHTEEN)),
     ),
     Prose(
         "elegant and compact form",
         "abstract, sections I and V",
         "not for longer than half a period",
         "F1 to F4 need signs that follow c3 Omega3, with jumps where it changes",
-        (("19", theorem1.ANY_OUTER_SIGNS), ("19", theorem1.CONTINUOUS)),
+        (("19", section4.ANY_OUTER_SIGNS), ("19", section4.CONTINUOUS)),
     ),
     Prose(
         "they constitute a non-singular set of variables",
@@ -82,7 +82,7 @@ PROSE = (
         "(18) is a unit quaternion throughout; (32) and (33) divide by zero where the momentum "
         "is along axis 1, y of (19) where Omega3 = 0",
         (
-            ("footnote 3", theorem1.FRAME),
+            ("footnote 3", section4.FRAME),
             *(("32", sense) for sense in OFF_AXIS.needed_by),
             ("29", ACROSS),
         ),

@@ -1,11 +1,13 @@
 """Section II, (1) to (9): SU(2), the quaternions, and the equations of motion."""
 
-from rigidsym.proof.paper.conditions import AT_START, COMMUTES, CONSTANT
 from rigidsym.proof.paper.equation import Equation, Flaw, Sense
 from rigidsym.proof.paper.printed import Vocabulary
-from rigidsym.proof.paper.words import (
+from rigidsym.proof.paper.shared import (
+    AT_START,
     BASIS,
     BODY,
+    COMMUTES,
+    CONSTANT,
     MOMENTUM,
     RATES,
     ROTATION,

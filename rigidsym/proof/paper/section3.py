@@ -1,12 +1,186 @@
-"""Section III, Lemma 1 to (17): the angular velocities."""
+"""Section III, Lemma 1 to (17), the angular velocities: the lines, and how they are put."""
 
 from dataclasses import replace
 
-from rigidsym.proof.paper import lemma1
-from rigidsym.proof.paper.conditions import DISTINCT, IMAGINARY, OVER_C_I, S_I, S_J, SPINNING
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
-from rigidsym.proof.paper.printed import Vocabulary
-from rigidsym.proof.paper.words import BODY
+from rigidsym.proof.paper.printed import Second, Vocabulary
+from rigidsym.proof.paper.shared import (
+    AXES,
+    BODY,
+    DISTINCT,
+    IMAGINARY,
+    IN_MOMENTUM,
+    IN_RATE,
+    OVER_C_I,
+    QUARTIC_AS_PRINTED,
+    S_I,
+    S_J,
+    SINE,
+    SPINNING,
+    exchanged,
+    stated,
+)
+
+TRIPLE = (("sn", "cn", "dn"),)
+# Where nothing is divided by s_i, and where something is.
+UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
+
+
+def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVIDED) -> Sense:
+    """A line about a motion, s_i and s_j being roots of (14) as it is printed."""
+    return Sense(context, vocabulary, of=number, only=only)
+
+
+def _mended(sense: Sense, amplitude: int) -> Sense:
+    """The same with (14) mended: roots in (c_i Omega_i)^2, the amplitude so much larger."""
+    words = sense.vocabulary.words
+    small = words["s_i"] == IN_RATE["s_i"]
+    mended = {**words, **(IN_MOMENTUM if small else exchanged(IN_MOMENTUM))}
+    when = sense.vocabulary.when.replace("s_j - s_i", "c_i**2*(s_j - s_i)")
+    roots = list(sense.vocabulary.roots)
+    roots[amplitude] = f"c_i*{roots[amplitude]}"
+    return replace(
+        sense, vocabulary=replace(sense.vocabulary, words=mended, roots=tuple(roots), when=when)
+    )
+
+
+_SMALL, _LARGE = {**SINE, **IN_RATE}, {**SINE, **exchanged(IN_RATE)}
+_PHASE, _OTHER_PHASE = ("xi*t + C_i",), ("xi*t + root_s/zeta*C_i",)
+_MOVING = Vocabulary(_SMALL, ("zeta", "xi"), TRIPLE, arguments=_PHASE, when="1 - (s_i/s_j)**2")
+TEN = _sense("10", _MOVING, context=UNDIVIDED)
+TEN_MENDED = _mended(TEN, 0)
+# The other way to read the broken fraction: the root of s_i/c_i.
+TEN_UNDER_ROOT = replace(
+    TEN,
+    of="",
+    latex=r"\Omega_i(t)=\sqrt{\tfrac{s_i}{c_i}}\,\mathrm{sn}(\pm\sqrt{\alpha s_j}\,t+C_i,s_i/s_j)",
+    vocabulary=replace(_MOVING, roots=("root_over_c", "xi")),
+    context="printed_under_root",
+)
+# s_i and s_j are roots in (c_i Omega_i)^2, but alpha is that of (14) as it is printed.
+TEN_MIXED = replace(
+    TEN_MENDED,
+    vocabulary=Vocabulary(
+        {**SINE, **IN_MOMENTUM, "alpha": "alpha"},
+        ("c_i*zeta", "c_i*xi"),
+        TRIPLE,
+    ),
+)
+TEN_MODULUS = replace(TEN_MENDED, vocabulary=replace(TEN_MENDED.vocabulary, second=Second.MODULUS))
+ELEVEN = _sense(
+    "11", Vocabulary(_LARGE, ("zeta", "xi", "root_s/zeta"), TRIPLE, arguments=_OTHER_PHASE)
+)
+ELEVEN_MENDED = _mended(ELEVEN, 0)
+TWELVE = _sense("12", Vocabulary(_SMALL, ("zeta",), TRIPLE))
+TWELVE_MENDED = _mended(TWELVE, 0)
+AT_0 = Vocabulary(_SMALL, ("xi", "zeta"), TRIPLE, arguments=("C_i",), moves=False)
+SIXTEEN = (
+    _sense("16", replace(AT_0, when="s_j - s_i"), 0, 2, context=UNDIVIDED),
+    _sense(
+        "16",
+        replace(
+            AT_0, words=_LARGE, roots=("xi", "zeta", "root_s/zeta"), arguments=("root_s/zeta*C_i",)
+        ),
+        3,
+    ),
+)
+SIXTEEN_MENDED = tuple(_mended(sense, 1) for sense in SIXTEEN)
+THIRTEEN = Sense(
+    "printed_13",
+    Vocabulary({**AXES, "s_i": "root_j", "s_j": "root_k"}, ("root_of_discriminant",)),
+    QUARTIC_AS_PRINTED,
+    given=("14",),
+    of="13",
+)
+THIRTEEN_MENDED = replace(
+    THIRTEEN,
+    context="printed_13_mended",
+    vocabulary=replace(
+        THIRTEEN.vocabulary, words={**AXES, "s_i": "c_i**2*root_j", "s_j": "c_i**2*root_k"}
+    ),
+    mended=("Lemma 1",),
+)
+FOURTEEN = Sense(
+    "printed_14",
+    Vocabulary(AXES),
+    QUARTIC_AS_PRINTED,
+    (r"\dot\Omega_i^2=\alpha\Omega_i^4+\beta\Omega_i^2+\chi",),
+)
+_IN_MOMENTUM = r"(c_i\dot\Omega_i)^2=\alpha(c_i\Omega_i)^4+\beta(c_i\Omega_i)^2+\chi"
+FOURTEEN_IN_MOMENTUM = replace(FOURTEEN, says=(_IN_MOMENTUM,))
+# Lemma 1: (10) with (12), differentiated, squared and put at t = 0.
+LEMMA = replace(FOURTEEN_IN_MOMENTUM, given=("14",), latex="")
+LEMMA_MENDED = replace(LEMMA, context="printed_14_mended", mended=("Lemma 1",))
+# Mended, (14) has the alpha of IN_MOMENTUM.
+ALPHA_MENDED = replace(LEMMA_MENDED, says=(), texts={"alpha_printed": "alpha/c_i**2"})
+# What makes it a motion: the quadratic with the roots s_i and s_j.
+SOLVES = stated("sine", {"D(Omega_i)**2": "alpha*(s_i - Omega_i**2)*(s_j - Omega_i**2)"})
+FOOTNOTE_1 = Sense(
+    "printed_footnote_1",
+    Vocabulary(
+        {"mu": "mu", "zeta": "u"}, ("sqrt_mu",), (("sn", "cn", "dn"), ("sqrt_mu*sn", "dn", "cn"))
+    ),
+    of="footnote 1",
+)
+FOOTNOTE_1_MODULUS = replace(
+    FOOTNOTE_1, vocabulary=replace(FOOTNOTE_1.vocabulary, second=Second.MODULUS)
+)
+SEVENTEEN = Sense(
+    "axis",
+    Vocabulary(
+        {
+            **AXES,
+            "at(D(Omega_i), 0)": "D(Omega_i)",
+            "at(Omega_l, 0)": "Omega_j",
+            "at(Omega_k, 0)": "Omega_k",
+        }
+    ),
+)
+SEVENTEEN_WITH_L_I = replace(
+    SEVENTEEN, vocabulary=Vocabulary({**SEVENTEEN.vocabulary.words, "at(Omega_l, 0)": "Omega_i"})
+)
+CIRCULATING_ROOTS = stated("circulating_axis", {"root_d": "A_a**2", "root_b": "m_1*A_a**2"})
+REAL_RATE = stated(
+    "circulating_axis", {"alpha_a*root_d": "lambda_**2", "alpha_a*root_b": "lambda_**2*m_1"}
+)
+REAL_START = stated("circulating_axis", {"root_b - Omega_a**2": "m*(A_a*cn)**2"})
+MIDDLE_REAL = (
+    stated("middle_axis", {"root_a": "A_b**2", "m*root_d": "A_b**2"}),
+    stated("middle_axis", {"alpha_b*root_d": "lambda_**2", "alpha_b*root_a": "m*lambda_**2"}),
+)
+THIRD_REAL = stated("negative_root", {"s_i": "0"})
+SIGN = stated("start", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"})
+OTHER_VALUE = stated(
+    "start",
+    {
+        "C**2 + S**2": "1",
+        "E**2 + mu*S**2": "1",
+        "D(S)": "-xi*C*E",
+        "D(C)": "xi*S*E",
+        "D(E)": "xi*mu*S*C",
+    },
+)
+PRINCIPAL = stated("start", {"D(Omega_i)": "xi*zeta*cn_principal*dn"})
+CONDITIONS_DIFFER = stated("two_conditions", {"s_i**2": "s_j**2"})
+# On the third axis, with principal roots: s_i = -r^2 < 0 < s_j = q^2 and alpha s_j = -v^2 < 0, so
+# that sqrt(s_i) sqrt(alpha s_j) is -r v and sqrt(s_j) sqrt(alpha s_i) is +r v.
+_THIRD = {
+    **SINE,
+    "s_i": "-((c_i*r)**2)",
+    "s_j": "(c_i*q)**2",
+    "alpha": "-(v**2/(c_i*q)**2)",
+}
+_BY_LINE_1 = Vocabulary(
+    _THIRD, ("imaginary*v", "imaginary*c_i*r"), (("-(imaginary*x)", "y", "w/q"),), moves=False
+)
+_BY_LINE_2 = replace(
+    _BY_LINE_1, roots=("v*r/q", "c_i*q", "imaginary*r/q"), jacobi=(("x*r/q", "w/q", "y"),)
+)
+ON_THIRD_AXIS = (
+    Sense("printed_third_axis", _BY_LINE_1, of="16", only=(0,)),
+    Sense("printed_third_axis", _BY_LINE_2, of="16", only=(3,)),
+)
+
 
 CONSERVED = Sense(
     "printed_6",
@@ -22,16 +196,16 @@ SECTION_3: tuple[Equation, ...] = (
         r"\Omega_i(t)\ \text{is (10) or (11), with (12) to (14)}",
         "the smallest repair is in (14): c_i^2 goes from the denominator of chi to that of alpha, "
         "and (13) gives the roots in (c_i Omega_i)^2 that (10) to (12), (16), (20), (21) expect",
-        (lemma1.LEMMA,),
+        (LEMMA,),
         mended=(
-            lemma1.LEMMA_MENDED,
-            lemma1.THIRTEEN_MENDED,
-            lemma1.ALPHA_MENDED,
-            lemma1.SOLVES,
-            lemma1.TEN_MENDED,
-            lemma1.ELEVEN_MENDED,
-            lemma1.TWELVE_MENDED,
-            *lemma1.SIXTEEN_MENDED,
+            LEMMA_MENDED,
+            THIRTEEN_MENDED,
+            ALPHA_MENDED,
+            SOLVES,
+            TEN_MENDED,
+            ELEVEN_MENDED,
+            TWELVE_MENDED,
+            *SIXTEEN_MENDED,
         ),
         roots=(Root.SCALE,),
         conditions=(*DISTINCT, S_I, S_J),
@@ -41,28 +215,28 @@ SECTION_3: tuple[Equation, ...] = (
             Reading(
                 "the second argument of sn is the parameter",
                 "(10), (20) mended and footnote 1 hold; (35) and (36) do not",
-                (lemma1.TEN_MENDED, lemma1.FOOTNOTE_1),
+                (TEN_MENDED, FOOTNOTE_1),
             ),
             Reading(
                 "the second argument of sn is the modulus",
                 "(35) and (36) hold as they are printed; (10) and footnote 1 do not",
-                (lemma1.TEN_MODULUS, lemma1.FOOTNOTE_1_MODULUS),
+                (TEN_MODULUS, FOOTNOTE_1_MODULUS),
             ),
             Reading(
                 "the constants are real, i is the middle axis",
                 "both roots and alpha times either are squares",
-                lemma1.MIDDLE_REAL,
+                MIDDLE_REAL,
             ),
             Reading(
                 "the constants are real, i is the third axis",
                 "one root is minus a square, and by (13) that is s_i: it is never s_j, so that "
                 "sqrt(s_i) and sqrt(alpha s_j) are imaginary, and real only together",
-                (lemma1.THIRD_REAL,),
+                (THIRD_REAL,),
             ),
             Reading(
                 "the constants are real, i is the circulation axis",
                 "the rate sqrt(alpha s) is imaginary for both roots, and so C_i is complex",
-                (lemma1.REAL_RATE, lemma1.REAL_START),
+                (REAL_RATE, REAL_START),
             ),
         ),
         flaws={**OVER_C_I, **IMAGINARY},
@@ -72,9 +246,9 @@ SECTION_3: tuple[Equation, ...] = (
         r"\Omega_i(t)=\frac{\sqrt{s_i}}{c_i}\,\mathrm{sn}\!\left(\pm\sqrt{\alpha s_j}\,t+C_i,\ "
         r"\frac{s_i}{s_j}\right)\ \text{when}\ \left|\frac{s_i}{s_j}\right|\le1",
         "Omega_i = sqrt(s_i) sn solves the quartic of (14); divided by c_i it does not",
-        (lemma1.TEN,),
-        mended=(replace(lemma1.TEN, of=""), lemma1.SOLVES),
-        with_mended={"14": (lemma1.TEN_MENDED,)},
+        (TEN,),
+        mended=(replace(TEN, of=""), SOLVES),
+        with_mended={"14": (TEN_MENDED,)},
         roots=(Root.SCALE,),
         repair=r"\Omega_i(t)=\sqrt{s_i}\,\mathrm{sn}(\pm\sqrt{\alpha s_j}\,t+C_i,\ s_i/s_j)",
         conditions=(S_J,),
@@ -82,22 +256,22 @@ SECTION_3: tuple[Equation, ...] = (
             Reading(
                 "sqrt(s_i) over c_i, s_i by (13) and (14)",
                 "too small by the factor c_i",
-                (lemma1.TEN,),
+                (TEN,),
             ),
             Reading(
                 "sqrt of s_i/c_i, s_i by (13) and (14)",
                 "too small by the factor sqrt(c_i)",
-                (lemma1.TEN_UNDER_ROOT,),
+                (TEN_UNDER_ROOT,),
             ),
             Reading(
                 "sqrt(s_i) over c_i, s_i a root in (c_i Omega_i)^2, alpha by (14)",
                 "the right amplitude, at c_i times the rate",
-                (lemma1.TEN_MIXED,),
+                (TEN_MIXED,),
             ),
             Reading(
                 "sqrt(s_i) over c_i, s_i and alpha by (14) as mended for Lemma 1",
                 "(10) is right as it is printed",
-                (lemma1.TEN_MENDED,),
+                (TEN_MENDED,),
             ),
         ),
         flaws={**OVER_C_I, **IMAGINARY},
@@ -107,9 +281,9 @@ SECTION_3: tuple[Equation, ...] = (
         r"\Omega_i(t)=\frac{\sqrt{s_j}}{c_i}\,\mathrm{sn}\!\left(\pm\sqrt{\alpha s_i}\,t+"
         r"\sqrt{\tfrac{s_i}{s_j}}\,C_i,\ \frac{s_j}{s_i}\right)\ \text{otherwise}",
         "(10) by footnote 1",
-        (lemma1.ELEVEN,),
-        mended=(replace(lemma1.ELEVEN, of=""), lemma1.SOLVES),
-        with_mended={"14": (lemma1.ELEVEN_MENDED,)},
+        (ELEVEN,),
+        mended=(replace(ELEVEN, of=""), SOLVES),
+        with_mended={"14": (ELEVEN_MENDED,)},
         roots=(Root.SCALE,),
         repair=r"\Omega_i(t)=\sqrt{s_j}\,\mathrm{sn}(\pm\sqrt{\alpha s_i}\,t+"
         r"\sqrt{s_i/s_j}\,C_i,\ s_j/s_i)",
@@ -120,7 +294,7 @@ SECTION_3: tuple[Equation, ...] = (
         "footnote 1",
         r"\sqrt\mu\,\mathrm{sn}(\zeta,\mu)=\mathrm{sn}(\sqrt\mu\,\zeta,\mu^{-1})",
         "mu is the parameter; both sides satisfy the same equations and vanish together",
-        (lemma1.FOOTNOTE_1,),
+        (FOOTNOTE_1,),
         conditions=(Condition("mu != 0", ("sqrt_mu",), (SPINNING,)),),
         flaws={Flaw.TWICE: "zeta, the argument here, is the amplitude in (34)"},
     ),
@@ -128,9 +302,9 @@ SECTION_3: tuple[Equation, ...] = (
         "12",
         r"C_i=\mathrm{sn}^{-1}\!\left(\frac{c_i\Omega_i(0)}{\sqrt{s_i}},\ \frac{s_i}{s_j}\right)",
         "where (10) starts",
-        (lemma1.TWELVE,),
-        mended=(replace(lemma1.TWELVE, of=""),),
-        with_mended={"14": (lemma1.TWELVE_MENDED,)},
+        (TWELVE,),
+        mended=(replace(TWELVE, of=""),),
+        with_mended={"14": (TWELVE_MENDED,)},
         roots=(Root.SCALE,),
         repair=r"C_i=\mathrm{sn}^{-1}(\Omega_i(0)/\sqrt{s_i},\ s_i/s_j)",
         conditions=(S_I, S_J),
@@ -146,17 +320,17 @@ SECTION_3: tuple[Equation, ...] = (
             Reading(
                 "complex arguments are allowed but not needed: C_i is real",
                 "not on the circulation axis, where c_i Omega_i/sqrt(s_i) is out of reach of sn",
-                (lemma1.REAL_START,),
+                (REAL_START,),
             ),
             Reading(
                 "complex where it has to be, and the principal value",
                 "Omega_i starts in the wrong direction where cn < 0, unless the sign is changed",
-                (lemma1.PRINCIPAL,),
+                (PRINCIPAL,),
             ),
             Reading(
                 "complex where it has to be, any value, with the sign of Remark 1",
                 "the other value with the other sign is the same motion",
-                (lemma1.OTHER_VALUE, lemma1.SIGN),
+                (OTHER_VALUE, SIGN),
             ),
         ),
         flaws={Flaw.BRANCH: "an inverse function on C^2 has several values"},
@@ -166,7 +340,7 @@ SECTION_3: tuple[Equation, ...] = (
         r"s_i=\frac{-\beta+\sqrt{\beta^2-4\alpha\chi}}{2\alpha},\ "
         r"s_j=\frac{-\beta-\sqrt{\beta^2-4\alpha\chi}}{2\alpha}",
         "roots in Omega_i^2 of the quadratic (14), not in (c_i Omega_i)^2",
-        (lemma1.THIRTEEN,),
+        (THIRTEEN,),
         conditions=DISTINCT,
     ),
     Equation(
@@ -175,19 +349,19 @@ SECTION_3: tuple[Equation, ...] = (
         r"\beta=\frac{4c_jc_kH-2c_i(c_j+c_k)H+2c_iK^2-(c_j+c_k)K^2}{c_ic_jc_k},\ "
         r"\chi=-\frac{(2c_jH-K^2)(2c_kH-K^2)}{c_i^2c_jc_k}",
         "Omega_i'^2 = alpha Omega_i^4 + beta Omega_i^2 + chi",
-        (lemma1.FOURTEEN,),
+        (FOURTEEN,),
         roots=(Root.SCALE,),
         readings=(
             Reading(
                 "the quadratic is one in Omega_i^2",
                 "alpha, beta and chi are right, and (10) to (12), (16), (20), (21) are not",
-                (lemma1.FOURTEEN,),
+                (FOURTEEN,),
             ),
             Reading(
                 "the quadratic is one in (c_i Omega_i)^2, as (10) to (12) take its roots",
                 "c_i^2 stands below chi and is missing below alpha; mended, (10) to (12), (16), "
                 "(20) and (21) are right as they are printed",
-                (lemma1.FOURTEEN_IN_MOMENTUM,),
+                (FOURTEEN_IN_MOMENTUM,),
             ),
         ),
     ),
@@ -202,23 +376,23 @@ SECTION_3: tuple[Equation, ...] = (
             Reading(
                 "the sign of (11) only, + in (10)",
                 "(10) starts in the wrong direction where cn < 0",
-                (lemma1.PRINCIPAL,),
+                (PRINCIPAL,),
             ),
             Reading(
                 "the sign of whichever of (10) and (11) is used",
                 "(17) always decides it, and either value of C_i will do",
-                (lemma1.SIGN, lemma1.OTHER_VALUE),
+                (SIGN, OTHER_VALUE),
             ),
             Reading(
                 "s_j >= s_i is the condition of (10), |s_i/s_j| <= 1",
                 "they differ on the third axis, where s_i < -s_j < 0",
-                (lemma1.CONDITIONS_DIFFER,),
+                (CONDITIONS_DIFFER,),
             ),
             Reading(
                 "s_j >= s_i is another condition, for (16) alone",
                 "on the third axis the lines of (16), with principal roots, have opposite signs "
                 "where s_i < -s_j: a sign found from one line runs (11) backwards",
-                lemma1.ON_THIRD_AXIS,
+                ON_THIRD_AXIS,
             ),
         ),
         flaws={
@@ -234,9 +408,9 @@ SECTION_3: tuple[Equation, ...] = (
         r"C_i,\tfrac{s_j}{s_i}\right)\mathrm{dn}\!\left(\sqrt{\tfrac{s_i}{s_j}}C_i,"
         r"\tfrac{s_j}{s_i}\right)\ \text{otherwise}",
         "the derivative of (10) at t = 0",
-        lemma1.SIXTEEN,
-        mended=(replace(lemma1.SIXTEEN[0], of="", only=()),),
-        with_mended={"14": lemma1.SIXTEEN_MENDED},
+        SIXTEEN,
+        mended=(replace(SIXTEEN[0], of="", only=()),),
+        with_mended={"14": SIXTEEN_MENDED},
         roots=(Root.SCALE,),
         repair=r"\dot\Omega_i(0)=\pm\sqrt{\alpha s_j}\sqrt{s_i}\,\mathrm{cn}(C_i,s_i/s_j)\,"
         r"\mathrm{dn}(C_i,s_i/s_j)",
@@ -249,11 +423,11 @@ SECTION_3: tuple[Equation, ...] = (
         "(5) at t = 0",
         (),
         readings=(
-            Reading("l, k and i are three axes", "it is (5) at t = 0", (lemma1.SEVENTEEN,)),
+            Reading("l, k and i are three axes", "it is (5) at t = 0", (SEVENTEEN,)),
             Reading(
                 "l differs from k, and k from i",
                 "l = i is allowed, where it fails",
-                (lemma1.SEVENTEEN_WITH_L_I,),
+                (SEVENTEEN_WITH_L_I,),
             ),
         ),
         flaws={Flaw.WEAK: "l != k != i does not say that l != i"},

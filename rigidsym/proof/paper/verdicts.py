@@ -1,4 +1,4 @@
-"""The verdict on each printed equation, computed from what the facts of a ledger say."""
+"""The verdict on each printed equation, computed from the facts of a ledger."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -9,9 +9,14 @@ from typing import Any
 from rigidsym.proof.paper.answers import Answer, Answers, Data, ids, together
 from rigidsym.proof.paper.counterexample import Counterexample, counterexample
 from rigidsym.proof.paper.equation import Equation, Reading, Root
-from rigidsym.proof.paper.equations import EQUATIONS
+from rigidsym.proof.paper.proof import PROOF
+from rigidsym.proof.paper.section2 import SECTION_2
+from rigidsym.proof.paper.section3 import SECTION_3
+from rigidsym.proof.paper.section4 import SECTION_4
 from rigidsym.view.html.proofs import verdict_html
 
+# All printed equations, misprints kept.
+EQUATIONS: tuple[Equation, ...] = (*SECTION_2, *SECTION_3, *SECTION_4, *PROOF)
 # What the paper assumes throughout: a body with inertia that moves.
 STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "c_a", "c_b", "c_d", "K"}
 # Units that their contexts keep from zero: K and rho are nonnegative, |M_a| <= K, side is +-1.

@@ -8,9 +8,8 @@ from sympy import Eq, Expr, Symbol
 from sympy.solvers.solveset import NonlinearError
 
 from rigidsym.proof.kernel import KernelError
-from rigidsym.proof.steps.collected import collected
 from rigidsym.proof.steps.desk import Desk
-from rigidsym.proof.steps.names import symbol
+from rigidsym.proof.steps.names import collected, symbol
 from rigidsym.proof.steps.record import Step, StepError
 
 

@@ -10,7 +10,6 @@ from sympy import Identity, ImmutableMatrix, Inverse, MatrixExpr
 from rigidsym.language.expression import parse, to_text
 from rigidsym.proof.algebra import Book, Part, join
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
-from rigidsym.proof.steps.collected import collected, positive
 from rigidsym.proof.steps.matrices import (
     INDICES,
     Real,
@@ -20,7 +19,7 @@ from rigidsym.proof.steps.matrices import (
     part_name,
     split,
 )
-from rigidsym.proof.steps.names import Dictionary, read, symbol
+from rigidsym.proof.steps.names import Dictionary, collected, positive, read, symbol
 from rigidsym.proof.steps.record import Step, StepError
 
 ONE = Identity(2)

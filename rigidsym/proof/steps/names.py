@@ -1,7 +1,7 @@
-"""SymPy's expressions in the names of a context, and back.
+"""SymPy's expressions in the names of a context, and back; and the form in which they read best.
 
-The kernel knows names only: `cos_half_phi1` is a generator whose reading says cos(phi1/2).  Where a
-reading is a function of other quantities, SymPy works with the function: this is the dictionary.
+The kernel knows names only: `cos_half_phi1` is a generator whose meaning is cos(phi1/2).  Where a
+meaning is a function of other quantities, SymPy works with the function: this is the dictionary.
 """
 
 from collections.abc import Mapping
@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any
 
 import sympy
+from sympy import Expr, Mul
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
@@ -85,3 +86,34 @@ class _Printer(StrPrinter):
         if exponent > 0:
             return inner if exponent == 1 else f"{inner}**{exponent}"
         return f"1/{inner}" if exponent == -1 else f"1/{inner}**{-exponent}"
+
+
+def collected(expression: Expr) -> Expr:
+    """The expression as one fraction of factors, each of the sign and the form that is shorter."""
+    above, below = sympy.fraction(sympy.factor(expression))
+    sign_above, above = _side(above)
+    sign_below, below = _side(below)
+    return sign_above * sign_below * above / below
+
+
+def positive(expression: Expr) -> Expr:
+    """The expression or its negative: the one that begins with a plus."""
+    return -expression if str(expression).startswith("-") else expression
+
+
+def _side(side: Expr) -> tuple[int, Expr]:
+    """A product with factors that begin with a plus, multiplied out where that is shorter."""
+    sign, factors = 1, []
+    for factor in Mul.make_args(side):
+        base, power = factor.as_base_exp()
+        if base.is_Add and str(base).startswith("-"):
+            base, sign = -base, sign * (-1 if power % 2 else 1)
+        factors.append(base**power)
+    product = Mul(*factors)
+    sums = [factor for factor in factors if factor.is_Add]
+    whole = sympy.expand(Mul(*sums))
+    if len(sums) > 1 and sympy.count_ops(whole) <= sympy.count_ops(Mul(*sums)):
+        flip = -1 if str(whole).startswith("-") else 1
+        rest = [factor for factor in factors if not factor.is_Add]
+        return sign * flip, Mul(*rest, flip * whole)
+    return sign, product

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 from ledgers import unchecked
 
-from rigidsym.proof.algebra.suppositions import COUNT, encloses
+from rigidsym.proof.algebra.enclosures import COUNT, encloses
 from rigidsym.proof.checker import Refused, check, elsewhere
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
 

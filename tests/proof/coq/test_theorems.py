@@ -12,7 +12,7 @@ from document_texts import words
 from ledgers import written
 
 from rigidsym.io.ledger import ledger_text
-from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.coq import export
 from rigidsym.proof.kernel import replay
 

@@ -12,9 +12,8 @@ from derivations import CHAPTERS, printed
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.kernel import KernelError, Ledger
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.answers import Answers
+from rigidsym.proof.paper.answers import Answers, asked, question
 from rigidsym.proof.paper.printed import PrintError
-from rigidsym.proof.paper.questions import asked, question
 from rigidsym.proof.paper.verdicts import verdict
 
 # Changes that leave the meaning as it is, each with a reason; and what is not said in formulas.

@@ -10,11 +10,10 @@ import pytest
 import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
-from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.kernel import replay
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
-from rigidsym.proof.paper.answers import Answers
-from rigidsym.proof.paper.questions import question
+from rigidsym.proof.paper.answers import Answers, question
 from rigidsym.proof.paper.table import counted, details, row
 from rigidsym.proof.paper.verdicts import needed_units, ruling_of
 from rigidsym.proof.paper.verdicts import verdict as verdict_on

@@ -10,9 +10,8 @@ from rigidsym.language.expression import parse
 from rigidsym.language.functions.jacobi import jacobi_sn
 from rigidsym.proof.algebra import Book, Part, circle, half_angle, jacobi
 from rigidsym.proof.steps import Desk, Rate, StepError, matrix
-from rigidsym.proof.steps.collected import collected, positive
 from rigidsym.proof.steps.matrices import part_name, split
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps.names import collected, positive, read, symbol, symbols
 
 x, y, a = symbols("x y a")
 NAMES = ("P", "Q", "S")

@@ -4,10 +4,15 @@ The parser is the project's own: SymPy's `parse_latex` evaluates while it reads,
 Lie brackets nor functions of a time, "when" or lists of equations.
 """
 
-from rigidsym.proof.paper.printed.interpreter import PLAIN, Second, Vocabulary, in_names
-from rigidsym.proof.paper.printed.parser import parse
-from rigidsym.proof.paper.printed.translation import Translation, translate
-from rigidsym.proof.paper.printed.tree import Display, PrintError, Statement, Words
+from rigidsym.proof.paper.printed.interpreter import (
+    PLAIN,
+    Second,
+    Translation,
+    Vocabulary,
+    in_names,
+    translate,
+)
+from rigidsym.proof.paper.printed.parser import Display, PrintError, Statement, Words, parse
 
 __all__ = [
     "PLAIN",

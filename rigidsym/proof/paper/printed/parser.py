@@ -1,4 +1,4 @@
-"""A recursive descent through printed LaTeX, in the paper's own vocabulary.
+"""A recursive-descent parser of printed LaTeX, in the paper's own vocabulary.
 
     display   = {statement | words | "," | ";"}
     statement = sum {relation sum}
@@ -9,13 +9,65 @@
 A product is written by putting factors side by side; a function without brackets takes one
 quantity.  A name before (t) or a number in brackets is at that time, before a list it is applied
 to it; before anything else in brackets it is a factor.
+
+The sides of a statement are expressions of `rigidsym.language`; what these have no form for is a
+call: `matrix` of four entries, `bracket`, `at` a time, `d` of a differential, `integral` of a
+product with one, `pm` of what has either sign, `abs`, `nabla`, `partial`.  The imaginary unit is
+the name `imaginary`, and a bar or a star is part of a name: `Rbar`, `y_star`.
 """
 
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeAlias
 
 from rigidsym.language.expression import Call, Expression, Name, Number, Operation
-from rigidsym.proof.paper.printed.tokens import tokens
-from rigidsym.proof.paper.printed.tree import Display, PrintError, Statement, Words
+
+
+class PrintError(ValueError):
+    """A display that cannot be read, or that has no meaning in a context."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """Sides with a relation between each two: `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` or `:`."""
+
+    sides: tuple[Expression, ...]
+    relations: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Text between formulas."""
+
+    text: str
+
+
+Display: TypeAlias = tuple[Statement | Words, ...]
+
+
+_TOKEN = re.compile(
+    r"\\text\{[^{}]*\}|\\(?:mathrm|operatorname|begin|end)\{[A-Za-z]+\}|\\mathrm\s*[A-Za-z]"
+    r"|\\left\||\\right\||\\[A-Za-z]+|\\[ ,;:!]|\\\\|[A-Za-z]|[0-9]|[-+=<>/^_&{}()\[\]|,;:]"
+)
+_ROOM = {r"\ ", r"\,", r"\;", r"\:", r"\!", r"\left", r"\right"}
+
+
+def tokens(latex: str) -> Iterator[str]:
+    """The tokens from left to right; raises PrintError for what is none."""
+    place = 0
+    while place < len(latex):
+        if latex[place].isspace():
+            place += 1
+            continue
+        found = _TOKEN.match(latex, place)
+        if not found:
+            raise PrintError(f"{latex[place : place + 20]!r}: not a token of printed LaTeX")
+        place = found.end()
+        if found[0] not in _ROOM:
+            yield found[0]
+
 
 RELATIONS = {
     "=": "=",

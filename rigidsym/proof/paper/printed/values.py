@@ -11,7 +11,7 @@ from itertools import product
 from typing import TypeAlias
 
 from rigidsym.language.expression import Call, Expression, Number, Operation
-from rigidsym.proof.paper.printed.tree import PrintError
+from rigidsym.proof.paper.printed.parser import PrintError
 
 ZERO, ONE = Number(0), Number(1)
 
