@@ -1,8 +1,8 @@
 """The derivation: one chapter per file, in the paper's order; ledger.json is their sealed result.
 
-Each chapter has a `derive(book)`.  Those of `FORWARD` compute: from the basis (4) and the kinetic
-energy, by the steps of `rigidsym.proof.steps`, to Theorem 1, for whatever `Setting` the book has.
-In the others a right-hand side is a guess until the kernel has decided it.
+Each chapter has a `derive(builder)`.  Those of `FORWARD` compute: from the basis (4) and the
+kinetic energy, by the steps of `rigidsym.proof.steps`, to Theorem 1, for any `Setting`.  In the
+others a right-hand side is a guess until the kernel has decided it.
 """
 
 FORWARD = (

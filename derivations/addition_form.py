@@ -14,7 +14,7 @@ follow from that of S_t^2.
 """
 
 from derivations.attitude import HANDEDNESS, INERTIA
-from rigidsym.proof.algebra import Book, Part, jacobi, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join
 
 FORCES = {
     "alpha_a": "epsilon*(c_b - c_d)/c_a",
@@ -96,23 +96,25 @@ OTHERS = {"a": ("b", "d"), "b": ("d", "a"), "d": ("a", "b")}
 EULER = {f"D(Omega_{x})": f"alpha_{x}*Omega_{y}*Omega_{z}" for x, (y, z) in OTHERS.items()}
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Euler's equations, the functions, the integrals of the squares of the rates, the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
-    book.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
-    book.claim("addition.euler", EULER, ["5", "10"])
+    builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
+    builder.claim("addition.euler", EULER, ["5", "10"])
     invariants = [" + ".join(f"c_{x}**{n}*Omega_{x}{{0}}**2" for x in "abd") for n in (1, 2)]
     kept = {form.format(""): form.format("0") for form in invariants}
-    book.claim("addition.invariants", kept, ["6", "15"])
-    book.open(join("addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_")))
+    builder.claim("addition.invariants", kept, ["6", "15"])
+    builder.open(
+        join("addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_"))
+    )
     rates = {f"D({name})": rate for name, rate in FUNCTIONS.rates.items()}
     curves = dict.fromkeys(FUNCTIONS.relations, "0")
-    book.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"])
-    book.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
+    builder.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"])
+    builder.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
     squares = {f"D(I_{x})": f"Omega_{x}**2" for x in "abd"}
-    book.claim("addition_integrals.squares", squares, ["10"])
+    builder.claim("addition_integrals.squares", squares, ["10"])
     still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
     parts = (COEFFICIENTS, GIVEN, *still, RATES, INTEGRALS, START)
-    book.open(join("addition_start", *parts, static=True))
+    builder.open(join("addition_start", *parts, static=True))
     start = {f"Omega_{x}": f"Omega_{x}0" for x in "abd"} | {f"I_{x}": "0" for x in "abd"}
-    book.claim("addition_start.rates", start, ["12"])
+    builder.claim("addition_start.rates", start, ["12"])

@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from sympy import Expr, Symbol, factor_terms, rem
 
-from rigidsym.proof.algebra import Book, Part, half_angle, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
 from rigidsym.proof.algebra.printing import printed
 from rigidsym.proof.algebra.quaternion import conjugate, product, rotated
 from rigidsym.proof.algebra.quaternion import kinematics as turning
@@ -126,26 +126,26 @@ def kinematics(q: str) -> dict[str, str | Expr]:
     }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Invariants in the form without cancellation, the attitude, and the pull-back (37)."""
-    book.open(join("attitude", *ATTITUDE))
-    book.claim("attitude.conserved", {"D(H)": "0", "D(K**2)": "0"}, ["6"])
-    book.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
+    builder.open(join("attitude", *ATTITUDE))
+    builder.claim("attitude.conserved", {"D(H)": "0", "D(K**2)": "0"}, ["6"])
+    builder.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
     for x in "abd":
-        book.claim(f"attitude.Omega_{x}", {f"Omega_{x}": f"M_{x}/c_{x}"}, ["8"])
-    book.root("attitude.nu", "nu", "2*K*(K + sigma*M_a)", ["27"])
+        builder.claim(f"attitude.Omega_{x}", {f"Omega_{x}": f"M_{x}/c_{x}"}, ["8"])
+    builder.root("attitude.nu", "nu", "2*K*(K + sigma*M_a)", ["27"])
 
     inverse = product(quaternion("q"), conjugate(quaternion("qbar")), EPSILON)
     for name, form in components("p", inverse).items():
-        book.claim(f"attitude.{name}", {name: form}, ["37"])
-    book.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
+        builder.claim(f"attitude.{name}", {name: form}, ["37"])
+    builder.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
     for name, form in MOMENTUM.items():
-        book.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])
-    book.claim("attitude.solution", kinematics("q"), ["3", "37"])
-    _start(book, components("p", inverse))
+        builder.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])
+    builder.claim("attitude.solution", kinematics("q"), ["3", "37"])
+    _start(builder, components("p", inverse))
 
 
-def _start(book: Book, inverse: dict[str, str]) -> None:
+def _start(builder: LedgerBuilder, inverse: dict[str, str]) -> None:
     """With p by (37), q starts where it is told to, and p is a turn."""
     units = {q: " + ".join(f"{x}**2" for x in quaternion(q)) for q in ("q", "qbar", "p")}
     given = Part(
@@ -153,6 +153,6 @@ def _start(book: Book, inverse: dict[str, str]) -> None:
         definitions=inverse,
         relations=(f"{units['q']} - 1", f"{units['qbar']} - 1"),
     )
-    book.open(join("attitude_start", HANDEDNESS, given, static=True))
-    book.claim("attitude_start.attitude", PULL_BACK.definitions, ["37"])
-    book.claim("attitude_start.turn", {units["p"]: "1"}, ["37"])
+    builder.open(join("attitude_start", HANDEDNESS, given, static=True))
+    builder.claim("attitude_start.attitude", PULL_BACK.definitions, ["37"])
+    builder.claim("attitude_start.turn", {units["p"]: "1"}, ["37"])

@@ -9,7 +9,7 @@ dL = R dM at t = 0.  So eta' = R d omega, which is the variation of (3) seen in 
 this for one rate at t = 0 or one moment of inertia; `excess` is I_k less what it is without motion.
 """
 
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.quaternion import kinematics
 
 AXES = (1, 2, 3)
@@ -170,17 +170,17 @@ ATTITUDE = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The columns satisfy the variation of (3), and start at zero; so does that by the time."""
     defined = {**matrix("R", "q"), **DIRECTION, **AT_TIME}
     parts = (BODY, RATES_AT_START, RATES, EXCESS, ARMS, VARIED, ATTITUDE)
     units = Part(definitions=defined, units=("K_squared",))
-    book.open(join("turned_columns", *parts, units))
-    book.claim("turned_columns.momentum", {f"D(l{i})": "0" for i in AXES}, ["6"])
+    builder.open(join("turned_columns", *parts, units))
+    builder.claim("turned_columns.momentum", {f"D(l{i})": "0" for i in AXES}, ["6"])
     for y in CHANGES:
-        book.claim(f"turned_columns.by_{y}", _turning(y), ["3"])
-    book.claim("turned_columns.by_t", _by_time(), ["3", "5"])
-    _start(book)
+        builder.claim(f"turned_columns.by_{y}", _turning(y), ["3"])
+    builder.claim("turned_columns.by_t", _by_time(), ["3", "5"])
+    _start(builder)
 
 
 def _turning(y: str) -> dict[str, str]:
@@ -199,7 +199,7 @@ def _by_time() -> dict[str, str]:
     return turned | {f"D(Omega{k})": f"Omega{k}_by_t" for k in AXES}
 
 
-def _start(book: Book) -> None:
+def _start(builder: LedgerBuilder) -> None:
     """At t = 0 no column has turned."""
     still = [Part(x.witness, x.units, reading=x.reading) for x in (BODY, RATES_AT_START, EXCESS)]
     attitude = Part(
@@ -218,6 +218,6 @@ def _start(book: Book) -> None:
         units=("K_squared",),
         relations=tuple(EXCESS.witness),
     )
-    book.open(join("turned_columns_start", *still, attitude, begun, static=True))
+    builder.open(join("turned_columns_start", *still, attitude, begun, static=True))
     zero = {f"eta{i}_by_{y}": "0" for y in CHANGES for i in AXES}
-    book.claim("turned_columns_start.turn", zero, ["37"])
+    builder.claim("turned_columns_start.turn", zero, ["37"])

@@ -15,7 +15,7 @@ import sympy
 
 from derivations.euler_lax import Dynamics
 from derivations.rate_sensitivities import change_of
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.quaternion import kinematics, product
 from rigidsym.proof.steps.names import read, symbol, symbols
 
@@ -98,29 +98,29 @@ ATTITUDE = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The small turn and the change of q satisfy the variation of (3); they start where told to."""
-    dynamics = book.found(Dynamics)
+    dynamics = builder.result(Dynamics)
     moving = Part(rates=_variations(dynamics.body.rates))
     parts = (
         *(dynamics.parameters, dynamics.body, moving, STATE),
         *(BESIDE, MOMENTUM, INTEGRALS, BEGUN, TURN),
     )
-    book.open(join("turned", *parts))
-    book.claim("turned.energy", {"D(dH)": "0"}, ["6"])
-    book.claim("turned.along", {"xi1*M1 + xi2*M2 + xi3*M3": "s"}, ["6"])
+    builder.open(join("turned", *parts))
+    builder.claim("turned.energy", {"D(dH)": "0"}, ["6"])
+    builder.claim("turned.along", {"xi1*M1 + xi2*M2 + xi3*M3": "s"}, ["6"])
     turning = [dw - x for dw, x in zip(varied(OMEGA), _cross(OMEGA, XI), strict=True)]
-    book.claim("turned.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
-    book.open(join("turned_attitude", *parts, ATTITUDE))
+    builder.claim("turned.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
+    builder.open(join("turned_attitude", *parts, ATTITUDE))
     variation = {f"D({name})": rate for name, rate in _variations(ATTITUDE.rates).items()}
-    book.claim("turned_attitude.variation", variation, ["3"])
-    book.claim("turned_attitude.norm", {" + ".join(f"{q}*d{q}" for q in Q): "0"}, ["1"])
+    builder.claim("turned_attitude.variation", variation, ["3"])
+    builder.claim("turned_attitude.norm", {" + ".join(f"{q}*d{q}" for q in Q): "0"}, ["1"])
     momenta = Part(definitions={str(m): dynamics.body.definitions[str(m)] for m in M})
-    _start(book, dynamics.parameters, momenta)
-    _rest(book)
+    _start(builder, dynamics.parameters, momenta)
+    _rest(builder)
 
 
-def _rest(book: Book) -> None:
+def _rest(builder: LedgerBuilder) -> None:
     """Without rates there is no momentum to turn about: what begins to turn goes on."""
     given = symbols("eta1 eta2 eta3")
     turned = [x + symbol("t") * dw for x, dw in zip(given, varied(OMEGA), strict=True)]
@@ -130,12 +130,12 @@ def _rest(book: Book) -> None:
         definitions={**dict.fromkeys(map(str, OMEGA), "0"), **_texts(XI, turned)},
         reading={str(x): f"component {k} of xi at t = 0" for k, x in enumerate(given, 1)},
     )
-    book.open(join("turned_at_rest", begun))
+    builder.open(join("turned_at_rest", begun))
     turning = [dw - x for dw, x in zip(varied(OMEGA), _cross(OMEGA, XI), strict=True)]
-    book.claim("turned_at_rest.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
+    builder.claim("turned_at_rest.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
 
 
-def _start(book: Book, *body: Part) -> None:
+def _start(builder: LedgerBuilder, *body: Part) -> None:
     """At t = 0 the small turn is the given one, with l and s_0 by it."""
     given = symbols("eta1 eta2 eta3")
     still = Part(INTEGRALS.witness, relations=tuple(INTEGRALS.witness), reading=INTEGRALS.reading)
@@ -146,5 +146,5 @@ def _start(book: Book, *body: Part) -> None:
         definitions={**_texts(L, turned), "s_0": along, **ALONG},
         reading={str(x): f"component {k} of xi at t = 0" for k, x in enumerate(given, 1)},
     )
-    book.open(join("turned_start", *body, STATE, still, BESIDE, start, TURN, static=True))
-    book.claim("turned_start.turn", _texts(XI, given), ["37"])
+    builder.open(join("turned_start", *body, STATE, still, BESIDE, start, TURN, static=True))
+    builder.claim("turned_start.turn", _texts(XI, given), ["37"])

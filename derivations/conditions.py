@@ -12,8 +12,8 @@ from derivations.lemma1 import INERTIA, SCALED, SINE, Lemma1
 from derivations.lie_algebra import Algebra, M, R, combination, commutator, from_quaternion
 from derivations.phi1_integral import FUNCTIONS, constants
 from derivations.phi1_integral import sine as sine_of
-from rigidsym.proof.algebra import Book, Part, join, part_of, sign
-from rigidsym.proof.steps import Desk
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
+from rigidsym.proof.steps import Scope
 
 # zeta sn by itself, as (10) has it.
 SINE_OF_10 = Part(definitions={"mu": "s_i/s_j", "Omega_i": "zeta*sn"})
@@ -25,46 +25,46 @@ MOTION_RATES = {
 ON_CIRCLES = ("cos_phi2**2 + sin_phi2**2 - 1", "sin_phi3**2 + cos_phi3**2 - 1")
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(9), (22); (10) to (13); (12) and Remark 1; (29), (32), (33); (34) to (36)."""
-    _start_of_motion(book)
-    _degenerate(book)
-    _start(book)
-    _poles(book)
-    _poles_of_34(book)
-    _amplitude_at_rest(book)
+    _start_of_motion(builder)
+    _degenerate(builder)
+    _start(builder)
+    _poles(builder)
+    _poles_of_34(builder)
+    _amplitude_at_rest(builder)
 
 
-def _start_of_motion(book: Book) -> None:
+def _start_of_motion(builder: LedgerBuilder) -> None:
     """R M R^-1 = M at the start says that R M = M R; it holds at R = e, and not everywhere."""
     matrices = {"R": from_quaternion("q"), "M": combination("M1 M2 M3")}
-    body = part_of(book.ledger.contexts["moving_body"])
-    matrices = {**book.found(Algebra).basis, **matrices}
-    desk = Desk.open(book, "any_start", body, matrices=matrices, static=True)
+    body = part_of(builder.ledger.contexts["moving_body"])
+    matrices = {**builder.result(Algebra).basis, **matrices}
+    scope = Scope.open(builder, "any_start", body, matrices=matrices, static=True)
     conjugated, start = R * M * R.I, ["9", "22"]
     at_e = Part(
         witness={f"q{k}": str(int(k == 0)) for k in range(4)},
         relations=("q0 - 1", "q1", "q2", "q3"),
     )
-    Desk.open(book, "identity_start", body, at_e, matrices=matrices, static=True)
+    Scope.open(builder, "identity_start", body, at_e, matrices=matrices, static=True)
     gap = MatAdd(conjugated, -M)
-    book.claim("any_start.commutes", desk.entrywise(gap * R, commutator(R, M)), start)
+    builder.claim("any_start.commutes", scope.entrywise(gap * R, commutator(R, M)), start)
 
 
-def _degenerate(book: Book) -> None:
+def _degenerate(builder: LedgerBuilder) -> None:
     """Where c_i equals another moment, alpha = 0; where the body spins about axis j, s = 0."""
-    lemma = book.found(Lemma1)
+    lemma = builder.result(Lemma1)
     moving, quartic = lemma.moving, lemma.quartic
     for other, witness in (("j", {"c_j": "2"}), ("k", {"c_k": "2"})):
         equal = Part(witness=witness, relations=(f"c_i - c_{other}",))
-        book.open(join(f"equal_axes_{other}", INERTIA, moving, quartic, equal, static=True))
-        book.claim(f"equal_axes_{other}.alpha", {"alpha": "0"}, ["13"])
+        builder.open(join(f"equal_axes_{other}", INERTIA, moving, quartic, equal, static=True))
+        builder.claim(f"equal_axes_{other}.alpha", {"alpha": "0"}, ["13"])
     spin = Part(witness={"Omega_i": "0", "Omega_k": "0"}, relations=("Omega_i", "Omega_k"))
-    book.open(join("spinning", INERTIA, moving, lemma.roots, spin))
-    book.claim("spinning.root", {"root_j": "0"}, ["10", "11", "12", "footnote 1"])
+    builder.open(join("spinning", INERTIA, moving, lemma.roots, spin))
+    builder.claim("spinning.root", {"root_j": "0"}, ["10", "11", "12", "footnote 1"])
 
 
-def _start(book: Book) -> None:
+def _start(builder: LedgerBuilder) -> None:
     """(12) has two real values a period, with opposite cn: Remark 1's sign makes up for either."""
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
     other = Part(
@@ -72,13 +72,13 @@ def _start(book: Book) -> None:
         definitions={"cn_principal": "half*cn", "S": "sn", "C": "-cn", "E": "dn"},
         nonnegative=("cn_principal",),
     )
-    book.open(join("start", SINE, SCALED, SINE_OF_10, half, other))
+    builder.open(join("start", SINE, SCALED, SINE_OF_10, half, other))
     point = {"sn": "3/5", "cn": "-4/5", "half": "-1", "zeta": "1", "s_j": "1", "root_s": "1"}
     left = {**point, "w": "4/5", "xi": "2"}
     principal = {"D(Omega_i)": "xi*zeta*cn_principal*dn"}
-    book.refute("start.principal_value", principal, left, ["footnote 2", "Remark 1"])
-    book.claim("start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
-    book.claim(
+    builder.refute("start.principal_value", principal, left, ["footnote 2", "Remark 1"])
+    builder.claim("start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
+    builder.claim(
         "start.other_value",
         {
             "C**2 + S**2": "1",
@@ -91,15 +91,17 @@ def _start(book: Book) -> None:
     )
 
 
-def _poles(book: Book) -> None:
+def _poles(builder: LedgerBuilder) -> None:
     """Where sin(phi2) or cos(phi3) vanish, so do the denominators of (29), (32) and (33)."""
     on_axis = Part(
         witness={"sin_phi2": "0", "cos_phi2": "1", "cos_phi3": "1", "sin_phi3": "0"},
         definitions=MOTION_RATES,
         relations=("sin_phi2",),
     )
-    book.open(join("on_axis", MOMENTS, MOMENTUM, on_axis, Part(relations=ON_CIRCLES), static=True))
-    book.claim(
+    builder.open(
+        join("on_axis", MOMENTS, MOMENTUM, on_axis, Part(relations=ON_CIRCLES), static=True)
+    )
+    builder.claim(
         "on_axis.denominators",
         {
             "c3*Omega3": "0",
@@ -113,11 +115,11 @@ def _poles(book: Book) -> None:
         definitions=MOTION_RATES,
         relations=("cos_phi3",),
     )
-    book.open(join("across", MOMENTS, MOMENTUM, across, Part(relations=ON_CIRCLES), static=True))
-    book.claim("across.denominator", {"c3*Omega3": "0"}, ["29"])
+    builder.open(join("across", MOMENTS, MOMENTUM, across, Part(relations=ON_CIRCLES), static=True))
+    builder.claim("across.denominator", {"c3*Omega3": "0"}, ["29"])
 
 
-def _poles_of_34(book: Book) -> None:
+def _poles_of_34(builder: LedgerBuilder) -> None:
     """The denominators of (34) are zero where |c1 Omega1| = K."""
     for name, side in (("plus", "K - c1*zeta*sn"), ("minus", "K + c1*zeta*sn")):
         pole = Part(
@@ -133,12 +135,12 @@ def _poles_of_34(book: Book) -> None:
             definitions=sine_of(1).definitions,
             relations=(side,),
         )
-        book.open(join(f"pole_{name}", constants(1), FUNCTIONS, pole, static=True))
-        book.claim(f"pole_{name}.denominator", {"K**2 - (c1*Omega1)**2": "0"}, ["34"])
+        builder.open(join(f"pole_{name}", constants(1), FUNCTIONS, pole, static=True))
+        builder.claim(f"pole_{name}.denominator", {"K**2 - (c1*Omega1)**2": "0"}, ["34"])
 
 
-def _amplitude_at_rest(book: Book) -> None:
+def _amplitude_at_rest(builder: LedgerBuilder) -> None:
     """Where dn = 0, theta stands still, and cannot take the place of t in (36)."""
     rest = Part({"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
-    book.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
-    book.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])
+    builder.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
+    builder.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])

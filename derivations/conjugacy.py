@@ -14,10 +14,10 @@ from sympy import ImmutableMatrix, MatrixExpr
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import UNITS, A, Algebra, M, R, combination
 from derivations.setting import Setting
-from rigidsym.proof.algebra import Book, Part, circle, double_angle, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, circle, double_angle, half_angle, join
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     coordinates,
     matrix,
     multiply,
@@ -90,19 +90,19 @@ def _front(setting: Setting) -> ImmutableMatrix | None:
     raise AssertionError("one of the two turns takes any axis to any other")
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(22) to (29)."""
-    algebra = book.found(Algebra)
+    algebra = builder.result(Algebra)
     setting = algebra.setting
     parts, target = turns(setting), A[setting.target - 1]
     matrices = {**algebra.basis, **rotation(setting)}
-    desk = Desk.open(book, "three_angles", MOMENTUM, TURNING, *parts, matrices=matrices)
+    scope = Scope.open(builder, "three_angles", MOMENTUM, TURNING, *parts, matrices=matrices)
     first = A[setting.sequence[0] - 1]
     rate = symbol("phi1_rate")
     why = "a turn about a fixed axis"
-    multiply(desk, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
+    multiply(scope, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
     multiply(
-        desk,
+        scope,
         "three_angles.inverse",
         R * R.adjoint(),
         sympy.Identity(2),
@@ -110,35 +110,35 @@ def derive(book: Book) -> None:
         ["1", "25"],
     )
     why = "the first turn leaves its own axis where it is"
-    multiply(desk, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
+    multiply(scope, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
-    seen = coordinates(desk, "three_angles.momentum", R.I * target * R, A, why, ["24", "26"])
-    momenta = book.found(Dynamics).momenta
+    seen = coordinates(scope, "three_angles.momentum", R.I * target * R, A, why, ["24", "26"])
+    momenta = builder.result(Dynamics).momenta
     circles = tuple(
         circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
     )
     reduction = Reduction(seen.value, momenta, matrices, parts, circles)
-    book.keep(reduction)
-    _reduced(book, reduction)
-    _angles(book, reduction)
+    builder.keep(reduction)
+    _reduced(builder, reduction)
+    _angles(builder, reduction)
 
 
-def _reduced(book: Book, reduction: Reduction) -> None:
+def _reduced(builder: LedgerBuilder, reduction: Reduction) -> None:
     """With M = K times that direction: R M R^-1 is K A."""
-    setting, given = book.found(Algebra).setting, book.found(Dynamics).parameters
+    setting, given = builder.result(Algebra).setting, builder.result(Dynamics).parameters
     parts = (given, MOMENTUM, *reduction.angles)
-    body = by_angles(book, reduction, *parts)
+    body = by_angles(builder, reduction, *parts)
     matrices = {**reduction.matrices, "M": combination("M1 M2 M3")}
-    desk = Desk.open(book, "reduced", *parts, body, matrices=matrices, static=True)
+    scope = Scope.open(builder, "reduced", *parts, body, matrices=matrices, static=True)
     target = A[setting.target - 1]
     why = "with these components of M, R turns M onto the axis"
-    multiply(desk, "reduced.conjugate", R * M * R.I, K * target, why, ["23"])
-    multiply(desk, "reduced.momentum", M, K * (R.I * target * R), "and back", ["24"])
+    multiply(scope, "reduced.conjugate", R * M * R.I, K * target, why, ["23"])
+    multiply(scope, "reduced.momentum", M, K * (R.I * target * R), "and back", ["24"])
 
 
-def by_angles(book: Book, reduction: Reduction, *parts: Part) -> Part:
+def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Part:
     """The body whose momentum is K times the direction, in the names that these parts give."""
-    dynamics = book.found(Dynamics)
+    dynamics = builder.result(Dynamics)
     text = Dictionary(join("by_angles", *parts, static=True)).text
     seen: Any = {m: K * x for m, x in zip(MOMENTA, reduction.direction, strict=True)}
     rates = {str(rate): text(dynamics.velocities[rate].subs(seen)) for rate in RATES}
@@ -146,9 +146,9 @@ def by_angles(book: Book, reduction: Reduction, *parts: Part) -> Part:
     return Part(definitions={**rates, **known})
 
 
-def _angles(book: Book, reduction: Reduction) -> None:
+def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     """(27) to (29): the components of M solved for the angles."""
-    setting = book.found(Algebra).setting
+    setting = builder.result(Algebra).setting
     axes = [axis - 1 for axis in setting.axes]
     outer, middle, third = (reduction.direction[axis] for axis in axes)
     free = Part(
@@ -163,18 +163,18 @@ def _angles(book: Book, reduction: Reduction) -> None:
         witness=dict.fromkeys(names, "1"),
         reading=dict(zip(names, map(str, unknown), strict=True)),
     )
-    desk = Desk.open(book, "compared", MOMENTUM, free, angles, static=True)
+    scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)
     M_outer, M_middle, M_third = (MOMENTA[axis] for axis in axes)
     why = "the component along the outer axis gives phi2"
-    solve(desk, "compared.phi2", [(M_outer, K * outer)], unknown[:1], why, ["27"])
+    solve(scope, "compared.phi2", [(M_outer, K * outer)], unknown[:1], why, ["27"])
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
-    found = solve(desk, "compared.phi3", equations, unknown[1:], why, ["28"])
+    found = solve(scope, "compared.phi3", equations, unknown[1:], why, ["28"])
     cosine, sine = unknown[1:]
     quotient = sympy.cancel(found[sine] / found[cosine]).subs(
         dict(zip(MOMENTA, reduction.momenta, strict=True))
     )
-    parts = (book.found(Dynamics).parameters, MOMENTUM, *reduction.circles)
-    body = by_angles(book, reduction, *parts)
-    tangent = Desk.open(book, "phi3", *parts, body, static=True)
+    parts = (builder.result(Dynamics).parameters, MOMENTUM, *reduction.circles)
+    body = by_angles(builder, reduction, *parts)
+    tangent = Scope.open(builder, "phi3", *parts, body, static=True)
     why = "their quotient, where it is one; it gives phi3 up to half a turn"
     rewrite(tangent, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")

@@ -13,7 +13,7 @@ is a model of the regular form and of the attitude at once, so whatever was prov
 from derivations.attitude import MOMENTUM as MOMENTUM_OF
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.proof.algebra import Book, Part, half_angle, jacobi, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join
 
 DESCENT = Part(
     witness={"k_1": "1", "C_b": "50"},
@@ -101,38 +101,38 @@ MOTION = (
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The descent is a model of what came before; then each formula in its stable form."""
-    book.open(join("descended", *MOTION, half_angle("psi", "psi_rate")))
+    builder.open(join("descended", *MOTION, half_angle("psi", "psi_rate")))
     for claim in (_descent, _argument, _secular):
-        claim(book)
-    book.model("descended", "regular")
-    book.model("descended", "attitude")
-    book.carry("descended", ["regular.euler", "attitude.solution"])
-    book.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
+        claim(builder)
+    builder.model("descended", "regular")
+    builder.model("descended", "attitude")
+    builder.carry("descended", ["regular.euler", "attitude.solution"])
+    builder.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
 
 
-def _descent(book: Book) -> None:
+def _descent(builder: LedgerBuilder) -> None:
     """The modulus, its complement, and Landen's dn, none with a difference."""
-    book.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
-    book.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
-    book.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
-    book.claim(
+    builder.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
+    builder.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
+    builder.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
+    builder.claim(
         "descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["DLMF 22.7.4"]
     )
 
 
-def _argument(book: Book) -> None:
+def _argument(builder: LedgerBuilder) -> None:
     """u_1 and its rate."""
-    book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
-    book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
-    book.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
-    book.claim("descended.u_1_is_the_argument", {"D(u_1)": "mu"}, ["20", "21"])
+    builder.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
+    builder.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
+    builder.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
+    builder.claim("descended.u_1_is_the_argument", {"D(u_1)": "mu"}, ["20", "21"])
 
 
-def _secular(book: Book) -> None:
+def _secular(builder: LedgerBuilder) -> None:
     """psi by quadrature: its derivative is psi_rate of the attitude."""
-    book.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
-    book.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
-    book.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])
-    book.claim("descended.psi_is_the_angle", {"D(psi)": "psi_rate"}, ["33", "34"])
+    builder.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
+    builder.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
+    builder.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])
+    builder.claim("descended.psi_is_the_angle", {"D(psi)": "psi_rate"}, ["33", "34"])

@@ -7,7 +7,7 @@ symmetric body the circulation rate is constant.  Motions with constant rates ar
 """
 
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 SEPARATRIX = Part(
     witness={"B_b": "25"},
@@ -52,17 +52,19 @@ ELEMENTARY = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Both edges are models of the regular form; their rates and their psi in closed form."""
-    book.open(join("separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS))
-    book.model("separatrix", "regular")
-    book.carry("separatrix", ["regular.euler"])
-    book.claim("separatrix.middle_axis", {"E_b": "0", "m_1": "0"}, ["10"])
-    book.open(join("separatrix_integral", ELEMENTARY))
-    book.claim("separatrix_integral.j", {"D(J)": "mu*tanh**2/(1 - n*tanh**2)"}, ["36"])
+    builder.open(
+        join("separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS)
+    )
+    builder.model("separatrix", "regular")
+    builder.carry("separatrix", ["regular.euler"])
+    builder.claim("separatrix.middle_axis", {"E_b": "0", "m_1": "0"}, ["10"])
+    builder.open(join("separatrix_integral", ELEMENTARY))
+    builder.claim("separatrix_integral.j", {"D(J)": "mu*tanh**2/(1 - n*tanh**2)"}, ["36"])
 
-    book.open(join("symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS))
-    book.model("symmetric", "regular")
-    book.carry("symmetric", ["regular.euler"])
-    book.claim("symmetric.body", {"c_b": "c_d", "A_b": "A_d", "D(Omega_a)": "0"}, ["5"])
-    book.claim("symmetric.rate", {"lambda_": "rho*(c_a - c_d)*A_a/c_d"}, ["10"])
+    builder.open(join("symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS))
+    builder.model("symmetric", "regular")
+    builder.carry("symmetric", ["regular.euler"])
+    builder.claim("symmetric.body", {"c_b": "c_d", "A_b": "A_d", "D(Omega_a)": "0"}, ["5"])
+    builder.claim("symmetric.rate", {"lambda_": "rho*(c_a - c_d)*A_a/c_d"}, ["10"])

@@ -8,7 +8,7 @@ to e_1: they are the shortest rotation that does so.  psi' has lost the denomina
 """
 
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
-from rigidsym.proof.algebra import Book, Part, join, part_of
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of
 
 # The regular form's names about axis 1: a, b, d = 1, 2, 3 are right-handed, sigma = 1, p = 1.
 AXES = {"a": 1, "b": 2, "d": 3}
@@ -37,13 +37,13 @@ ABOUT_1 = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(25) with its angles is a model of the regular form, whose quaternion is that of (18)."""
-    angles = part_of(book.ledger.contexts["three_angle_motion"])
-    book.open(join("both_forms", angles, ABOUT_1))
-    book.model("both_forms", "attitude")
-    book.claim("both_forms.turn", {"psi_rate": "phi1_rate + phi3_rate"}, ["32", "33"])
-    book.claim(
+    angles = part_of(builder.ledger.contexts["three_angle_motion"])
+    builder.open(join("both_forms", angles, ABOUT_1))
+    builder.model("both_forms", "attitude")
+    builder.claim("both_forms.turn", {"psi_rate": "phi1_rate + phi3_rate"}, ["32", "33"])
+    builder.claim(
         "both_forms.shortest",
         {
             "s_0": "cos_half_phi2",
@@ -53,7 +53,7 @@ def derive(book: Book) -> None:
         ["27", "28"],
     )
     F1, F2, F3, F4 = "cos_half_phi2", "sin_half_phi2", "cos_half_phi3", "sin_half_phi3"
-    book.claim(
+    builder.claim(
         "both_forms.quaternion",
         {
             "q_0": f"{F1}*(cos_half_phi1*{F3} - sin_half_phi1*{F4})",

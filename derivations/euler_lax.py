@@ -23,10 +23,10 @@ from derivations.lie_algebra import (
     from_quaternion,
 )
 from derivations.setting import Setting
-from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     coordinates,
     determinant,
     differentiate,
@@ -72,27 +72,27 @@ def parameters(setting: Setting) -> Part:
     )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(5) to (9), (15) and (22)."""
-    algebra = book.found(Algebra)
+    algebra = builder.result(Algebra)
     given = parameters(algebra.setting)
     lagrangian = algebra.setting.energy()
     why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
-    varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
+    varied = vary(builder, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
     unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
     equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
-    euler = solve(varied.desk, "variation.euler", equations, unknown, why, ["5"])
-    body = _body(book, algebra, given, varied.momenta, euler.value)
+    euler = solve(varied.scope, "variation.euler", equations, unknown, why, ["5"])
+    body = _body(builder, algebra, given, varied.momenta, euler.value)
     gaps = [m - value for m, value in zip(MOMENTA, varied.momenta, strict=True)]
     velocities = sympy.solve(gaps, RATES)
-    book.keep(Dynamics(given, body, varied.momenta, velocities))
-    _lax_pair(book, algebra, given, body)
-    _gradient(book, algebra, given, velocities)
-    _conjugation(book, algebra, given, body)
+    builder.keep(Dynamics(given, body, varied.momenta, velocities))
+    _lax_pair(builder, algebra, given, body)
+    _gradient(builder, algebra, given, velocities)
+    _conjugation(builder, algebra, given, body)
 
 
 def _body(
-    book: Book,
+    builder: LedgerBuilder,
     algebra: Algebra,
     given: Part,
     momenta: tuple[sympy.Expr, ...],
@@ -104,9 +104,9 @@ def _body(
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )
     matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
-    desk = Desk.open(book, "spectrum", free, matrices=matrices, static=True)
+    scope = Scope.open(builder, "spectrum", free, matrices=matrices, static=True)
     why = "the spectrum of M, whose trace is zero, is in its determinant"
-    spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
+    spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
     square = sympy.expand(spectrum.value / algebra.setting.factor**2)
     pairs = zip(momenta, RATES, strict=True)
     energy = sum(m * w for m, w in pairs) - algebra.setting.energy()
@@ -122,20 +122,20 @@ def _body(
     )
 
 
-def _lax_pair(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
+def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
     """M' = [M, B] solved for B; and what it conserves."""
     matrices = {
         **algebra.basis,
         "M": combination("M1 M2 M3"),
         "Omega": combination("Omega1 Omega2 Omega3"),
     }
-    desk = Desk.open(book, "body", given, body, matrices=matrices)
+    scope = Scope.open(builder, "body", given, body, matrices=matrices)
     why = "the bracket of M with the velocity"
-    bracket = coordinates(desk, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
-    multiply(desk, "body.lax", Rate(M), commutator(M, Omega), "M and Omega are a Lax pair", ["7"])
-    differentiate(desk, "body.energy", symbol("H"), "energy is conserved", ["6", "15"])
+    bracket = coordinates(scope, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
+    multiply(scope, "body.lax", Rate(M), commutator(M, Omega), "M and Omega are a Lax pair", ["7"])
+    differentiate(scope, "body.energy", symbol("H"), "energy is conserved", ["6", "15"])
     why = "and so is the spectrum of M"
-    differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"])
+    differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"])
 
     unknown = symbols("b1 b2 b3")
     ansatz = Part(
@@ -144,16 +144,19 @@ def _lax_pair(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
     )
     B = matrix("B")
     partner = {**matrices, "B": combination("b1 b2 b3")}
-    desk = Desk.open(book, "partner", given, body, ansatz, matrices=partner)
+    scope = Scope.open(builder, "partner", given, body, ansatz, matrices=partner)
     why = "which matrices B have M' = [M, B]?"
-    wanted = coordinates(desk, "partner.bracket", commutator(M, B), A, why, ["7"])
+    wanted = coordinates(scope, "partner.bracket", commutator(M, B), A, why, ["7"])
     equations = list(zip(wanted.value, bracket.value, strict=True))
     why = "Omega, up to a multiple of M"
-    solve_family(desk, "partner.found", equations, unknown, symbol("b_free"), why, ["7"])
+    solve_family(scope, "partner.found", equations, unknown, symbol("b_free"), why, ["7"])
 
 
 def _gradient(
-    book: Book, algebra: Algebra, given: Part, velocities: Mapping[sympy.Symbol, sympy.Expr]
+    builder: LedgerBuilder,
+    algebra: Algebra,
+    given: Part,
+    velocities: Mapping[sympy.Symbol, sympy.Expr],
 ) -> None:
     """(8): dH/dM_i = Omega_i, with d/dt read as the derivative along one momentum."""
     energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
@@ -163,12 +166,12 @@ def _gradient(
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )
     for k in (1, 2, 3):
-        desk = Desk.open(book, f"gradient{k}", given, momenta, Part(rates={f"M{k}": "1"}))
+        scope = Scope.open(builder, f"gradient{k}", given, momenta, Part(rates={f"M{k}": "1"}))
         why = f"the slope of H along M{k} is Omega{k}"
-        differentiate(desk, f"gradient{k}.rate", symbol("H"), why, ["7", "8"])
+        differentiate(scope, f"gradient{k}.rate", symbol("H"), why, ["7", "8"])
 
 
-def _conjugation(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
+def _conjugation(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
     """(9), (22): R M R^-1 is constant."""
     matrices = {
         **algebra.basis,
@@ -177,9 +180,11 @@ def _conjugation(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
         "R": from_quaternion("q"),
     }
     parts = (given, body, UNIT_QUATERNION, algebra.attitude)
-    desk = Desk.open(book, "moving_body", *parts, matrices=matrices)
+    scope = Scope.open(builder, "moving_body", *parts, matrices=matrices)
     why = "the attitude turns with the body"
-    multiply(desk, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"])
+    multiply(scope, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"])
     why = "the momentum in space is constant"
     nothing = sympy.ZeroMatrix(2, 2)
-    multiply(desk, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, ["9", "22"])
+    multiply(
+        scope, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, ["9", "22"]
+    )

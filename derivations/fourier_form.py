@@ -25,7 +25,7 @@ That sums may be taken in another order and integrated term by term (they conver
 from derivations.descended_form import MOTION
 from derivations.regular_form import CIRCULATION
 from derivations.theta_form import ADDITION, SHIFT
-from rigidsym.proof.algebra import Book, Part, half_angle, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
 
 COEFFICIENT = Part(
     witness={"x": "1/2"},
@@ -78,17 +78,19 @@ REST = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The coefficients, the terms of psi, and what their sum is to be."""
-    book.open(join("fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True))
+    builder.open(
+        join("fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True)
+    )
     step = {"next_term": "e*term + P/x", "a_back": "-e*a"}
-    book.claim("fourier_terms.step", step, ["DLMF 20.5.13", "DLMF 22.11"])
-    book.open(join("fourier_exponents", EXPONENT, static=True))
-    book.claim("fourier_exponents.back", {"exponent_back": "exponent"}, ["DLMF 22.11"])
-    book.open(join("fourier_phase", CIRCULATION, COEFFICIENT, PHASE))
-    book.claim("fourier_phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"}, ["33", "34"])
+    builder.claim("fourier_terms.step", step, ["DLMF 20.5.13", "DLMF 22.11"])
+    builder.open(join("fourier_exponents", EXPONENT, static=True))
+    builder.claim("fourier_exponents.back", {"exponent_back": "exponent"}, ["DLMF 22.11"])
+    builder.open(join("fourier_phase", CIRCULATION, COEFFICIENT, PHASE))
+    builder.claim("fourier_phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"}, ["33", "34"])
     parts = (*MOTION, half_angle("psi", "psi_rate"), SHIFT, REST)
-    book.open(join("fourier_form", *parts))
-    book.model("fourier_form", "descended")
-    book.carry("fourier_form", ["descended.solution"])
-    book.claim("fourier_form.phase", {"D(Lambda*t + rest)": "psi_rate/2"}, ["33", "34"])
+    builder.open(join("fourier_form", *parts))
+    builder.model("fourier_form", "descended")
+    builder.carry("fourier_form", ["descended.solution"])
+    builder.claim("fourier_form.phase", {"D(Lambda*t + rest)": "psi_rate/2"}, ["33", "34"])

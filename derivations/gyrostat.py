@@ -10,20 +10,20 @@ import sympy
 
 from derivations.euler_lax import RATES, Dynamics
 from derivations.lie_algebra import Algebra
-from rigidsym.proof.algebra import Book, Part, part_of
-from rigidsym.proof.steps import Desk, eliminate, rate_of, rewrite
+from rigidsym.proof.algebra import LedgerBuilder, Part, part_of
+from rigidsym.proof.steps import Scope, eliminate, rate_of, rewrite
 from rigidsym.proof.steps.names import read, symbol, symbols
 
 H, K_SQUARED, X = symbols("H K_squared x")
 
 
-def gyrostat(book: Book) -> None:
+def gyrostat(builder: LedgerBuilder) -> None:
     """The quartic of one wheel's axis where there is one wheel; the pencil's always."""
-    dynamics, setting = book.found(Dynamics), book.found(Algebra).setting
+    dynamics, setting = builder.result(Dynamics), builder.result(Algebra).setting
     turning = [k for k, h in enumerate(setting.wheel()) if h != 0]
     if len(turning) == 1:
-        _along(book, dynamics, turning[0])
-    _pencil(book, dynamics)
+        _along(builder, dynamics, turning[0])
+    _pencil(builder, dynamics)
 
 
 def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
@@ -31,30 +31,30 @@ def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
     return 2 * read(dynamics.body.definitions["H"]), sympy.Add(*(m**2 for m in dynamics.momenta))
 
 
-def _along(book: Book, dynamics: Dynamics, axis: int) -> None:
-    body = book.ledger.contexts["body"]
+def _along(builder: LedgerBuilder, dynamics: Dynamics, axis: int) -> None:
+    body = builder.ledger.contexts["body"]
     names = (*map(str, RATES), *dynamics.body.definitions)
     parts = (dynamics.parameters, part_of(body, *names))
-    desk = Desk.open(book, "gyrostat", *parts)
-    rate = desk.rate(RATES[axis])
+    scope = Scope.open(builder, "gyrostat", *parts)
+    rate = scope.rate(RATES[axis])
     energy, momentum = _quadrics(dynamics)
     squares = [other**2 for k, other in enumerate(RATES) if k != axis]
     why = "the rate along the wheel, squared, two rates eliminated by H and K: a quartic"
     equations = [2 * H - energy, K_SQUARED - momentum]
     squared = rate_of(RATES[axis]) ** 2
-    eliminate(desk, "gyrostat.quartic", rate**2, equations, squares, why, ["14"], squared)
+    eliminate(scope, "gyrostat.quartic", rate**2, equations, squares, why, ["14"], squared)
 
 
-def _pencil(book: Book, dynamics: Dynamics) -> None:
+def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
     variable = Part(
         witness={"x": "1", "H": "1", "K_squared": "1"},
         reading={"x": "the parameter of the pencil x (2 H - ...) - (K^2 - ...)"},
     )
-    desk = Desk.open(book, "pencil", dynamics.parameters, variable, static=True)
+    scope = Scope.open(builder, "pencil", dynamics.parameters, variable, static=True)
     matrix = X * _matrix(_quadrics(dynamics)[0], 2 * H) - _matrix(_quadrics(dynamics)[1], K_SQUARED)
     leibniz = matrix.applyfunc(sympy.factor).det(method="berkowitz")
     why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
-    rewrite(desk, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
+    rewrite(scope, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
 
 
 def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:

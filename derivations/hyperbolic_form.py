@@ -12,7 +12,7 @@ zeta free, so this is a model of it; `theta_functions` proves it of these functi
 """
 
 from derivations.theta_form import CLASSICAL, COMPONENTS, FORM
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 READING = Part(
     reading={
@@ -30,9 +30,9 @@ READING = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """A model of the theta form, by other functions."""
-    book.open(join("hyperbolic_form", *FORM, CLASSICAL, READING))
-    book.model("hyperbolic_form", "theta_form")
+    builder.open(join("hyperbolic_form", *FORM, CLASSICAL, READING))
+    builder.model("hyperbolic_form", "theta_form")
     carried = ("solution", "N_of_W", *COMPONENTS)
-    book.carry("hyperbolic_form", [f"theta_form.{name}" for name in carried])
+    builder.carry("hyperbolic_form", [f"theta_form.{name}" for name in carried])

@@ -11,7 +11,7 @@ them where p, r and p - r are not small.
 
 from derivations.addition_form import FUNCTIONS, OVER_SQUARE, SQUARED, START, TIME
 from derivations.rate_sensitivities import MODULI
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 FOURTHS = Part(
     witness=dict.fromkeys(("U_t", "V_t", "W_t"), "0"),
@@ -46,10 +46,10 @@ ELEMENTARY = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The changes along both directions, and the integrals of fourth powers, from 0."""
     parts = (MODULI, FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
-    book.open(join("varied_integrals", *parts, FOURTHS, DIRECTIONS))
+    builder.open(join("varied_integrals", *parts, FOURTHS, DIRECTIONS))
     for way, grows in (("k", "-S_t*D_t - p"), ("r", "-p")):
         varied = {
             f"D(S_{way})": f"C_{way}*D_t + C_t*D_{way}",
@@ -58,23 +58,23 @@ def derive(book: Book) -> None:
             f"D(E_{way})": f"2*S_t*S_{way}",
             f"D(F_{way})": f"2*S_t*(S_{way} - S_t*D_{way}/D_t)/D_t**2",
         }
-        book.claim(f"varied_integrals.along_{way}", varied, ["10"])
-    book.open(join("fourth_powers", *parts, ELEMENTARY))
+        builder.claim(f"varied_integrals.along_{way}", varied, ["10"])
+    builder.open(join("fourth_powers", *parts, ELEMENTARY))
     rates = {f"D({name})": rate for name, rate in FOURTHS.rates.items()}
-    book.claim("fourth_powers.rates", rates, ["10"])
-    _start(book)
+    builder.claim("fourth_powers.rates", rates, ["10"])
+    _start(builder)
 
 
-def _start(book: Book) -> None:
+def _start(builder: LedgerBuilder) -> None:
     """At t = 0 nothing has changed."""
     parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE, FOURTHS)
     still = [Part(part.witness, part.units, reading=part.reading) for part in parts]
     zero = Part(relations=(*START.relations, "F_t", *FOURTHS.witness))
-    book.open(join("varied_integrals_start", MODULI, *still, DIRECTIONS, zero, static=True))
+    builder.open(join("varied_integrals_start", MODULI, *still, DIRECTIONS, zero, static=True))
     changes = dict.fromkeys(DIRECTIONS.definitions, "0")
-    book.claim("varied_integrals_start.functions", changes, ["12"])
+    builder.claim("varied_integrals_start.functions", changes, ["12"])
     still = still[:-1]
     zero = Part(relations=(*START.relations, "F_t"))
-    book.open(join("fourth_powers_start", MODULI, *still, ELEMENTARY, zero, static=True))
+    builder.open(join("fourth_powers_start", MODULI, *still, ELEMENTARY, zero, static=True))
     integrals = dict.fromkeys(ELEMENTARY.definitions, "0")
-    book.claim("fourth_powers_start.integrals", integrals, ["12"])
+    builder.claim("fourth_powers_start.integrals", integrals, ["12"])

@@ -9,7 +9,7 @@ loses what T gains: of gravity gradient Q is the inertia and u of length sqrt(3 
 m in a field u there is m alone.  Beside it are a torque b that stays in the body, and k u in space.
 """
 
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 _NEXT = {1: (2, 3), 2: (3, 1), 3: (1, 2)}
 _ROWS = {1: ("Q11", "Q12", "Q13"), 2: ("Q12", "Q22", "Q23"), 3: ("Q13", "Q23", "Q33")}
@@ -53,12 +53,12 @@ TURNING = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """What stays in space turns back in the body; the torque takes what the potential gives."""
-    book.open(join("kick", TURNING))
+    builder.open(join("kick", TURNING))
     back = {f"D(v{i})": f"v{j}*Omega{k} - v{k}*Omega{j}" for i, (j, k) in _NEXT.items()}
-    book.claim("kick.fixed", back, ["3"])
-    book.claim("kick.size", {"v1**2 + v2**2 + v3**2": "u1**2 + u2**2 + u3**2"}, ["3"])
+    builder.claim("kick.fixed", back, ["3"])
+    builder.claim("kick.size", {"v1**2 + v2**2 + v3**2": "u1**2 + u2**2 + u3**2"}, ["3"])
     others = (f"b{i} - k*v{i}" for i in _NEXT)
     work = " + ".join(f"Omega{i}*(T{i} - {rest})" for i, rest in zip(_NEXT, others, strict=True))
-    book.claim("kick.work", {"D(U)": f"-({work})"}, ["3"])
+    builder.claim("kick.work", {"D(U)": f"-({work})"}, ["3"])

@@ -13,8 +13,8 @@ import sympy
 from derivations.conjugacy import MOMENTUM, PHI, TURNING, K, Reduction, by_angles
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
-from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps import Desk, Rate, coordinates, eliminate, multiply, rewrite, solve
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.steps import Rate, Scope, coordinates, eliminate, multiply, rewrite, solve
 from rigidsym.proof.steps.names import read, symbol, symbols
 
 UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
@@ -34,45 +34,47 @@ class Phi1:
     divisors: tuple[sympy.Expr, ...]
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """R^-1 R', (30), (31); (32); (33); and that it all is a motion."""
-    reduction = book.found(Reduction)
+    reduction = builder.result(Reduction)
     parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
-    desk = Desk.open(book, "turning", *parts, matrices=reduction.matrices)
+    scope = Scope.open(builder, "turning", *parts, matrices=reduction.matrices)
     why = "the velocity in the body, multiplied out"
-    velocity = coordinates(desk, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
+    velocity = coordinates(scope, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
     unknown = Part(witness=dict.fromkeys(map(str, UNKNOWN), "1"), reading=TURNING.reading)
-    desk = Desk.open(book, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
+    scope = Scope.open(builder, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
     equations = list(zip(RATES, velocity.value, strict=True))
     why = "R' = R Omega, solved for the rates of the angles"
-    rates = solve(desk, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
-    found = _phi1(book, reduction, rates[UNKNOWN[0]])
-    book.keep(found)
-    setting = book.found(Algebra).setting
+    rates = solve(scope, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
+    found = _phi1(builder, reduction, rates[UNKNOWN[0]])
+    builder.keep(found)
+    setting = builder.result(Algebra).setting
     along = setting.sequence[0] - 1
     why = "phi3' without a denominator"
-    last = solve(desk, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, ["3"])
-    _motion(book, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
+    last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, ["3"])
+    _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
 
 
-def _phi1(book: Book, reduction: Reduction, rate: sympy.Expr) -> Phi1:
+def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi1:
     """phi1' with the momentum put in, (32); with H and K, (33)."""
-    dynamics = book.found(Dynamics)
+    dynamics = builder.result(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.circles)
-    base = Desk.open(book, "on_momentum", *parts, by_angles(book, reduction, *parts), static=True)
+    base = Scope.open(
+        builder, "on_momentum", *parts, by_angles(builder, reduction, *parts), static=True
+    )
     momenta: Any = dict(zip(MOMENTA, dynamics.momenta, strict=True))
     put_in: Any = {rate: base.read(base.context.definitions[str(rate)]) for rate in RATES}
     by_phi = base.reduced(rate.subs(put_in))
     why = "phi1' with the momentum put in"
     units = Part(units=tuple(map(base.text, base.divisors(rate))))
     named = Part(definitions={"phi1_rate": base.text(rate)})
-    body = by_angles(book, reduction, *parts)
-    line = Desk.open(book, "line32", *parts, units, body, named, static=True)
+    body = by_angles(builder, reduction, *parts)
+    line = Scope.open(builder, "line32", *parts, units, body, named, static=True)
     rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
-    quotient = base.reduced(_by_momentum(book, reduction, rate).subs(momenta))
+    quotient = base.reduced(_by_momentum(builder, reduction, rate).subs(momenta))
     why = "phi1' with the momentum in the place of the angles"
     found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
-    _, middle, third = book.found(Algebra).setting.axes
+    _, middle, third = builder.result(Algebra).setting.axes
     squares = [RATES[middle - 1] ** 2, RATES[third - 1] ** 2]
     energy = 2 * symbol("H") - 2 * read(dynamics.body.definitions["H"])
     momentum = K**2 - sum(x**2 for x in dynamics.momenta)
@@ -84,10 +86,10 @@ def _phi1(book: Book, reduction: Reduction, rate: sympy.Expr) -> Phi1:
     return Phi1(eliminated.value, by_phi, base.divisors(by_phi))
 
 
-def _by_momentum(book: Book, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
+def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
     """Put the angles, solved for, into phi1'; sin(phi2)^2 by what it is of the momentum."""
-    factor = book.found(Algebra).setting.factor
-    _, middle, third = (axis - 1 for axis in book.found(Algebra).setting.axes)
+    factor = builder.result(Algebra).setting.factor
+    _, middle, third = (axis - 1 for axis in builder.result(Algebra).setting.axes)
     sine = sympy.sin(2 * factor * PHI[1])
     last = [f(2 * factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (middle, third)]
@@ -98,13 +100,13 @@ def _by_momentum(book: Book, reduction: Reduction, rate: sympy.Expr) -> sympy.Ex
 
 
 def _motion(
-    book: Book, reduction: Reduction, found: Phi1, phi2: sympy.Expr, phi3: sympy.Expr
+    builder: LedgerBuilder, reduction: Reduction, found: Phi1, phi2: sympy.Expr, phi3: sympy.Expr
 ) -> None:
     """The angles that move so carry a solution of (3) and (5)."""
-    dynamics = book.found(Dynamics)
+    dynamics = builder.result(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
-    body = by_angles(book, reduction, *parts)
-    text = Desk(book, book.ledger.contexts["turning"], {}).text
+    body = by_angles(builder, reduction, *parts)
+    text = Scope(builder, builder.ledger.contexts["turning"], {}).text
     rates = Part(
         definitions={
             name: text(value)
@@ -117,8 +119,8 @@ def _motion(
         "Omega": combination("Omega1 Omega2 Omega3"),
     }
     units = Part(units=tuple(map(text, found.divisors)))
-    desk = Desk.open(book, "three_angle_motion", *parts, units, body, rates, matrices=matrices)
+    scope = Scope.open(builder, "three_angle_motion", *parts, units, body, rates, matrices=matrices)
     why = "angles that move so carry a motion"
-    multiply(desk, "three_angle_motion.kinematics", Rate(R), R * Omega, why, ["3", "25"])
+    multiply(scope, "three_angle_motion.kinematics", Rate(R), R * Omega, why, ["3", "25"])
     why = "whose rates satisfy Euler's equations"
-    multiply(desk, "three_angle_motion.euler", Rate(M), commutator(M, Omega), why, ["5", "7"])
+    multiply(scope, "three_angle_motion.euler", Rate(M), commutator(M, Omega), why, ["5", "7"])

@@ -11,7 +11,7 @@ of m, r and Y of the top have limits where k_1 vanishes.  At the bottom x = sinh
 are what the theta series of the shifted argument are made of.
 """
 
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 # The only rational points of the modulus are the ends: 1 - kc^2 and kc are squares nowhere else.
 MODULUS = Part(
@@ -114,48 +114,48 @@ FUNCTIONS = {
 }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The step; then the scale, where it is chosen and where it is used."""
-    book.open(join("landen", MODULUS, ARGUMENT, SHIFT, static=True))
+    builder.open(join("landen", MODULUS, ARGUMENT, SHIFT, static=True))
     for claim in (_modulus, _argument, _shift, _scale):
-        claim(book)
+        claim(builder)
 
 
-def _modulus(book: Book) -> None:
+def _modulus(builder: LedgerBuilder) -> None:
     """The new modulus and its complement, each from what does not cancel."""
-    book.claim("landen.k_next", {"k_next": "(k/(1 + kc))**2"}, ["DLMF 22.7.1"])
-    book.root("landen.root_kc", "root_kc", "kc", ["DLMF 22.7.1"])
-    book.root("landen.complement", "kc_next", "1 - k_next**2", ["DLMF 22.7.1"])
+    builder.claim("landen.k_next", {"k_next": "(k/(1 + kc))**2"}, ["DLMF 22.7.1"])
+    builder.root("landen.root_kc", "root_kc", "kc", ["DLMF 22.7.1"])
+    builder.root("landen.complement", "kc_next", "1 - k_next**2", ["DLMF 22.7.1"])
 
 
-def _argument(book: Book) -> None:
+def _argument(builder: LedgerBuilder) -> None:
     """The new functions by the old ones, which satisfy what Jacobi's do."""
     old = {"s**2 + c**2": "1", "d**2 + k**2*s**2": "1"}
-    book.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
-    book.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
+    builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
+    builder.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
     for name, form in FUNCTIONS.items():
-        book.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
+        builder.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
     # s = 1 where s_next is: the quarter periods K and (1 + k_next) K_next are the same u.
     quarter = "(1 - s_next)*(1 - k_next*s_next)/(1 + k_next*s_next**2)"
-    book.claim("landen.quarter", {"1 - s": quarter}, ["DLMF 19.8.12"])
+    builder.claim("landen.quarter", {"1 - s": quarter}, ["DLMF 19.8.12"])
 
 
-def _shift(book: Book) -> None:
+def _shift(builder: LedgerBuilder) -> None:
     """The same for an imaginary argument, where the signs of squares are the other ones."""
-    book.claim("landen.r_next", {"r_next": "r*k/(1 + kc)**2"}, ["DLMF 22.7.1"])
-    book.root("landen.S", "S", "(1 + k_next)**2 + 4*r_next*Y**2", ["DLMF 22.7.2"])
-    book.claim("landen.Y_next", {"Y_next": "2*Y/(1 + k_next + S)"}, ["DLMF 22.7.2"])
+    builder.claim("landen.r_next", {"r_next": "r*k/(1 + kc)**2"}, ["DLMF 22.7.1"])
+    builder.root("landen.S", "S", "(1 + k_next)**2 + 4*r_next*Y**2", ["DLMF 22.7.2"])
+    builder.claim("landen.Y_next", {"Y_next": "2*Y/(1 + k_next + S)"}, ["DLMF 22.7.2"])
 
 
-def _scale(book: Book) -> None:
+def _scale(builder: LedgerBuilder) -> None:
     """The scale, its square and what is measured by it; k_1 = 0 is a regular point."""
-    book.open(join("scaling", SCALING, MOMENTUM, static=True))
-    book.root("scaling.root_r", "root_r", "r", ["27"])
-    book.claim("scaling.Q", {"Q": "k_1/r"}, ["27"])
-    book.root("scaling.root_h", "root_h", "Y_b**2 + Q", ["28"])
-    book.claim("scaling.h_plus", {"h_plus": "root_h + Y_b"}, ["28"])
-    book.claim("scaling.h_minus", {"h_minus": "root_h - Y_b"}, ["28"])
-    book.open(join("unscaled", SCALING, MOMENTUM, UNSCALED, static=True))
-    book.claim("unscaled.top", {"Y": "root_Q*x", "k_1": "root_Q**2*r"}, ["28"])
+    builder.open(join("scaling", SCALING, MOMENTUM, static=True))
+    builder.root("scaling.root_r", "root_r", "r", ["27"])
+    builder.claim("scaling.Q", {"Q": "k_1/r"}, ["27"])
+    builder.root("scaling.root_h", "root_h", "Y_b**2 + Q", ["28"])
+    builder.claim("scaling.h_plus", {"h_plus": "root_h + Y_b"}, ["28"])
+    builder.claim("scaling.h_minus", {"h_minus": "root_h - Y_b"}, ["28"])
+    builder.open(join("unscaled", SCALING, MOMENTUM, UNSCALED, static=True))
+    builder.claim("unscaled.top", {"Y": "root_Q*x", "k_1": "root_Q**2*r"}, ["28"])
     sinh = {"Y_b": "root_Q*(exp_b - exp_minus_b)/2", "exp_b*exp_minus_b": "1"}
-    book.claim("unscaled.bottom", sinh, ["28"])
+    builder.claim("unscaled.bottom", sinh, ["28"])

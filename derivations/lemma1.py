@@ -16,9 +16,9 @@ from derivations.euler_lax import Dynamics
 from derivations.gyrostat import gyrostat
 from derivations.lie_algebra import Algebra
 from rigidsym.language.functions.jacobi import jacobi_sn
-from rigidsym.proof.algebra import Book, Part, jacobi
+from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
 from rigidsym.proof.steps import (
-    Desk,
+    Scope,
     coefficients,
     differentiate,
     eliminate,
@@ -65,37 +65,44 @@ class Lemma1:
     roots: Part
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(17); (14) and (13); (10) and (11), (16), (12); footnote 1.  Or the quartic of a gyrostat."""
-    if any(h != 0 for h in book.found(Algebra).setting.wheel()):
-        gyrostat(book)
+    if any(h != 0 for h in builder.result(Algebra).setting.wheel()):
+        gyrostat(builder)
         return
-    moving = _on_axes(book)
-    desk = Desk.open(book, "polhode", INERTIA, moving)
-    rate, squared = desk.rate(RATE), rate_of(RATE) ** 2
+    moving = _on_axes(builder)
+    scope = Scope.open(builder, "polhode", INERTIA, moving)
+    rate, squared = scope.rate(RATE), rate_of(RATE) ** 2
     squares = [other**2 for other in OTHERS]
     why = "the square of a rate's rate, two rates eliminated by H and K"
     found = eliminate(
-        desk, "eliminated.square", rate**2, _invariants(moving), squares, why, ["14", "17"], squared
+        scope,
+        "eliminated.square",
+        rate**2,
+        _invariants(moving),
+        squares,
+        why,
+        ["14", "17"],
+        squared,
     )
     names = ("alpha", "beta", "chi")
-    texts = map(desk.text, coefficients(found.value, RATE**2))
+    texts = map(scope.text, coefficients(found.value, RATE**2))
     quartic = Part(definitions=dict(zip(names, texts, strict=True)))
-    desk = Desk.open(book, "axis", INERTIA, moving, quartic)
+    scope = Scope.open(builder, "axis", INERTIA, moving, quartic)
     alpha, beta, chi = map(symbol, quartic.definitions)
     polynomial = alpha * RATE**4 + beta * RATE**2 + chi
     why = "a quadratic in the square of the rate"
-    rewrite(desk, "axis.quartic", squared, polynomial, why, ["14"])
-    there = Desk(book, book.ledger.contexts["eliminated"], {})
-    book.keep(Lemma1(moving, quartic, _roots(there, found.value)))
-    _distinct(book)
-    _matched(book)
-    _reciprocal(book)
+    rewrite(scope, "axis.quartic", squared, polynomial, why, ["14"])
+    there = Scope(builder, builder.ledger.contexts["eliminated"], {})
+    builder.keep(Lemma1(moving, quartic, _roots(there, found.value)))
+    _distinct(builder)
+    _matched(builder)
+    _reciprocal(builder)
 
 
-def _on_axes(book: Book) -> Part:
+def _on_axes(builder: LedgerBuilder) -> Part:
     """The body of `euler_lax` with its axes called i, j, k."""
-    body = book.found(Dynamics).body
+    body = builder.result(Dynamics).body
 
     def text(source: str) -> str:
         return re.sub(r"\b(c|Omega)([123])\b", lambda m: f"{m[1]}_{'ijk'[int(m[2]) - 1]}", source)
@@ -120,41 +127,41 @@ def _invariants(moving: Part) -> list[sympy.Expr]:
     return [2 * (H - known["H"]), K_SQUARED - known["K_squared"]]
 
 
-def _roots(desk: Desk, polynomial: sympy.Expr) -> Part:
+def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
     """(13): both roots in Omega_i^2, each of one of the other moments."""
     why = "its roots, where no other moment is that of the axis"
-    found = roots(desk, "factored.roots", polynomial, RATE**2, why, ["13"])
+    found = roots(scope, "factored.roots", polynomial, RATE**2, why, ["13"])
     named = {
         f"root_{x}": next(r for r in found.value if symbol(f"c_{x}") in r.free_symbols)
         for x in "jk"
     }
     return Part(
-        units=tuple(map(desk.text, found.conditions)),
-        definitions={name: desk.text(value) for name, value in named.items()},
+        units=tuple(map(scope.text, found.conditions)),
+        definitions={name: scope.text(value) for name, value in named.items()},
         reading={"root_j": "one root in Omega_i^2", "root_k": "the other root in Omega_i^2"},
     )
 
 
-def _distinct(book: Book) -> None:
+def _distinct(builder: LedgerBuilder) -> None:
     """The discriminant under the root of (13) is a square."""
-    lemma = book.found(Lemma1)
-    desk = Desk.open(book, "distinct_axis", INERTIA, lemma.moving, lemma.quartic, lemma.roots)
+    lemma = builder.result(Lemma1)
+    scope = Scope.open(builder, "distinct_axis", INERTIA, lemma.moving, lemma.quartic, lemma.roots)
     alpha, beta, chi, one, two = symbols("alpha beta chi root_j root_k")
     by_roots = {beta: -alpha * (one + two), chi: alpha * one * two}
     discriminant = beta**2 - 4 * alpha * chi
     square = sympy.factor(discriminant.subs(by_roots))
     why = "what is under the root of (13) is a square"
-    rewrite(desk, "distinct_axis.discriminant", discriminant, square, why, ["13"])
+    rewrite(scope, "distinct_axis.discriminant", discriminant, square, why, ["13"])
 
 
-def _matched(book: Book) -> None:
+def _matched(builder: LedgerBuilder) -> None:
     """zeta sn(xi t + C | mu) for either root in the place of zeta^2; then (10), (16) and (12)."""
     gap = Part(
         witness={"alpha": "1", "s_i": "2", "s_j": "3", "v": "0"},
         units=("s_i", "s_j"),
         reading={"s_i": "a root in Omega_i^2", "s_j": "the other one", "v": "the square of sn"},
     )
-    desk = Desk.open(book, "matched", gap, static=True)
+    scope = Scope.open(builder, "matched", gap, static=True)
     zeta, xi, mu = symbols("zeta_squared xi_squared mu")
     alpha, s_i, s_j, v = symbols("alpha s_i s_j v")
     speed = zeta * xi * (1 - v) * (1 - mu * v)
@@ -162,24 +169,24 @@ def _matched(book: Book) -> None:
     why = "zeta sn(xi t + C) put in, coefficients compared: two choices"
     unknown = (zeta, xi, mu)
     both = match(
-        desk, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11", "Lemma 1"]
+        scope, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11", "Lemma 1"]
     )
     first = both.value[0]
-    scale = replace(SINE, relations=(f"xi**2 - ({desk.text(first[xi])})",))
-    body = (scale, Part(definitions={"mu": desk.text(first[mu])}), SCALED)
+    scale = replace(SINE, relations=(f"xi**2 - ({scope.text(first[xi])})",))
+    body = (scale, Part(definitions={"mu": scope.text(first[mu])}), SCALED)
     by_rate = quadratic.subs(v, RATE**2 / zeta)
     rotating = Part(definitions={"Omega_i": "zeta*sn", "quartic": str(by_rate)})
-    desk = Desk.open(book, "sine", *body, rotating)
+    scope = Scope.open(builder, "sine", *body, rotating)
     squared = rate_of(RATE) ** 2
     why = "the first choice of the two solves it"
-    rewrite(desk, "sine.solves", squared, by_rate, why, ["10"])
-    differentiate(desk, "sine.slope", RATE, "its slope", ["16"])
-    desk = Desk.open(book, "initial", *body, rotating, Part(units=("zeta",)))
+    rewrite(scope, "sine.solves", squared, by_rate, why, ["10"])
+    differentiate(scope, "sine.slope", RATE, "its slope", ["16"])
+    scope = Scope.open(builder, "initial", *body, rotating, Part(units=("zeta",)))
     value = sympy.solve(RATE - symbol("zeta") * SN, SN)[0]
-    rewrite(desk, "initial.value", SN, value, "where it starts", ["12"], "solve")
+    rewrite(scope, "initial.value", SN, value, "where it starts", ["12"], "solve")
 
 
-def _reciprocal(book: Book) -> None:
+def _reciprocal(builder: LedgerBuilder) -> None:
     """sqrt(mu) sn(u | mu), dn and cn satisfy what defines sn, cn and dn of (sqrt(mu) u | 1/mu)."""
     modulus = Part(
         witness={"sqrt_mu": "2", "nu": "1"},
@@ -189,15 +196,15 @@ def _reciprocal(book: Book) -> None:
     )
     functions = jacobi("sn", "cn", "dn", "u", "sqrt_mu**2", "nu")
     other = Part(definitions={"S": "sqrt_mu*sn", "C": "dn", "E": "cn"})
-    desk = Desk.open(book, "reciprocal", modulus, functions, other)
+    scope = Scope.open(builder, "reciprocal", modulus, functions, other)
     S, C, E, root, mu = symbols("S C E sqrt_mu mu")
-    back: Any = dict(zip(map(desk.read, ("sn", "dn", "cn")), (S / root, C, E), strict=True))
+    back: Any = dict(zip(map(scope.read, ("sn", "dn", "cn")), (S / root, C, E), strict=True))
     for name in (S, C, E):
-        value = desk.rate(desk.read(other.definitions[str(name)])).subs(back)
+        value = scope.rate(scope.read(other.definitions[str(name)])).subs(back)
         slope = rate_of(name)
         why = "footnote 1: both sides have the same derivatives"
         rewrite(
-            desk,
+            scope,
             f"reciprocal.rate_{name}",
             slope,
             value,
@@ -207,4 +214,4 @@ def _reciprocal(book: Book) -> None:
         )
     for fact, one in (("circle", C**2 + S**2), ("parameter", E**2 + S**2 / mu)):
         why = "and are on the same curves"
-        rewrite(desk, f"reciprocal.{fact}", one, sympy.S.One, why, ["footnote 1", "11"])
+        rewrite(scope, f"reciprocal.{fact}", one, sympy.S.One, why, ["footnote 1", "11"])

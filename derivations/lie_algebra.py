@@ -11,8 +11,8 @@ import sympy
 from sympy import ImmutableMatrix, MatAdd, MatrixExpr
 
 from derivations.setting import Setting
-from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps import Desk, coordinates, determinant, matrix, multiply
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.steps import Scope, coordinates, determinant, matrix, multiply
 from rigidsym.proof.steps.names import symbols
 
 UNIT_QUATERNION = Part(
@@ -84,41 +84,41 @@ def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
     return MatAdd(x * y, -y * x, evaluate=False)
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(1), (2), (4) and (3)."""
-    setting = book.found(Setting) if Setting in book else Setting()
-    desk = Desk.open(
-        book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
+    setting = builder.result(Setting) if Setting in builder else Setting()
+    scope = Scope.open(
+        builder, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
     )
     multiply(
-        desk,
+        scope,
         "SU2.unitary",
         R * R.adjoint(),
         sympy.Identity(2),
         "R of the form (1) is unitary",
         ["1"],
     )
-    determinant(desk, "SU2.special", R, "and its determinant is one", ["1"])
+    determinant(scope, "SU2.special", R, "and its determinant is one", ["1"])
 
     P, Q = map(matrix, "PQ")
     basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
     pair = {"P": from_quaternion("p"), "Q": from_quaternion("q"), **UNITS, **basis}
     matrices = {**pair, "Omega": combination("Omega1 Omega2 Omega3")}
-    desk = Desk.open(book, "quaternions", PAIR, matrices=matrices, static=True)
-    coordinates(desk, "quaternions.product", P * Q, e, "the product of two quaternions", ["2"])
-    constants = _brackets(desk)
+    scope = Scope.open(builder, "quaternions", PAIR, matrices=matrices, static=True)
+    coordinates(scope, "quaternions.product", P * Q, e, "the product of two quaternions", ["2"])
+    constants = _brackets(scope)
     why = "R' = R Omega in the components of a quaternion"
-    rates = coordinates(desk, "quaternions.kinematics", Q * Omega, e, why, ["3"])
-    book.keep(Algebra(setting, constants, rates.value))
+    rates = coordinates(scope, "quaternions.kinematics", Q * Omega, e, why, ["3"])
+    builder.keep(Algebra(setting, constants, rates.value))
 
 
-def _brackets(desk: Desk) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
+def _brackets(scope: Scope) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
     """The structure constants: three brackets decided, the others by their signs."""
     found = {}
     for i, j in ((0, 1), (1, 2), (0, 2)):
         fact = f"quaternions.bracket_{i + 1}{j + 1}"
         why = f"the bracket of A{i + 1} and A{j + 1}, read off"
-        step = coordinates(desk, fact, commutator(A[i], A[j]), A, why, ["4"])
+        step = coordinates(scope, fact, commutator(A[i], A[j]), A, why, ["4"])
         found[i, j] = step.value
         found[j, i] = tuple(-x for x in step.value)
     zero = (sympy.S.Zero,) * 3

@@ -18,7 +18,7 @@ from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import INERTIA, Dynamics
 from derivations.lie_algebra import UNIT_QUATERNION, Algebra
 from derivations.regular_form import BY_RATES, DIFFERENCES
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
@@ -124,27 +124,27 @@ SYMMETRY = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Time; the cone, the bursts; what is left of the attitude; planes, peaks, rings, a bound."""
-    _faster(book)
-    _cone(book)
-    _left(book)
-    _planes(book)
-    _peaks(book)
-    _ring(book)
-    _bound(book)
+    _faster(builder)
+    _cone(builder)
+    _left(builder)
+    _planes(builder)
+    _peaks(builder)
+    _ring(builder)
+    _bound(builder)
 
 
-def _faster(book: Book) -> None:
+def _faster(builder: LedgerBuilder) -> None:
     """q(s t) and s Omega(s t) are a motion; momentum goes with s, energy with s^2."""
-    body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
+    body, attitude = builder.result(Dynamics).body, builder.result(Algebra).attitude
     rates = {name: f"s*({rate})" for name, rate in {**body.rates, **attitude.rates}.items()}
     faster = Part(rates=rates)
-    book.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
-    book.claim("faster.kinematics", kinematics("q0 q1 q2 q3", "W1 W2 W3"), ["3"])
+    builder.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
+    builder.claim("faster.kinematics", kinematics("q0 q1 q2 q3", "W1 W2 W3"), ["3"])
     euler = {f"c{i}*D(W{i})": f"(c{j} - c{k})*W{j}*W{k}" for i, j, k in CYCLES}
-    book.claim("faster.euler", euler, ["5"])
-    book.claim(
+    builder.claim("faster.euler", euler, ["5"])
+    builder.claim(
         "faster.invariants",
         {
             **{f"c{k}*W{k}": f"s*M{k}" for k in (1, 2, 3)},
@@ -155,38 +155,38 @@ def _faster(book: Book) -> None:
     )
 
 
-def _cone(book: Book) -> None:
+def _cone(builder: LedgerBuilder) -> None:
     """Energies at both ends differ by the form A of M: no trace, zero on the axis of the turn."""
-    book.open(join("manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True))
+    builder.open(join("manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True))
     form = " + ".join(f"A{j}{k}*M{j}*M{k}" for j, k in PAIRS)
-    book.claim("manoeuvre.cone", {f"{total('N?**2/c?')} - ({total('M?**2/c?')})": form}, ["6"])
-    book.claim("manoeuvre.trace", {total("A??"): "0"})
+    builder.claim("manoeuvre.cone", {f"{total('N?**2/c?')} - ({total('M?**2/c?')})": form}, ["6"])
+    builder.claim("manoeuvre.trace", {total("A??"): "0"})
     axis = " + ".join(f"A{j}{k}*p{j}*p{k}" for j, k in PAIRS)
-    book.claim("manoeuvre.axis", {total(f"R{k}?*p?"): f"p{k}" for k in (1, 2, 3)} | {axis: "0"})
+    builder.claim("manoeuvre.axis", {total(f"R{k}?*p?"): f"p{k}" for k in (1, 2, 3)} | {axis: "0"})
     # From rest to rest the bursts are M and -N in the body axes.
-    book.root("manoeuvre.first_burst", "K", "M1**2 + M2**2 + M3**2", ["6"])
-    book.root("manoeuvre.last_burst", "K", "N1**2 + N2**2 + N3**2", ["6"])
+    builder.root("manoeuvre.first_burst", "K", "M1**2 + M2**2 + M3**2", ["6"])
+    builder.root("manoeuvre.last_burst", "K", "N1**2 + N2**2 + N3**2", ["6"])
     # A R = R J - J R: A = 0 where R does not mix axes of different moments.
     mixed = {total(f"A{j}?*R?{k}"): f"R{j}{k}*(1/c{k} - 1/c{j})" for j, k in ACROSS}
-    book.claim("manoeuvre.symmetry", mixed)
+    builder.claim("manoeuvre.symmetry", mixed)
 
 
-def _left(book: Book) -> None:
+def _left(builder: LedgerBuilder) -> None:
     """q = z p takes N to L, which is M where z is a turn about M, and only there."""
-    book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
-    book.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
-    book.claim("arrival.left", components("q", product(symbols("z:4"), symbols("p:4"))))
+    builder.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
+    builder.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
+    builder.claim("arrival.left", components("q", product(symbols("z:4"), symbols("p:4"))))
     cross = " + ".join(f"(z{j}*M{k} - z{k}*M{j})**2" for _, j, k in CYCLES)
-    book.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
-    book.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})
+    builder.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
+    builder.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})
 
 
-def _planes(book: Book) -> None:
+def _planes(builder: LedgerBuilder) -> None:
     """K^2 - 2 H c_b vanishes on the two planes across M_a = +-along M_d."""
-    book.open(join("separatrix_planes", PLANES, static=True))
-    book.root("separatrix_planes.across", "across", "(c_a - c_b)/(c_a*c_b)")
-    book.root("separatrix_planes.along", "along", "(c_b - c_d)/(c_b*c_d)")
-    book.claim(
+    builder.open(join("separatrix_planes", PLANES, static=True))
+    builder.root("separatrix_planes.across", "across", "(c_a - c_b)/(c_a*c_b)")
+    builder.root("separatrix_planes.along", "along", "(c_b - c_d)/(c_b*c_d)")
+    builder.claim(
         "separatrix_planes.E_b",
         {
             "M_a**2 + M_b**2 + M_d**2 - 2*H*c_b": "E_b",
@@ -195,34 +195,34 @@ def _planes(book: Book) -> None:
         ["6"],
     )
     product = "c_b*(across*M_a - along*M_d)*(across*M_a + along*M_d)"
-    book.claim("separatrix_planes.planes", {"E_b": product})
+    builder.claim("separatrix_planes.planes", {"E_b": product})
 
 
-def _peaks(book: Book) -> None:
+def _peaks(builder: LedgerBuilder) -> None:
     """|Omega|^2 is linear in sn^2, and stands still where sn, cn or dn is zero."""
     square = "Omega_a**2 + Omega_b**2 + Omega_d**2"
     slope = "(A_b**2 - A_d**2 - m*A_a**2)"
-    book.claim("regular.speed", {square: f"A_a**2 + A_d**2 + {slope}*sn**2"}, ["10"])
-    book.claim("regular.speed_rate", {f"D({square})": f"2*lambda_*{slope}*sn*cn*dn"}, ["10"])
+    builder.claim("regular.speed", {square: f"A_a**2 + A_d**2 + {slope}*sn**2"}, ["10"])
+    builder.claim("regular.speed_rate", {f"D({square})": f"2*lambda_*{slope}*sn*cn*dn"}, ["10"])
 
 
-def _ring(book: Book) -> None:
+def _ring(builder: LedgerBuilder) -> None:
     """Where the turn leaves J as it is, x = q p and W = R^T Omega are a motion, too.
 
     A motion from q = 1 that is at p at the time T has the rates W there: it goes on as x and W do,
     so that q(T + t) = q(t) p, and from whatever q(t) it is at, it turns by p in the time T.
     """
-    body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
+    body, attitude = builder.result(Dynamics).body, builder.result(Algebra).attitude
     motion = (INERTIA, TURN, body, UNIT_QUATERNION, attitude)
-    book.open(join("ring", *motion, BESIDE, SYMMETRY))
-    book.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})
-    book.claim("ring.kinematics", kinematics("x0 x1 x2 x3", "W1 W2 W3"), ["3"])
-    book.claim("ring.momentum", {f"P{k}": f"c{k}*W{k}" for k in (1, 2, 3)}, ["8"])
+    builder.open(join("ring", *motion, BESIDE, SYMMETRY))
+    builder.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})
+    builder.claim("ring.kinematics", kinematics("x0 x1 x2 x3", "W1 W2 W3"), ["3"])
+    builder.claim("ring.momentum", {f"P{k}": f"c{k}*W{k}" for k in (1, 2, 3)}, ["8"])
     euler = {f"c{i}*D(W{i})": f"P{j}*W{k} - P{k}*W{j}" for i, j, k in CYCLES}
-    book.claim("ring.euler", euler, ["5", "7"])
+    builder.claim("ring.euler", euler, ["5", "7"])
 
 
-def _bound(book: Book) -> None:
+def _bound(builder: LedgerBuilder) -> None:
     """K^2 <= 2 H c for the largest moment c."""
     forms = {"2*H*c_1 - K_squared": "c_2*c_12*Omega_2**2 + c_3*c_13*Omega_3**2"}
-    book.sign("sorted_body.most_momentum", forms, ["6", "15"])
+    builder.sign("sorted_body.most_momentum", forms, ["6", "15"])

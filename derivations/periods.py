@@ -19,7 +19,7 @@ from derivations.attitude import ATTITUDE
 from derivations.descended_form import MOTION
 from derivations.theta_edges import given
 from derivations.theta_form import SHIFT
-from rigidsym.proof.algebra import Book, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
 
 # What is meant by half a period later: 2 K_1 is where s is 0 again, and 2 J_c is J there.
 LATER = Part(
@@ -79,48 +79,48 @@ POINTS = [
 ]
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The rates, psi and its mean; then the same for the functions; then the solid angle."""
     motion = (*MOTION, half_angle("psi", "psi_rate"), COMPLETE)
-    book.open(join("period", *motion, AMPLITUDE, LATER))
-    book.model("period", "descended")
-    book.carry("period", ["descended.solution"])
-    book.claim("period.duration", {"period": "4*quarter/lambda_"}, ["10"])
+    builder.open(join("period", *motion, AMPLITUDE, LATER))
+    builder.model("period", "descended")
+    builder.carry("period", ["descended.solution"])
+    builder.claim("period.duration", {"period": "4*quarter/lambda_"}, ["10"])
     rates = {
         "sigma*A_a*dn_later": "Omega_a",
         "chi*A_b*sn_later": "-Omega_b",
         "chi*tau*A_d*cn_later": "-Omega_d",
     }
-    book.claim("period.rates", rates, ["10"])
+    builder.claim("period.rates", rates, ["10"])
     mean = {
         "sigma*A_a/lambda_*D(am)": "Omega_a",
         "sigma*A_a/lambda_*(am_later - am)": "Omega_mean*period",
     }
-    book.claim("period.mean", mean, ["10"])
-    book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
-    _functions(book, (*motion, SHIFT, AMPLITUDE))
-    _mean_rate(book, (*motion, SHIFT))
-    _solid_angle(book)
+    builder.claim("period.mean", mean, ["10"])
+    builder.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
+    _functions(builder, (*motion, SHIFT, AMPLITUDE))
+    _mean_rate(builder, (*motion, SHIFT))
+    _solid_angle(builder)
 
 
-def _functions(book: Book, motion: tuple[Part, ...]) -> None:
+def _functions(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
     """Half a period later the functions, which start there, are what is meant."""
-    book.open(join("period_functions", *motion, FUNCTIONS))
-    book.start("period_functions.later", LATER.definitions, ["DLMF 22.4(iii)"])
-    book.model("period_functions", "period", ["period_functions.later"])
-    book.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
+    builder.open(join("period_functions", *motion, FUNCTIONS))
+    builder.start("period_functions.later", LATER.definitions, ["DLMF 22.4(iii)"])
+    builder.model("period_functions", "period", ["period_functions.later"])
+    builder.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
 
 
-def _mean_rate(book: Book, motion: tuple[Part, ...]) -> None:
+def _mean_rate(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
     """2 Lambda is the mean rate, if J_c is what the interchange of argument and parameter says."""
     reference = "Legendre's reduction; Byrd and Friedman 1971, formulas from 400 on"
-    book.assume("period_functions.complete", {"J_c": INTERCHANGE}, reference, POINTS)
+    builder.assume("period_functions.complete", {"J_c": INTERCHANGE}, reference, POINTS)
     complete = Part(definitions={"J_c": INTERCHANGE})
-    book.open(join("mean_rate", *given(motion, complete.definitions, ()), complete, LATER))
-    book.claim("mean_rate.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
+    builder.open(join("mean_rate", *given(motion, complete.definitions, ()), complete, LATER))
+    builder.claim("mean_rate.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
 
 
-def _solid_angle(book: Book) -> None:
+def _solid_angle(builder: LedgerBuilder) -> None:
     """psi' = 2 H/K - (1 - cos(theta)) phi', theta and phi being the momentum's polar angles.
 
     cos(theta) = sigma M_a/K, and (M_b^2 + M_d^2) phi' = +-(M_b M_d' - M_d M_b').
@@ -130,8 +130,8 @@ def _solid_angle(book: Book) -> None:
             "swept_rate": "sigma*epsilon*(M_b*D(M_d) - M_d*D(M_b))/(K*(K + sigma*M_a))",
         }
     )
-    book.open(join("solid_angle", *ATTITUDE, sweep))
-    book.claim(
+    builder.open(join("solid_angle", *ATTITUDE, sweep))
+    builder.claim(
         "solid_angle.swept",
         {
             "swept_rate*(M_b**2 + M_d**2)": "sigma*epsilon*(M_b*D(M_d) - M_d*D(M_b))"
@@ -139,4 +139,4 @@ def _solid_angle(book: Book) -> None:
         },
         ["27"],
     )
-    book.claim("solid_angle.rate", {"psi_rate": "2*H/K - swept_rate"}, ["32", "33"])
+    builder.claim("solid_angle.rate", {"psi_rate": "2*H/K - swept_rate"}, ["32", "33"])

@@ -14,8 +14,8 @@ from derivations.euler_lax import RATES
 from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
 from rigidsym.language.functions.jacobi import jacobi_dn, jacobi_sn
-from rigidsym.proof.algebra import Book, Part, jacobi
-from rigidsym.proof.steps import Desk, apart, integrate, rate_of, rewrite
+from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
+from rigidsym.proof.steps import Scope, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
 
 K, H, ZETA, XI, MU, T = symbols("K H zeta xi mu t")
@@ -61,20 +61,20 @@ class ThirdKind:
     rate: sympy.Expr
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(34), its integral (36), and (35)."""
-    axis = book.found(Algebra).setting.axes[0]
-    integrand = book.found(Phi1).by_invariants
+    axis = builder.result(Algebra).setting.axes[0]
+    integrand = builder.result(Phi1).by_invariants
     if integrand.free_symbols & {*RATES} != {RATES[axis - 1]}:
         return  # wheels about other axes: phi1' is no function of one rate
-    if any(h != 0 for h in book.found(Algebra).setting.wheel()):
+    if any(h != 0 for h in builder.result(Algebra).setting.wheel()):
         return  # a gyrostat's rates are no multiples of sn
     given = (constants(axis), FUNCTIONS, sine(axis))
-    desk = Desk.open(book, "sine_motion", *given, static=True)
+    scope = Scope.open(builder, "sine_motion", *given, static=True)
     put_in = integrand.subs(RATES[axis - 1], ZETA * SN)
     split = apart(put_in, SN**2)
     why = "with the rate put in, partial fractions in sn^2"
-    rewrite(desk, "sine_motion.split", integrand, split, why, ["34"], "partial_fractions")
+    rewrite(scope, "sine_motion.split", integrand, split, why, ["34"], "partial_fractions")
 
     (n,) = (_parameter(term) for term in split.args if term.has(SN))
     table = Part(
@@ -84,21 +84,21 @@ def derive(book: Book) -> None:
         units=("xi",),
         reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
     )
-    desk = Desk.open(book, "table", *given, table)
+    scope = Scope.open(builder, "table", *given, table)
     rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
     why = "integrated term by term, by the table that has the rate of Pi"
-    phi1 = integrate(desk, "table.phi1", split, rates, why, ["19", "36"])
+    phi1 = integrate(scope, "table.phi1", split, rates, why, ["19", "36"])
     kappa = phi1.value.coeff(symbol("Pi"))
     named = Part(
         definitions={
-            "kappa": desk.text(kappa),
-            "phi1": f"{desk.text(phi1.value.coeff(T))}*t + kappa*Pi",
+            "kappa": scope.text(kappa),
+            "phi1": f"{scope.text(phi1.value.coeff(T))}*t + kappa*Pi",
         }
     )
-    desk = Desk.open(book, "third_kind", *given, table, named)
+    scope = Scope.open(builder, "third_kind", *given, table, named)
     why = "so phi1 has the rate (33)"
     rewrite(
-        desk,
+        scope,
         "third_kind.phi1",
         rate_of(symbol("phi1")),
         integrand,
@@ -106,13 +106,13 @@ def derive(book: Book) -> None:
         ["19", "33"],
         "differentiate",
     )
-    book.keep(ThirdKind(axis, (*given, table, named), split))
+    builder.keep(ThirdKind(axis, (*given, table, named), split))
 
-    desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
+    scope = Scope.open(builder, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
     why = "the square of the rate of the amplitude theta"
     by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
     squared = rate_of(symbol("theta")) ** 2
-    rewrite(desk, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
+    rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 
 
 def _parameter(term: Any) -> sympy.Expr:

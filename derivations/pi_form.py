@@ -20,7 +20,7 @@ quarter period.  g_1, g_2 and h_2 vanish on the separatrix, and no term is the d
 
 from derivations.descended_form import MOTION
 from derivations.theta_form import SHIFT, times
-from rigidsym.proof.algebra import Book, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
 
 # What J gains in 2 K_1, over 2 K_1.
 MEAN = Part(
@@ -143,55 +143,57 @@ def half_turned(real: str, imaginary: str) -> Part:
     )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The rest; then psi from the saddle, and from both ends of a quarter period."""
-    book.open(join("pi_form", *MOTION, half_angle("psi", "psi_rate"), MEAN))
-    book.model("pi_form", "descended")
-    book.claim("pi_form.psi", {"psi/2": "Lambda*t + rest - rest_0"}, ["33", "34", "36"])
+    builder.open(join("pi_form", *MOTION, half_angle("psi", "psi_rate"), MEAN))
+    builder.model("pi_form", "descended")
+    builder.claim("pi_form.psi", {"psi/2": "Lambda*t + rest - rest_0"}, ["33", "34", "36"])
     for claims in (_abstract, _near, _far):
-        claims(book)
+        claims(builder)
 
 
-def _abstract(book: Book) -> None:
+def _abstract(builder: LedgerBuilder) -> None:
     """Everything about the rate of psi, in few names."""
-    book.open(join("arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT))
+    builder.open(join("arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT))
     saddle = "Lambda - rho*g*(mu - (k_1 - n)*mu*s**2/(1 - n*s**2))"
-    book.claim("arctangent.saddle", {"psi_rate/2": saddle}, ["33", "34", "36"])
+    builder.claim("arctangent.saddle", {"psi_rate/2": saddle}, ["33", "34", "36"])
     square = "z**2*(1 - n*s**2)*(c**2 + delta*s**2)"
-    book.root("arctangent.T_size", "T_size", square, ["36"])
+    builder.root("arctangent.T_size", "T_size", square, ["36"])
     turn = {"D(T_re)": "-T_rate*T_im", "D(T_im)": "T_rate*T_re"}
-    book.claim("arctangent.turn", turn, ["36"])
+    builder.claim("arctangent.turn", turn, ["36"])
     phase = "Lambda + T_rate - rho*(g_1*mu + g_2*D(L))"
-    book.claim("arctangent.phase", {"psi_rate/2": phase}, ["33", "34", "36"])
-    book.open(join("other_end", ABSTRACT, Part(witness=BETWEEN), SADDLE, FAR))
+    builder.claim("arctangent.phase", {"psi_rate/2": phase}, ["33", "34", "36"])
+    builder.open(join("other_end", ABSTRACT, Part(witness=BETWEEN), SADDLE, FAR))
     path = {"D(L)*(c_v_squared + delta*s_v**2)": "-mu*s_v**2"}
-    book.claim("other_end.path", path, ["36"])
+    builder.claim("other_end.path", path, ["36"])
     phase = "Lambda - rho*(g_1*mu - h_2*D(L))"
-    book.claim("other_end.phase", {"psi_rate/2": phase}, ["33", "34", "36"])
+    builder.claim("other_end.phase", {"psi_rate/2": phase}, ["33", "34", "36"])
 
 
-def _near(book: Book) -> None:
+def _near(builder: LedgerBuilder) -> None:
     """The motion with psi/2 by an angle X and the arctangent."""
     product = times("X", "T")
     half = half_turned(product["re"], product["im"])
     turn = turning("psi_rate/2 - T_rate")
-    book.open(join("pi_near", *MOTION, SHIFT, SADDLE, NEAR, SCALED, COMPLETE, turn, half))
-    book.model("pi_near", "arctangent")
-    book.carry("pi_near", [f"arctangent.{name}" for name in ("saddle", "T_size", "turn", "phase")])
-    book.model("pi_near", "descended", ["pi_near.turn"])
-    book.carry("pi_near", ["descended.solution"])
+    builder.open(join("pi_near", *MOTION, SHIFT, SADDLE, NEAR, SCALED, COMPLETE, turn, half))
+    builder.model("pi_near", "arctangent")
+    builder.carry(
+        "pi_near", [f"arctangent.{name}" for name in ("saddle", "T_size", "turn", "phase")]
+    )
+    builder.model("pi_near", "descended", ["pi_near.turn"])
+    builder.carry("pi_near", ["descended.solution"])
     # After every K_1 of u_1 it is alpha more, J being j K_1 there; the rest is periodic.
     grown = {"K_1*g*(u_1 - (k_1 - n)*J)": "alpha*u_1 - K_1*g*(k_1 - n)*(J - j*u_1)"}
-    book.claim("pi_near.grown", grown, ["36"])
+    builder.claim("pi_near.grown", grown, ["36"])
     slope = {"D(g*(u_1 - (k_1 - n)*J))": "rho*(Lambda - psi_rate/2)"}
-    book.claim("pi_near.slope", slope, ["33", "34", "36"])
+    builder.claim("pi_near.slope", slope, ["33", "34", "36"])
 
 
-def _far(book: Book) -> None:
+def _far(builder: LedgerBuilder) -> None:
     """The motion with psi/2 by an angle X alone."""
     half = half_turned("X_re", "X_im")
-    book.open(join("pi_far", *MOTION, SHIFT, SADDLE, FAR, turning("psi_rate/2"), half))
-    book.model("pi_far", "other_end")
-    book.carry("pi_far", ["other_end.path", "other_end.phase"])
-    book.model("pi_far", "descended")
-    book.carry("pi_far", ["descended.solution"])
+    builder.open(join("pi_far", *MOTION, SHIFT, SADDLE, FAR, turning("psi_rate/2"), half))
+    builder.model("pi_far", "other_end")
+    builder.carry("pi_far", ["other_end.path", "other_end.phase"])
+    builder.model("pi_far", "descended")
+    builder.carry("pi_far", ["descended.solution"])

@@ -9,7 +9,7 @@ import re
 from string import ascii_lowercase
 
 from rigidsym.language.expression import to_text
-from rigidsym.proof.algebra import Book, Part, extend, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper.answers import Question, asked, question, telling
@@ -174,37 +174,37 @@ POINTS: dict[str, list[dict[str, str]]] = {
 }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Ask everything that the verdicts rest on, once."""
     printed = {equation.number: equation for equation in EQUATIONS}
     for equation in EQUATIONS:
         for latex, sense in asked(equation):
-            ask(book, equation.number, question(latex, sense, printed))
+            ask(builder, equation.number, question(latex, sense, printed))
 
 
-def ask(book: Book, number: str, whole: Question) -> None:
+def ask(builder: LedgerBuilder, number: str, whole: Question) -> None:
     """Let the kernel decide what is not decided yet, in a context that is opened for it."""
-    if whole.context not in book.ledger.contexts:
-        book.open(_context(book, whole))
-    context = book.ledger.contexts[whole.context]
+    if whole.context not in builder.ledger.contexts:
+        builder.open(_context(builder, whole))
+    context = builder.ledger.contexts[whole.context]
     whole = telling(whole, context.definitions, context.rates or {})
     said = (whole.context, whole.lhs, whole.rhs)
-    if not any((f.context, f.lhs, f.rhs) == said for f in book.ledger.facts.values()):
+    if not any((f.context, f.lhs, f.rhs) == said for f in builder.ledger.facts.values()):
         equations = list(zip(whole.lhs, whole.rhs, strict=True))
         points = POINTS.get(whole.context, ())
-        book.compare(_new_id(book, whole.context, number), equations, points, [number])
+        builder.compare(_new_id(builder, whole.context, number), equations, points, [number])
 
 
-def _context(book: Book, whole: Question) -> Context:
+def _context(builder: LedgerBuilder, whole: Question) -> Context:
     base, parts = SETTINGS[whole.context]
     printed = Part(definitions=whole.definitions)
     if not base:
         return join(whole.context, *parts, printed)
-    return extend(whole.context, book.ledger.contexts[base], *parts, printed)
+    return extend(whole.context, builder.ledger.contexts[base], *parts, printed)
 
 
-def _new_id(book: Book, context: str, number: str) -> str:
+def _new_id(builder: LedgerBuilder, context: str, number: str) -> str:
     """A name by the line's number; letters tell several apart."""
     line = re.sub(r"\W+", "_", number).lower()
     names = (f"{context}.print_{line}{letter}" for letter in ("", *ascii_lowercase))
-    return next(name for name in names if name not in book.ledger.facts)
+    return next(name for name in names if name not in builder.ledger.facts)

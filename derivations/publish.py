@@ -28,8 +28,8 @@ standard function of known quantities.  The last two say which equations they ar
 from collections.abc import Iterable
 
 from derivations import attitude_columns, kicks, sensitivity_columns
-from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
+from rigidsym.proof.algebra import LedgerBuilder
+from rigidsym.proof.algebra.builder import Entry, definitions, facts, readings
 
 DIFFERENCES = definitions("regular", "c_ab c_ad c_bd", "10", "13", "14")
 MOMENTA = definitions("attitude", "M_a M_b M_d", "8")
@@ -265,8 +265,8 @@ FORMS: dict[str, list[Entry]] = {
 }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Publish the sequences; an entry that is neither proved nor said by a context is refused."""
     for group, sequences in {"sequences": SEQUENCES, "forms": FORMS}.items():
         for name, entries in sequences.items():
-            book.publish(name, entries, group)
+            builder.publish(name, entries, group)

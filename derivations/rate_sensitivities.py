@@ -27,7 +27,7 @@ from derivations.addition_form import (
     TIME,
 )
 from derivations.attitude import HANDEDNESS, INERTIA
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.steps.names import Dictionary, read, symbol
 
 Texts: TypeAlias = dict[str, str]
@@ -59,12 +59,12 @@ REGULAR = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The changes of the rates, and of the functions that they are made of."""
     changes = _changes({**GIVEN.definitions, **RATES.definitions})
-    _perturbed(book, changes)
-    _moving(book, changes)
-    _functions(book)
+    _perturbed(builder, changes)
+    _moving(builder, changes)
+    _functions(builder)
 
 
 def _changes(definitions: Mapping[str, str]) -> Texts:
@@ -86,7 +86,7 @@ def change_of(expression: sympy.Expr) -> sympy.Expr:
     return sympy.Add(*(sympy.diff(expression, x) * symbol(f"d{x}") for x in names))
 
 
-def _perturbed(book: Book, changes: Texts) -> None:
+def _perturbed(builder: LedgerBuilder, changes: Texts) -> None:
     """D is the derivative by a parameter: what is called a change is one."""
     small = Part(
         witness={f"d{name}": "1" for name in MOVED},
@@ -95,48 +95,48 @@ def _perturbed(book: Book, changes: Texts) -> None:
         reading={f"d{name}": f"the change of {name}" for name in MOVED},
     )
     still = Part(FUNCTIONS.witness, reading=FUNCTIONS.reading)
-    book.open(join("perturbed", COEFFICIENTS, GIVEN, still, RATES, small))
-    book.claim("perturbed.changes", {f"D({name[1:]})": name for name in changes}, ["5"])
+    builder.open(join("perturbed", COEFFICIENTS, GIVEN, still, RATES, small))
+    builder.claim("perturbed.changes", {f"D({name[1:]})": name for name in changes}, ["5"])
     moments = Part(
         witness={f"d{c}": "1" for c in INERTIA.witness},
         rates={c: f"d{c}" for c in INERTIA.witness},
         definitions={**FORCES, **_changes(FORCES)},
     )
-    book.open(join("perturbed_moments", HANDEDNESS, INERTIA, moments))
+    builder.open(join("perturbed_moments", HANDEDNESS, INERTIA, moments))
     by_moments = {f"D({name})": f"d{name}" for name in FORCES}
-    book.claim("perturbed_moments.changes", by_moments, ["5"])
+    builder.claim("perturbed_moments.changes", by_moments, ["5"])
 
 
-def _moving(book: Book, changes: Texts) -> None:
+def _moving(builder: LedgerBuilder, changes: Texts) -> None:
     """D is the time derivative: the changes satisfy the variation of Euler's equations."""
     constant = Part(
         witness={f"d{name}": "1" for name in (*GIVEN.witness, *FORCES)}, definitions=changes
     )
     parts = (COEFFICIENTS, GIVEN, FUNCTIONS, RATES, constant)
-    book.open(join("varied", *parts, VARIED_FUNCTIONS))
-    book.claim("varied.euler", EULER, ["5"])
+    builder.open(join("varied", *parts, VARIED_FUNCTIONS))
+    builder.claim("varied.euler", EULER, ["5"])
     varied = {
         f"D(dOmega_{x})": f"dalpha_{x}*Omega_{y}*Omega_{z}"
         f" + alpha_{x}*(dOmega_{y}*Omega_{z} + Omega_{y}*dOmega_{z})"
         for x, (y, z) in OTHERS.items()
     }
-    book.claim("varied.variation", varied, ["5"])
+    builder.claim("varied.variation", varied, ["5"])
     still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, VARIED_FUNCTIONS)]
     start = Part(relations=("S_t", "C_t - 1", "D_t - 1", *VARIED_FUNCTIONS.witness))
     parts = (COEFFICIENTS, GIVEN, *still, RATES, constant, start)
-    book.open(join("varied_start", *parts, static=True))
-    book.claim("varied_start.rates", {f"dOmega_{x}": f"dOmega_{x}0" for x in "abd"}, ["12"])
+    builder.open(join("varied_start", *parts, static=True))
+    builder.claim("varied_start.rates", {f"dOmega_{x}": f"dOmega_{x}0" for x in "abd"}, ["12"])
 
 
-def _functions(book: Book) -> None:
+def _functions(builder: LedgerBuilder) -> None:
     """The changes of S_t, C_t, D_t satisfy the varied equations, from 0."""
     varied = {f"D({name})": rate for name, rate in VARIED_FUNCTIONS.rates.items()}
     relations = dict.fromkeys(VARIED_FUNCTIONS.relations, "0")
     parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
-    book.open(join("varied_regular", PARAMETERS, *parts, REGULAR))
-    book.claim("varied_regular.variation", varied | relations, ["5", "10"])
+    builder.open(join("varied_regular", PARAMETERS, *parts, REGULAR))
+    builder.claim("varied_regular.variation", varied | relations, ["5", "10"])
     still = [Part(part.witness, part.units, reading=part.reading) for part in parts]
     start = Part(relations=(*START.relations, "F_t"))
-    book.open(join("varied_regular_start", PARAMETERS, *still, REGULAR, start, static=True))
+    builder.open(join("varied_regular_start", PARAMETERS, *still, REGULAR, start, static=True))
     begun = dict.fromkeys(VARIED_FUNCTIONS.witness, "0")
-    book.claim("varied_regular_start.functions", begun, ["12"])
+    builder.claim("varied_regular_start.functions", begun, ["12"])

@@ -9,7 +9,7 @@ vanishes, and no real constants make it a sine amplitude.
 
 from derivations.lemma1 import INERTIA, Lemma1
 from derivations.regular_form import REGULAR
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 # (13) calls s_i the root with + before the square root: the smaller one, where alpha < 0.
 NAMED = Part(
@@ -23,15 +23,15 @@ NAMED = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The roots of the three axes, and the choice between (10) and (11) where one is negative."""
-    _circulating(book)
-    _middle(book)
-    _third(book)
-    _choice(book)
+    _circulating(builder)
+    _middle(builder)
+    _third(builder)
+    _choice(builder)
 
 
-def _circulating(book: Book) -> None:
+def _circulating(builder: LedgerBuilder) -> None:
     """On the circulation axis, alpha s is minus a square for both roots: xi is imaginary."""
     roots = Part(
         definitions={
@@ -40,12 +40,14 @@ def _circulating(book: Book) -> None:
             "root_d": "E_d/(c_a*(c_a - c_d))",
         },
     )
-    book.open(join("circulating_axis", *REGULAR, roots))
-    book.claim("circulating_axis.outer", {"alpha_a*root_d": "-(lambda_)**2"}, ["10", "16"])
-    book.claim("circulating_axis.inner", {"alpha_a*root_b": "-(lambda_)**2*m_1"}, ["10", "16"])
-    book.claim("circulating_axis.roots", {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}, ["10", "13"])
+    builder.open(join("circulating_axis", *REGULAR, roots))
+    builder.claim("circulating_axis.outer", {"alpha_a*root_d": "-(lambda_)**2"}, ["10", "16"])
+    builder.claim("circulating_axis.inner", {"alpha_a*root_b": "-(lambda_)**2*m_1"}, ["10", "16"])
+    builder.claim(
+        "circulating_axis.roots", {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}, ["10", "13"]
+    )
     # sn(C) = Omega_a/sqrt(s) is beyond 1 for the inner root; for the outer, dn(C) is imaginary.
-    book.claim(
+    builder.claim(
         "circulating_axis.start",
         {
             "root_b - Omega_a**2": "-m*(A_a*cn)**2",
@@ -54,12 +56,12 @@ def _circulating(book: Book) -> None:
         ["12", "footnote 2"],
     )
     real = {"alpha_a*root_d": "lambda_**2", "alpha_a*root_b": "lambda_**2*m_1"}
-    book.refute("circulating_axis.real_rate", real, {}, ["10", "20", "21"])
+    builder.refute("circulating_axis.real_rate", real, {}, ["10", "20", "21"])
     within = {"root_b - Omega_a**2": "m*(A_a*cn)**2"}
-    book.refute("circulating_axis.real_start", within, {}, ["12", "footnote 2"])
+    builder.refute("circulating_axis.real_start", within, {}, ["12", "footnote 2"])
 
 
-def _middle(book: Book) -> None:
+def _middle(builder: LedgerBuilder) -> None:
     """On the middle axis both roots are squares, and so is alpha times either."""
     forms = {
         "alpha_b": "-(c_b - c_a)*(c_b - c_d)/(c_a*c_d)",
@@ -68,10 +70,10 @@ def _middle(book: Book) -> None:
     }
     roots = {"root_a": "A_b**2", "m*root_d": "A_b**2"}
     rates = {"alpha_b*root_d": "lambda_**2", "alpha_b*root_a": "m*lambda_**2"}
-    _state(book, "middle_axis", forms, roots, rates)
+    _state(builder, "middle_axis", forms, roots, rates)
 
 
-def _third(book: Book) -> None:
+def _third(builder: LedgerBuilder) -> None:
     """On the third axis one root is minus a square; alpha times it is a square."""
     forms = {
         "alpha_d": "-(c_d - c_a)*(c_d - c_b)/(c_a*c_b)",
@@ -80,19 +82,23 @@ def _third(book: Book) -> None:
     }
     roots = {"root_a": "A_d**2", "m*root_b": "-m_1*A_d**2"}
     rates = {"alpha_d*root_b": "lambda_**2*m_1", "alpha_d*root_a": "-m*lambda_**2"}
-    _state(book, "third_axis", forms, roots, rates)
+    _state(builder, "third_axis", forms, roots, rates)
 
 
 def _state(
-    book: Book, axis: str, forms: dict[str, str], roots: dict[str, str], rates: dict[str, str]
+    builder: LedgerBuilder,
+    axis: str,
+    forms: dict[str, str],
+    roots: dict[str, str],
+    rates: dict[str, str],
 ) -> None:
     """What the roots of (13) on an axis are, and alpha times them."""
-    book.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
-    book.claim(f"{axis}.roots", roots, ["10", "13"])
-    book.claim(f"{axis}.rates", rates, ["10", "16"])
+    builder.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
+    builder.claim(f"{axis}.roots", roots, ["10", "13"])
+    builder.claim(f"{axis}.rates", rates, ["10", "16"])
 
 
-def _choice(book: Book) -> None:
+def _choice(builder: LedgerBuilder) -> None:
     """Motions in which (10) and (16) choose differently, and in which (10) chooses sqrt(s_i < 0).
 
     A point of such a context has the declared signs; that both sides differ there makes one strict.
@@ -101,17 +107,17 @@ def _choice(book: Book) -> None:
         definitions={"s_j_above_s_i": "s_j - s_i", "ratio_above_1": "s_i**2 - s_j**2"},
         nonnegative=("s_j_above_s_i", "ratio_above_1"),
     )
-    lemma = book.found(Lemma1)
+    lemma = builder.result(Lemma1)
     body = (INERTIA, lemma.moving, lemma.quartic, lemma.roots, NAMED)
-    book.open(join("two_conditions", *body, differ))
-    book.root(
+    builder.open(join("two_conditions", *body, differ))
+    builder.root(
         "two_conditions.names", "root_of_discriminant", "beta**2 - 4*alpha*chi", ["13", "Remark 1"]
     )
-    book.refute("two_conditions.differ", {"s_i**2": "s_j**2"}, {}, ["10", "16", "Remark 1"])
+    builder.refute("two_conditions.differ", {"s_i**2": "s_j**2"}, {}, ["10", "16", "Remark 1"])
     negative = Part(
         witness={"Omega_k": "2"},
         definitions={"minus_s_i": "-s_i", "ratio_below_1": "s_j**2 - s_i**2"},
         nonnegative=("minus_s_i", "ratio_below_1"),
     )
-    book.open(join("negative_root", *body, negative))
-    book.refute("negative_root.amplitude", {"s_i": "0"}, {}, ["10", "13"])
+    builder.open(join("negative_root", *body, negative))
+    builder.refute("negative_root.amplitude", {"s_i": "0"}, {}, ["10", "13"])

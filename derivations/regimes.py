@@ -14,7 +14,7 @@ separatrix 1 - m = 0, for symmetric bodies m = 0.
 import re
 
 from derivations.regular_form import FORMULAS
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 BODY = Part(
     witness={
@@ -100,52 +100,52 @@ EDGES = {
 }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Open the tree from its root, state what holds in the leaves, and close it again."""
-    book.open(join("sorted_body", BODY, static=True))
+    builder.open(join("sorted_body", BODY, static=True))
     square = {"E_1": "2*H*c_1 - K_squared", "E_2": "K_squared - 2*H*c_2"}
-    book.claim("sorted_body.differences", square | {"E_3": "K_squared - 2*H*c_3"}, ["6", "15"])
+    builder.claim("sorted_body.differences", square | {"E_3": "K_squared - 2*H*c_3"}, ["6", "15"])
     for context, name, *cases in TREE:
-        book.split(context, name, *cases)
-    _steady(book)
+        builder.split(context, name, *cases)
+    _steady(builder)
     for leaf in ("largest", "oblate_motion", "separatrix_motion"):
-        _moving(book, leaf, LARGEST)
+        _moving(builder, leaf, LARGEST)
     for leaf in ("smallest", "prolate_motion"):
-        _moving(book, leaf, SMALLEST)
+        _moving(builder, leaf, SMALLEST)
     for context, name, *cases in reversed(TREE):
-        book.partition(context, name, *(case for case, _ in cases))
+        builder.partition(context, name, *(case for case, _ in cases))
 
 
-def _steady(book: Book) -> None:
+def _steady(builder: LedgerBuilder) -> None:
     """(c_i - c) Omega_i = 0: minus a nonnegative quantity is shown nonnegative."""
-    book.sign(
+    builder.sign(
         "rest.rates", {f"-Omega_{k}**2": f"Omega_{i}**2 + Omega_{j}**2" for k, i, j in CYCLES}
     )
-    book.sign("spherical.moments", {"-c_12": "c_23", "-c_23": "c_12"})
+    builder.sign("spherical.moments", {"-c_12": "c_23", "-c_23": "c_12"})
     for leaf in ("spin_1", "oblate_polar", "prolate_equatorial"):
         forms = {
             "-(c_12*Omega_2**2)": "c_3*c_13*Omega_3**2/c_2",
             "-(c_13*Omega_3**2)": "c_2*c_12*Omega_2**2/c_3",
         }
-        book.sign(f"{leaf}.parallel", forms)
+        builder.sign(f"{leaf}.parallel", forms)
     for leaf in ("spin_3", "prolate_polar", "oblate_equatorial"):
         forms = {
             "-(c_13*Omega_1**2)": "c_2*c_23*Omega_2**2/c_1",
             "-(c_23*Omega_2**2)": "c_1*c_13*Omega_1**2/c_2",
         }
-        book.sign(f"{leaf}.parallel", forms)
-    book.sign("spin_2.parallel", {"-Omega_1**2": "Omega_3**2", "-Omega_3**2": "Omega_1**2"})
+        builder.sign(f"{leaf}.parallel", forms)
+    builder.sign("spin_2.parallel", {"-Omega_1**2": "Omega_3**2", "-Omega_3**2": "Omega_1**2"})
 
 
-def _moving(book: Book, leaf: str, axes: dict[str, str]) -> None:
+def _moving(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
     """The squares, m and 1 - m of the regular form about an axis, each with its visible sign."""
     edge = EDGES.get(leaf, {})
     forms = {key: form for key, form in VISIBLY[axes["a"]].items() if key not in edge}
     signs = {_named(SQUARES[key], axes): form for key, form in forms.items()}
-    book.sign(f"{leaf}.squares", signs, ["10", "13", "14"])
+    builder.sign(f"{leaf}.squares", signs, ["10", "13", "14"])
     if edge:
         values = {_named(SQUARES[key], axes): value for key, value in edge.items()}
-        book.claim(f"{leaf}.edge", values, ["10", "13", "14"])
+        builder.claim(f"{leaf}.edge", values, ["10", "13", "14"])
 
 
 def _named(text: str, axes: dict[str, str]) -> str:

@@ -13,7 +13,7 @@ own.
 from sympy import Add, Expr, Symbol, expand, factor, symbols
 
 from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
-from rigidsym.proof.algebra import Book, Part, jacobi, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, sign
 from rigidsym.proof.algebra.printing import printed
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
@@ -119,14 +119,14 @@ PARAMETERS = {"m": "E_a*c_bd/(E_d*c_ab)", "m_1": "c_ad*E_b/(c_ab*E_d)"}
 START = {"sn": "chi*Omega_b/A_b", "cn": "chi*tau*Omega_d/A_d", "dn": "sigma*Omega_a/A_a"}
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
-    book.open(join("regular", *REGULAR))
-    book.claim("regular.euler", EULER, ["5", "10"])
+    builder.open(join("regular", *REGULAR))
+    builder.claim("regular.euler", EULER, ["5", "10"])
     for name, form in BY_RATES.items():
-        book.claim(f"regular.{name}", {name: form}, ["6", "15"])
+        builder.claim(f"regular.{name}", {name: form}, ["6", "15"])
     square = "(M_a**2 + M_b**2 + M_d**2)"
-    book.claim(
+    builder.claim(
         "regular.differences",
         {
             "E_a": f"2*H*c_a - {square}",
@@ -136,17 +136,17 @@ def derive(book: Book) -> None:
         ["6", "15"],
     )
     for name, radicand in FORMULAS.items():
-        book.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
+        builder.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
     for name, form in PARAMETERS.items():
-        book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
+        builder.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
     for name, form in START.items():
-        book.claim(f"regular.{name}", {name: form}, ["12"])
-    _every_motion(book)
-    _start(book)
-    _signs(book)
+        builder.claim(f"regular.{name}", {name: form}, ["12"])
+    _every_motion(builder)
+    _start(builder)
+    _signs(builder)
 
 
-def _every_motion(book: Book) -> None:
+def _every_motion(builder: LedgerBuilder) -> None:
     """Conversely, inertia and rates give m and squares of amplitudes that meet the relations above.
 
     That the squares are nonnegative and 0 <= m <= 1 is the choice of the axis a, in the chapter
@@ -169,17 +169,17 @@ def _every_motion(book: Book) -> None:
     )
     moving = Part(witness={"Omega_a": "1", "Omega_b": "0", "Omega_d": "1"})
     by_rates = Part(definitions=DIFFERENCES | BY_RATES)
-    book.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
-    book.claim("any_motion.parameter", {"B_b_squared": "B_d_squared + m*B_a_squared"}, ["14"])
-    book.claim(
+    builder.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
+    builder.claim("any_motion.parameter", {"B_b_squared": "B_d_squared + m*B_a_squared"}, ["14"])
+    builder.claim(
         "any_motion.inertia", {"1/c_b": "1/c_a + (1/c_d - 1/c_a)*B_d_squared/B_b_squared"}, ["14"]
     )
-    book.claim(
+    builder.claim(
         "any_motion.rate",
         {"lambda__squared": "(1/c_d - 1/c_a)**2*B_a_squared*B_d_squared/B_b_squared"},
         ["14"],
     )
-    book.claim(
+    builder.claim(
         "any_motion.start",
         {
             "Omega_b**2/A_b_squared + Omega_d**2/A_d_squared": "1",
@@ -189,7 +189,7 @@ def _every_motion(book: Book) -> None:
     )
 
 
-def _start(book: Book) -> None:
+def _start(builder: LedgerBuilder) -> None:
     """At t = 0 the rates are those given, u_1 is the phase, and psi is 0.
 
     That sn, cn and dn are on the curve of Jacobi's functions is `any_motion.start`.
@@ -219,16 +219,16 @@ def _start(book: Book) -> None:
         nonnegative=("K", *amplitudes),
     )
     signs = (HANDEDNESS, SENSE, CIRCULATION, HALF)
-    book.open(join("rates_start", *signs, INERTIA, given, static=True))
-    book.root("rates_start.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
+    builder.open(join("rates_start", *signs, INERTIA, given, static=True))
+    builder.root("rates_start.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
     for name in amplitudes:
-        book.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
-    book.claim("rates_start.rates", ROTATING.definitions, ["10"])
-    book.claim("rates_start.time", {"u_1": "phase", "psi": "0"}, ["20", "21", "33", "34"])
-    book.claim("rates_start.parameters", {"m + m_1": "1"}, ["13", "14"])
+        builder.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
+    builder.claim("rates_start.rates", ROTATING.definitions, ["10"])
+    builder.claim("rates_start.time", {"u_1": "phase", "psi": "0"}, ["20", "21", "33", "34"])
+    builder.claim("rates_start.parameters", {"m + m_1": "1"}, ["13", "14"])
 
 
-def _signs(book: Book) -> None:
+def _signs(builder: LedgerBuilder) -> None:
     """Of the start, dn >= 0 and cn >= 0, and Delta = |1/c_d - 1/c_a|, by what the signs are of."""
     given = Part(
         witness={"i_a": "1", "Delta": "1", "A_a": "1", "A_d": "1", "dn": "1", "cn": "1"},
@@ -240,10 +240,10 @@ def _signs(book: Book) -> None:
         },
         nonnegative=("A_a", "A_d", "c_a", "c_d", "rho*c_ad", "sigma*Omega_a", "chi*tau*Omega_d"),
     )
-    book.open(join("start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True))
+    builder.open(join("start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True))
     forms = {
         "dn": "sigma*Omega_a/A_a",
         "cn": "chi*tau*Omega_d/A_d",
         "Delta": "rho*c_ad/(c_a*c_d)",
     }
-    book.sign("start_signs.signs", forms, ["12"])
+    builder.sign("start_signs.signs", forms, ["12"])

@@ -5,7 +5,7 @@ that agree at rational points are decided by the kernel.  The ledger keeps the s
 that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 """
 
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra.repairs import repairs
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper.answers import question, telling
@@ -26,28 +26,28 @@ PRINTED = (
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Search, and list what is found."""
-    book.ledger.published["repairs"] = [
+    builder.ledger.published["repairs"] = [
         {"line": number, "fact": fact, "lhs": lhs, "rhs": rhs}
         for number, left, place in PRINTED
-        for fact, component in _refuted(book, number, left)
-        for lhs, rhs in repairs(book.ledger, fact, place, component)
+        for fact, component in _refuted(builder, number, left)
+        for lhs, rhs in repairs(builder.ledger, fact, place, component)
     ]
 
 
-def _refuted(book: Book, number: str, left: str) -> list[tuple[str, int]]:
+def _refuted(builder: LedgerBuilder, number: str, left: str) -> list[tuple[str, int]]:
     """The facts that refute a line, with the place of the equation that has this left side."""
     printed = {equation.number: equation for equation in EQUATIONS}
     asked = [question(printed[number].latex, sense, printed) for sense in printed[number].senses]
     told = [
         telling(whole, context.definitions, context.rates or {})
         for whole in asked
-        for context in [book.ledger.contexts[whole.context]]
+        for context in [builder.ledger.contexts[whole.context]]
     ]
     said = {(whole.context, whole.lhs, whole.rhs) for whole in told if left in whole.lhs}
     return [
         (fact.id, fact.lhs.index(left))
-        for fact in book.ledger.facts.values()
+        for fact in builder.ledger.facts.values()
         if fact.kind == "unequal" and (fact.context, fact.lhs, fact.rhs) in said
     ]

@@ -28,7 +28,7 @@ from derivations.addition_form import (
 )
 from derivations.attitude import HANDEDNESS, INERTIA
 from derivations.rate_sensitivities import MODULI
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 AXES = ("a", "b", "d")
 RATES_AT_START = Part(
@@ -232,14 +232,14 @@ GIVEN = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The columns vary Euler's equations and start right; E_t and F_t follow from each other."""
-    _moments(book)
-    _columns_vary(book)
-    _elapsed(book)
+    _moments(builder)
+    _columns_vary(builder)
+    _elapsed(builder)
 
 
-def _moments(book: Book) -> None:
+def _moments(builder: LedgerBuilder) -> None:
     """The coefficients, and their changes, by the moments of inertia."""
     changes = Part(
         {f"h{n}": "1" for n in (1, 2, 3)},
@@ -252,19 +252,19 @@ def _moments(book: Book) -> None:
         },
         reading={h: f"a change of c_{y}" for y, h in MOVED.items()},
     )
-    book.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, changes, static=True))
+    builder.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, changes, static=True))
     same = {f"c_{x}*alpha_{x}": f"epsilon*(c_{y} - c_{z})" for x, (y, z) in OTHERS.items()}
-    book.claim("coefficients.euler", same, ["5"])
+    builder.claim("coefficients.euler", same, ["5"])
     varied = {
         f"c_{x}*dalpha_{x} + {MOVED[x]}*alpha_{x}": f"epsilon*({MOVED[y]} - {MOVED[z]})"
         for x, (y, z) in OTHERS.items()
     }
-    book.claim("coefficients.variation", varied, ["5"])
-    book.claim("coefficients.tilt", TILT, ["6", "15"])
-    book.claim("coefficients.tilt_by", TILT_BY, ["6", "15"])
+    builder.claim("coefficients.variation", varied, ["5"])
+    builder.claim("coefficients.tilt", TILT, ["6", "15"])
+    builder.claim("coefficients.tilt_by", TILT_BY, ["6", "15"])
 
 
-def _columns_vary(book: Book) -> None:
+def _columns_vary(builder: LedgerBuilder) -> None:
     """At all times, and at the start."""
     defined = Part(
         definitions={**TILT, **TILT_BY, **CONSTANTS, **AT_TIME},
@@ -272,22 +272,22 @@ def _columns_vary(book: Book) -> None:
     )
     given = (GIVEN, RATES_AT_START)
     functions = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
-    book.open(join("varied_rates", *given, *functions, defined))
-    book.claim("varied_rates.below", {"below": "1 - k*S_t**2", "p - r": "apart"}, ["10"])
-    book.claim("varied_rates.euler", EULER, ["5"])
+    builder.open(join("varied_rates", *given, *functions, defined))
+    builder.claim("varied_rates.below", {"below": "1 - k*S_t**2", "p - r": "apart"}, ["10"])
+    builder.claim("varied_rates.euler", EULER, ["5"])
     for y in CHANGES:
-        book.claim(f"varied_rates.by_{y}", _variation(y), ["5"])
-    book.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
-    _excesses(book, *given, *functions, defined)
-    _middle(book, *given, *functions, defined)
-    _passing(book, *given, *functions, defined)
-    _spun(book, *given, *functions, defined)
+        builder.claim(f"varied_rates.by_{y}", _variation(y), ["5"])
+    builder.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
+    _excesses(builder, *given, *functions, defined)
+    _middle(builder, *given, *functions, defined)
+    _passing(builder, *given, *functions, defined)
+    _spun(builder, *given, *functions, defined)
     still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
     start = Part(relations=(*START.relations, "F_t"))
-    book.open(join("varied_rates_start", *given, *still, defined, start, static=True))
+    builder.open(join("varied_rates_start", *given, *still, defined, start, static=True))
     begun = {f"Omega_{x}": f"Omega_{x}0" for x in AXES}
     begun |= {f"Omega_{x}_by_{y}": str(int(y == f"Omega_{x}")) for y in CHANGES for x in AXES}
-    book.claim("varied_rates_start.rates", begun | {"excess_b": "0"}, ["12"])
+    builder.claim("varied_rates_start.rates", begun | {"excess_b": "0"}, ["12"])
 
 
 def _variation(y: str) -> dict[str, str]:
@@ -302,51 +302,53 @@ def _variation(y: str) -> dict[str, str]:
     return {f"D(Omega_{x}_by_{y})": change(x, others) for x, others in OTHERS.items()}
 
 
-def _excesses(book: Book, *parts: Part) -> None:
+def _excesses(builder: LedgerBuilder, *parts: Part) -> None:
     """Of the integrals of the other squares: b is no axis of symmetry."""
     defined = {f"excess_{x}": f"alpha_{x}/alpha_b*excess_b" for x in "ad"}
-    book.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
+    builder.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
     squares = {f"D({name})": f"Omega_{name[-1]}**2 - Omega_{name[-1]}0**2" for name in defined}
-    book.claim("excesses.squares", squares, ["10"])
+    builder.claim("excesses.squares", squares, ["10"])
 
 
-def _middle(book: Book, *parts: Part) -> None:
+def _middle(builder: LedgerBuilder, *parts: Part) -> None:
     """Columns of the middle rate as products: alpha_x Omega_b^2 - alpha_b Omega_x^2 stays."""
     defined = Part(definitions=MIDDLE, units=("alpha_a", "alpha_d", "Omega_b"))
-    book.open(join("middle_columns", *parts, defined))
+    builder.open(join("middle_columns", *parts, defined))
     same = {name: name.replace("middle", "Omega_b") for name in MIDDLE}
-    book.claim("middle_columns.products", same, ["10"])
+    builder.claim("middle_columns.products", same, ["10"])
 
 
-def _passing(book: Book, *parts: Part) -> None:
+def _passing(builder: LedgerBuilder, *parts: Part) -> None:
     """Where p grows alone, with no difference of what grows with the elapsed time and then not."""
     _, text, _, _ = ELAPSED["E_t"]
     # p is alpha_d g_a.
     units = ("alpha_b", "alpha_d", "Omega_a", "Omega_a0", "g_a")
     defined = Part(definitions={"E_t": text, **PASSING}, units=units)
-    book.open(join("passing", *(x for x in parts if x is not SQUARED), defined))
-    book.claim("passing.integral", {"D(passed)": "-alpha_a/alpha_b*(Omega_b/Omega_a)**2"}, ["10"])
+    builder.open(join("passing", *(x for x in parts if x is not SQUARED), defined))
+    builder.claim(
+        "passing.integral", {"D(passed)": "-alpha_a/alpha_b*(Omega_b/Omega_a)**2"}, ["10"]
+    )
     same = {f"Omega_{x}_p": f"Omega_{x}_k - Omega_{x}_r" for x in AXES}
-    book.claim("passing.changes", same, ["10"])
+    builder.claim("passing.changes", same, ["10"])
 
 
-def _spun(book: Book, *parts: Part) -> None:
+def _spun(builder: LedgerBuilder, *parts: Part) -> None:
     """Near a spin about b, the change of its rate and the integral of its square without t."""
     _, text, _, _ = ELAPSED["E_t"]
     defined = Part(definitions={"E_t": text, **SPUN}, units=("p", "C_t + D_t"))
-    book.open(join("spun", *(x for x in parts if x is not SQUARED), defined))
-    book.claim("spun.excess", {"swung": "Omega_b - Omega_b0", "excess_spun": "excess_b"}, ["10"])
+    builder.open(join("spun", *(x for x in parts if x is not SQUARED), defined))
+    builder.claim("spun.excess", {"swung": "Omega_b - Omega_b0", "excess_spun": "excess_b"}, ["10"])
 
 
-def _elapsed(book: Book) -> None:
+def _elapsed(builder: LedgerBuilder) -> None:
     """Of E_t and F_t one by the other."""
     for name, (other, text, divisor, changing) in ELAPSED.items():
         integral = {"E_t": SQUARED, "F_t": OVER_SQUARE}[other]
         defined = Part(definitions={name: text}, units=("D_t", divisor))
         context = f"elapsed_{name[0]}"
-        book.open(join(context, MODULI, FUNCTIONS, TIME, integral, defined))
-        book.claim(f"{context}.integral", {f"D({name})": changing}, ["DLMF 22.16"])
+        builder.open(join(context, MODULI, FUNCTIONS, TIME, integral, defined))
+        builder.claim(f"{context}.integral", {f"D({name})": changing}, ["DLMF 22.16"])
         still = [Part(x.witness, reading=x.reading) for x in (FUNCTIONS, TIME, integral)]
         start = Part(relations=("t", "S_t", "C_t - 1", "D_t - 1", other))
-        book.open(join(f"{context}_start", MODULI, *still, start, defined, static=True))
-        book.claim(f"{context}_start.integral", {name: "0"}, ["12"])
+        builder.open(join(f"{context}_start", MODULI, *still, start, defined, static=True))
+        builder.claim(f"{context}_start.integral", {name: "0"}, ["12"])

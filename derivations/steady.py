@@ -5,7 +5,7 @@ of a symmetric body.  There M and Omega commute, and the attitude is one exponen
 from dataclasses import replace
 
 from derivations.euler_lax import INERTIA, Dynamics
-from rigidsym.proof.algebra import Book, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
 from rigidsym.proof.algebra.quaternion import kinematics
 
 CONSTANT = Part(
@@ -41,29 +41,29 @@ PULL_BACK = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
     turn = replace(half_angle("theta", "omega"), definitions={})
-    body = book.found(Dynamics).body
-    book.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
+    body = builder.result(Dynamics).body
+    builder.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
     euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
-    book.claim("steady.euler", euler, ["5"])
-    book.claim("steady.norm", {"q0**2 + q1**2 + q2**2 + q3**2": "1"}, ["1"])
+    builder.claim("steady.euler", euler, ["5"])
+    builder.claim("steady.norm", {"q0**2 + q1**2 + q2**2 + q3**2": "1"}, ["1"])
     turning = kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3")
-    book.claim("steady.solution", turning, ["3"])
-    book.claim("steady.theta_is_the_angle", {"D(theta)": "omega"}, ["3"])
-    book.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
-    _start(book)
+    builder.claim("steady.solution", turning, ["3"])
+    builder.claim("steady.theta_is_the_angle", {"D(theta)": "omega"}, ["3"])
+    builder.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
+    _start(builder)
 
 
-def _start(book: Book) -> None:
+def _start(builder: LedgerBuilder) -> None:
     """At t = 0 it is at the attitude p, whatever that is."""
     rates = Part(witness=CONSTANT.witness)
     attitude = Part(witness=AXIS.witness, definitions=AXIS.definitions)
     turn = half_angle("theta")
     angle = Part(turn.witness, reading=turn.reading)
     parts = (INERTIA, rates, SPIN, attitude, angle, PULL_BACK, START)
-    book.open(join("steady_start", *parts, static=True))
-    book.root("steady_start.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
+    builder.open(join("steady_start", *parts, static=True))
+    builder.root("steady_start.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
     start = {"theta": "0"} | {f"q{k}": f"p{k}" for k in range(4)}
-    book.claim("steady_start.attitude", start, ["37"])
+    builder.claim("steady_start.attitude", start, ["37"])

@@ -24,7 +24,7 @@ from derivations.attitude import (
     SENSE,
 )
 from derivations.theta_form import times
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.parts import part_of
 
 # n_a, n_b, n_d are sigma M_a/K, sigma epsilon M_b/K and M_d/K: Euler's equations without signs.
@@ -310,13 +310,13 @@ DIRECTION = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Doubling; the turn; the second half of a time; and the motion of a body by these."""
     for claims in (_doubling, _turn, _halves, _psi, _body):
-        claims(book)
+        claims(builder)
 
 
-def _doubling(book: Book) -> None:
+def _doubling(builder: LedgerBuilder) -> None:
     """X and Y at 2 t are what the functions of 2 t are: by the rates, and by the start."""
     free = Part(
         witness={"e_1": "1", "e_2": "0", **ELAPSED.witness},
@@ -329,103 +329,103 @@ def _doubling(book: Book) -> None:
             "Y_next": "1 - 2*X**2*(e_1*(1 + e_2*X**4) - 4*e_2*X**2)/inside**2",
         },
     )
-    book.open(join("doubling", free))
+    builder.open(join("doubling", free))
     moved = {"D(X_next)": "2*Y_next", "D(Y_next)": "2*(-e_1*X_next + 2*e_2*X_next**3)"}
-    book.claim("doubling.rates", moved, ["DLMF 22.6.5"])
+    builder.claim("doubling.rates", moved, ["DLMF 22.6.5"])
     curve = {"Y_next**2": "1 - e_1*X_next**2 + e_2*X_next**4"}
-    book.claim("doubling.curve", curve, ["DLMF 22.6.5"])
+    builder.claim("doubling.curve", curve, ["DLMF 22.6.5"])
 
 
-def _turn(book: Book) -> None:
+def _turn(builder: LedgerBuilder) -> None:
     """The point moves by Euler's equations, its projection is a quotient, and so is psi's rate."""
-    book.open(join("turn", *STEP, QUOTIENT))
+    builder.open(join("turn", *STEP, QUOTIENT))
     others = {"a": "bd", "b": "da", "d": "ab"}
     euler = {f"D(n_{x})": f"h_{x}*n_{y}*n_{z}" for x, (y, z) in others.items()}
-    book.claim("turn.euler", euler, ["5", "10"])
-    book.claim("turn.point", {"n_a**2 + n_b**2 + n_d**2": "1"}, ["6", "15"])
+    builder.claim("turn.euler", euler, ["5", "10"])
+    builder.claim("turn.point", {"n_a**2 + n_b**2 + n_d**2": "1"}, ["6", "15"])
     projected = {"w_re*(1 + n_a)": "n_d", "w_im*(1 + n_a)": "n_b"}
-    book.claim("turn.projection", projected, ["27"])
-    _shared(book, "share", SHARE, "turn")
+    builder.claim("turn.projection", projected, ["27"])
+    _shared(builder, "share", SHARE, "turn")
     parts = join("parts", PARTS, EVEN, static=True)
-    book.open(parts)
-    book.claim("parts.psi", {"after": "turn_0 + J_rate - G_rate/2"}, ["33", "34", "36"])
-    book.claim("turn.parts", {x: parts.definitions[x] for x in ("J_rate", "G_rate")}, ["36"])
-    book.model("turn", "parts", ["turn.after", "turn.parts"])
-    book.carry("turn", ["parts.psi"])
+    builder.open(parts)
+    builder.claim("parts.psi", {"after": "turn_0 + J_rate - G_rate/2"}, ["33", "34", "36"])
+    builder.claim("turn.parts", {x: parts.definitions[x] for x in ("J_rate", "G_rate")}, ["36"])
+    builder.model("turn", "parts", ["turn.after", "turn.parts"])
+    builder.carry("turn", ["parts.psi"])
 
 
-def _shared(book: Book, name: str, share: Part, context: str) -> None:
+def _shared(builder: LedgerBuilder, name: str, share: Part, context: str) -> None:
     """Rates as shares: by the energy, and by what 1 + n_a at t and at -t are together."""
     times = {"after": "one*(even - odd)", "before": "other*(even + odd)"}
     shares = {"after": PARTS.definitions["after"], **BACK.definitions}
-    book.open(join(name, share, static=True))
+    builder.open(join(name, share, static=True))
     for rate in share.definitions:
-        book.claim(f"{name}.{rate}", {rate: shares[rate]}, ["36"])
-    book.claim(f"{context}.conserved", share.definitions, ["6"])
+        builder.claim(f"{name}.{rate}", {rate: shares[rate]}, ["36"])
+    builder.claim(f"{context}.conserved", share.definitions, ["6"])
     products = {times[rate]: "one_0**2*square" for rate in share.definitions}
-    book.claim(f"{context}.product", products, ["36"])
-    book.model(context, name, [f"{context}.conserved", f"{context}.product"])
-    book.carry(context, [f"{name}.{rate}" for rate in share.definitions])
+    builder.claim(f"{context}.product", products, ["36"])
+    builder.model(context, name, [f"{context}.conserved", f"{context}.product"])
+    builder.carry(context, [f"{name}.{rate}" for rate in share.definitions])
 
 
-def _halves(book: Book) -> None:
+def _halves(builder: LedgerBuilder) -> None:
     """Of a time from -t to t the second half turns as the first does, times the conjugate of G."""
-    book.open(join("halves", *STEP, BEFORE, HALVES))
-    _shared(book, "shares", part_of(join("shares", SHARE, EARLIER, static=True)), "halves")
-    book.open(join("difference", PARTS, BACK, static=True))
-    book.claim("difference.rates", {"after": "before - G_rate"}, ["33", "34", "36"])
-    book.claim("halves.odd", {"G_rate": PARTS.definitions["G_rate"]}, ["36"])
-    book.model("halves", "difference", [f"halves.{x}" for x in ("after", "before", "odd")])
-    book.carry("halves", ["difference.rates"])
-    book.open(join("second_half", TURNED, HALVES))
-    book.root("second_half.R", "R", "G_re**2 + G_im**2", ["36"])
+    builder.open(join("halves", *STEP, BEFORE, HALVES))
+    _shared(builder, "shares", part_of(join("shares", SHARE, EARLIER, static=True)), "halves")
+    builder.open(join("difference", PARTS, BACK, static=True))
+    builder.claim("difference.rates", {"after": "before - G_rate"}, ["33", "34", "36"])
+    builder.claim("halves.odd", {"G_rate": PARTS.definitions["G_rate"]}, ["36"])
+    builder.model("halves", "difference", [f"halves.{x}" for x in ("after", "before", "odd")])
+    builder.carry("halves", ["difference.rates"])
+    builder.open(join("second_half", TURNED, HALVES))
+    builder.root("second_half.R", "R", "G_re**2 + G_im**2", ["36"])
     later = {"D(V_re)": "-after*V_im", "D(V_im)": "after*V_re", "V_re**2 + V_im**2": "1"}
-    book.claim("second_half.turn", later, ["33", "34", "36"])
-    book.model("halves", "second_half", ["halves.rates"])
-    book.carry("halves", ["second_half.turn"])
+    builder.claim("second_half.turn", later, ["33", "34", "36"])
+    builder.model("halves", "second_half", ["halves.rates"])
+    builder.carry("halves", ["second_half.turn"])
 
 
-def _psi(book: Book) -> None:
+def _psi(builder: LedgerBuilder) -> None:
     """psi/2 is the angle of a product of three turns."""
-    book.open(join("thirds", THIRD, THIRDS))
-    book.root("thirds.R", "R", "G_re**2 + G_im**2", ["36"])
-    book.root("thirds.N", "N", "2*R*(R + G_re)", ["36"])
+    builder.open(join("thirds", THIRD, THIRDS))
+    builder.root("thirds.R", "R", "G_re**2 + G_im**2", ["36"])
+    builder.root("thirds.N", "N", "2*R*(R + G_re)", ["36"])
     turn = {
         "D(cos_half_psi)": "-psi_rate/2*sin_half_psi",
         "D(sin_half_psi)": "psi_rate/2*cos_half_psi",
         "cos_half_psi**2 + sin_half_psi**2": "1",
     }
-    book.claim("thirds.turn", turn, ["33", "34", "36"])
+    builder.claim("thirds.turn", turn, ["33", "34", "36"])
 
 
-def _body(book: Book) -> None:
+def _body(builder: LedgerBuilder) -> None:
     """The rates of a body move by Euler's equations, and psi as `attitude` has it."""
     signs = (HANDEDNESS, SENSE)
-    book.open(join("direction", *signs, DIRECTION, TURNING, static=True))
-    book.claim("direction.psi_rate_of_point", {"psi_rate": "K*i_a + 2*after"}, ["33", "34"])
+    builder.open(join("direction", *signs, DIRECTION, TURNING, static=True))
+    builder.claim("direction.psi_rate_of_point", {"psi_rate": "K*i_a + 2*after"}, ["33", "34"])
     parts = (*signs, STARTED, ELAPSED, START, FACTOR, MOVED, POINTED, TURNING, QUOTIENT)
-    book.open(join("step", *parts))
-    book.claim("step.euler", {f"D({x})": rate for x, rate in RATES.rates.items()}, ["5", "10"])
+    builder.open(join("step", *parts))
+    builder.claim("step.euler", {f"D({x})": rate for x, rate in RATES.rates.items()}, ["5", "10"])
     momenta = {f"M_{x}0": f"c_{x}*Omega_{x}0" for x in "abd"}
     for name, form in momenta.items():
-        book.claim(f"step.{name}", {name: form}, ["8"])
-    book.claim("step.momentum", {"M_a**2 + M_b**2 + M_d**2": "K**2"}, ["6", "15"])
-    book.claim("step.energy", {"H": "H_0"}, ["6"])
-    book.root("step.K", "K", "M_a0**2 + M_b0**2 + M_d0**2", ["6", "15"])
-    book.claim("step.turn_0", {"turn_0": "psi_0/2 - K*i_a/2"}, ["33", "34"])
-    book.model("step", "direction", ["step.momentum"])
-    book.carry("step", ["direction.psi_rate_of_point"])
-    book.model("step", "turn")
-    book.carry("step", ["turn.psi"])
-    _numbers(book)
+        builder.claim(f"step.{name}", {name: form}, ["8"])
+    builder.claim("step.momentum", {"M_a**2 + M_b**2 + M_d**2": "K**2"}, ["6", "15"])
+    builder.claim("step.energy", {"H": "H_0"}, ["6"])
+    builder.root("step.K", "K", "M_a0**2 + M_b0**2 + M_d0**2", ["6", "15"])
+    builder.claim("step.turn_0", {"turn_0": "psi_0/2 - K*i_a/2"}, ["33", "34"])
+    builder.model("step", "direction", ["step.momentum"])
+    builder.carry("step", ["direction.psi_rate_of_point"])
+    builder.model("step", "turn")
+    builder.carry("step", ["turn.psi"])
+    _numbers(builder)
 
 
-def _numbers(book: Book) -> None:
+def _numbers(builder: LedgerBuilder) -> None:
     """The same by moments and rates, all that decides regimes as sums of positives."""
-    book.claim("step.h", {"h": "(l_b*Omega_b0**2 + l_d*Omega_d0**2)/4"}, ["10"])
+    builder.claim("step.h", {"h": "(l_b*Omega_b0**2 + l_d*Omega_d0**2)/4"}, ["10"])
     first = {"e_1": "l_a*Omega_a0**2 + (l_b*Omega_b0**2 - l_d*Omega_d0**2)/2"}
-    book.claim("step.e_1", first, ["10"])
-    book.claim("step.room", {"room": "g**2 + l_d*Omega_d0**2*X**2"}, ["10"])
+    builder.claim("step.e_1", first, ["10"])
+    builder.claim("step.room", {"room": "g**2 + l_d*Omega_d0**2*X**2"}, ["10"])
     rates = {
         "Omega_a": "(Omega_a0*f*g + alpha_a*Omega_b0*Omega_d0*X*Y)/room",
         "Omega_b": "(Omega_b0*g*Y + alpha_b*Omega_d0*Omega_a0*f*X)/room",
@@ -436,6 +436,6 @@ def _numbers(book: Book) -> None:
         "zr_im": "-sigma*Omega_d0*(c_ad*Omega_a0 + epsilon*c_bd*Omega_b0*z_im)/(K + sigma*M_a0)",
     }
     for name, form in rates.items():
-        book.claim(f"step.{name}", {name: form}, ["5", "10"])
+        builder.claim(f"step.{name}", {name: form}, ["5", "10"])
     for name, form in projected.items():
-        book.claim(f"step.{name}", {name: form}, ["27"])
+        builder.claim(f"step.{name}", {name: form}, ["27"])

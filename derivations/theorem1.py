@@ -10,28 +10,28 @@ import sympy
 from derivations.conjugacy import PHI, Reduction, turns
 from derivations.lie_algebra import UNITS, Algebra, R, e
 from derivations.phi1_integral import AMPLITUDE, DN, SN, XI, ThirdKind
-from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps import Desk, coordinates, eliminate, rate_of, rewrite
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.steps import Scope, coordinates, eliminate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
 
 Y, TAU, ROOT = symbols("y tau root")
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(18); (19); (20), (21) and (36)."""
-    algebra, reduction = book.found(Algebra), book.found(Reduction)
+    algebra, reduction = builder.result(Algebra), builder.result(Reduction)
     matrices = {**reduction.matrices, **UNITS}
     parts = turns(algebra.setting)
-    desk = Desk.open(book, "theorem1", *parts, matrices=matrices, static=True)
+    scope = Scope.open(builder, "theorem1", *parts, matrices=matrices, static=True)
     why = "the three turns as a quaternion"
-    coordinates(desk, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
-    _outer_halves(desk, algebra)
-    _inner_half(book)
-    if ThirdKind in book:
-        _third_kind(book)
+    coordinates(scope, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
+    _outer_halves(scope, algebra)
+    _inner_half(builder)
+    if ThirdKind in builder:
+        _third_kind(builder)
 
 
-def _outer_halves(desk: Desk, algebra: Algebra) -> None:
+def _outer_halves(scope: Scope, algebra: Algebra) -> None:
     """cos^2 and sin^2 of half of phi2, by the cosine of the whole."""
     angle = algebra.setting.factor * PHI[1]
     cosine, sine, whole = sympy.cos(angle), sympy.sin(angle), sympy.cos(2 * angle)
@@ -39,10 +39,10 @@ def _outer_halves(desk: Desk, algebra: Algebra) -> None:
     for name, half in (("cosine", cosine), ("sine", sine)):
         why = f"its {name} by the cosine of the whole angle"
         squares = [cosine**2, sine**2]
-        eliminate(desk, f"theorem1.outer_{name}", half**2, double, squares, why, ["19"])
+        eliminate(scope, f"theorem1.outer_{name}", half**2, double, squares, why, ["19"])
 
 
-def _inner_half(book: Book) -> None:
+def _inner_half(builder: LedgerBuilder) -> None:
     """tan of half an angle from its tangent: two roots, and cos(phi3) tells which."""
     free = Part(
         witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
@@ -50,23 +50,23 @@ def _inner_half(book: Book) -> None:
         relations=("root**2 - y**2 - 1",),
         reading={"y": "tan(phi3)", "tau": "tan(phi3/2)", "root": "sqrt(1 + y**2) or less that"},
     )
-    desk = Desk.open(book, "half_tangent", free, static=True)
+    scope = Scope.open(builder, "half_tangent", free, static=True)
     quadratic = sympy.numer(sympy.together(2 * TAU / (1 - TAU**2) - Y))
     quadratic = sympy.expand(quadratic * (-1 if quadratic.coeff(TAU) < 0 else 1))
     found = [x.subs(sympy.sqrt(Y**2 + 1), ROOT) for x in sympy.solve(quadratic, TAU)]
     leading = sympy.Poly(quadratic, TAU).LC()
     product = sympy.Mul(leading, *(TAU - x for x in found), evaluate=False)
     why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
-    rewrite(desk, "half_tangent.roots", quadratic, product, why, ["19"], "roots")
+    rewrite(scope, "half_tangent.roots", quadratic, product, why, ["19"], "roots")
 
 
-def _third_kind(book: Book) -> None:
+def _third_kind(builder: LedgerBuilder) -> None:
     """(36): the integrand with the amplitude as variable."""
-    third = book.found(ThirdKind)
-    desk = Desk.open(book, "theorem1_amplitude", *third.parts, AMPLITUDE, Part(units=("dn",)))
+    third = builder.result(ThirdKind)
+    scope = Scope.open(builder, "theorem1_amplitude", *third.parts, AMPLITUDE, Part(units=("dn",)))
     slope, theta = third.rate, rate_of(symbol("theta"))
     constant = slope.as_independent(SN)[0]
     changed = constant + (slope - constant) / (XI * DN) * theta
     why = "with the amplitude theta as variable of the integral"
     rate = rate_of(symbol("phi1"))
-    rewrite(desk, "theorem1_amplitude.integrand", rate, changed, why, ["36"], "substitute")
+    rewrite(scope, "theorem1_amplitude.integrand", rate, changed, why, ["36"], "substitute")

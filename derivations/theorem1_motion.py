@@ -10,7 +10,7 @@ quaternion changes its sign and the motion does not.
 from dataclasses import replace
 
 from derivations.lemma1 import INERTIA, Lemma1
-from rigidsym.proof.algebra import Book, Part, join, part_of, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
 from rigidsym.proof.algebra.quaternion import kinematics
 
 # Both square roots may be imaginary: what they are is their reading, and no sign is assumed.
@@ -61,40 +61,40 @@ ANGLES = Part(
 SIDE = sign("side", "the sign of Omega3")
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """A rate by Lemma 1; the angles; the quaternion."""
-    lemma = book.found(Lemma1)
+    lemma = builder.result(Lemma1)
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
-    book.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, SINE))
-    book.claim("one_rate.Omega_i", {"Omega_i": "zeta*sn"}, ["10"])
+    builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, SINE))
+    builder.claim("one_rate.Omega_i", {"Omega_i": "zeta*sn"}, ["10"])
     quadratic = {"D(Omega_i)**2": "alpha*(root_j - Omega_i**2)*(root_k - Omega_i**2)"}
-    book.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
+    builder.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
 
-    book.open(join("theorem1_motion", _without_matrices(book), SIDE, ANGLES))
+    builder.open(join("theorem1_motion", _without_matrices(builder), SIDE, ANGLES))
     below = {"sin_phi2**2": "1 - n*sn**2"}
-    book.claim("theorem1_motion.third_kind", below, ["27", "34"])
-    book.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
-    _halves(book)
+    builder.claim("theorem1_motion.third_kind", below, ["27", "34"])
+    builder.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
+    _halves(builder)
     names = "qbar_0 qbar_1 qbar_2 qbar_3", "Omega1 Omega2 Omega3"
     unit = {" + ".join(f"{q}**2" for q in names[0].split()): "1"}
     solves = {**unit, **kinematics(*names)}
-    book.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"])
+    builder.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"])
 
 
-def _without_matrices(book: Book) -> Part:
+def _without_matrices(builder: LedgerBuilder) -> Part:
     """The motion by its three angles, no entries of the matrices that it was found by."""
-    motion = part_of(book.ledger.contexts["three_angle_motion"])
+    motion = part_of(builder.ledger.contexts["three_angle_motion"])
     entries = ("_re", "_im")
     kept = {name: x for name, x in motion.definitions.items() if not name.endswith(entries)}
     return replace(motion, definitions=kept)
 
 
-def _halves(book: Book) -> None:
+def _halves(builder: LedgerBuilder) -> None:
     """F1 to F4 by x and y."""
-    book.root("theorem1_motion.K", "K", "M1**2 + M2**2 + M3**2", ["6", "15"])
-    book.root("theorem1_motion.F1", "F1", "(1 + x)/2", ["19"])
-    book.root("theorem1_motion.F2", "F2", "(1 - x)/2", ["19"])
-    book.root("theorem1_motion.root_y", "root_y", "1 + y**2", ["19"])
-    book.root("theorem1_motion.root_star", "root_star", "1 + y_star**2", ["19", "Remark 2"])
+    builder.root("theorem1_motion.K", "K", "M1**2 + M2**2 + M3**2", ["6", "15"])
+    builder.root("theorem1_motion.F1", "F1", "(1 + x)/2", ["19"])
+    builder.root("theorem1_motion.F2", "F2", "(1 - x)/2", ["19"])
+    builder.root("theorem1_motion.root_y", "root_y", "1 + y**2", ["19"])
+    builder.root("theorem1_motion.root_star", "root_star", "1 + y_star**2", ["19", "Remark 2"])
     for name, form in (("F3", "1/root_star"), ("F4", "y_star/root_star")):
-        book.claim(f"theorem1_motion.{name}", {name: form}, ["19", "Remark 2"])
+        builder.claim(f"theorem1_motion.{name}", {name: form}, ["19", "Remark 2"])

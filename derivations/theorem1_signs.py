@@ -11,8 +11,8 @@ from sympy.matrices.expressions.adjoint import Adjoint
 
 from derivations.conjugacy import MOMENTUM
 from derivations.lie_algebra import A, Algebra, M, R, combination, from_quaternion
-from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, sign
-from rigidsym.proof.steps import Desk, matrix
+from rigidsym.proof.algebra import LedgerBuilder, Part, equal, half_angle, join, sign
+from rigidsym.proof.steps import Scope, matrix
 from rigidsym.proof.steps.names import symbol
 
 ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
@@ -66,20 +66,20 @@ FACTORS = (
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """(19) on both sides of Omega3 = 0 and its signs; Remarks 2 and 3."""
-    _inner_halves(book)
-    _signs(book)
-    _crossing(book)
-    _pull_back(book)
+    _inner_halves(builder)
+    _signs(builder)
+    _crossing(builder)
+    _pull_back(builder)
 
 
-def _inner_halves(book: Book) -> None:
+def _inner_halves(builder: LedgerBuilder) -> None:
     """y* = tan(phi3/2) where c3 Omega3 > 0, and -cot(phi3/2) where it is negative."""
-    book.open(join("half_angle_step", TANGENT, Part(units=("cos_half",)), static=True))
+    builder.open(join("half_angle_step", TANGENT, Part(units=("cos_half",)), static=True))
     tangent = {"y_star*cos_half": "sin_half"}
     mended = "y/(1 + side/rho)"
-    book.claim(
+    builder.claim(
         "half_angle_step.mended",
         {
             f"{mended}*cos_half": "sin_half",
@@ -88,16 +88,16 @@ def _inner_halves(book: Book) -> None:
         },
         ["19", "Remark 2"],
     )
-    book.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
+    builder.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
     half_turn = Part({"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
-    book.open(join("half_turn", TANGENT, half_turn, static=True))
-    book.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
+    builder.open(join("half_turn", TANGENT, half_turn, static=True))
+    builder.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
     right = Part(
         relations=("side - 1",), witness={"cos_half": "4/5", "sin_half": "3/5", "side": "1"}
     )
-    book.open(join("half_angle_right", TANGENT, right, static=True))
-    book.claim("half_angle_right.tangent", tangent, ["19"])
-    book.claim(
+    builder.open(join("half_angle_right", TANGENT, right, static=True))
+    builder.claim("half_angle_right.tangent", tangent, ["19"])
+    builder.claim(
         "half_angle_right.squares",
         {
             "cos_half**2*(1 + y_star**2)": "1",
@@ -106,9 +106,9 @@ def _inner_halves(book: Book) -> None:
         ["19"],
     )
     left = Part(relations=("side + 1",))
-    book.open(join("half_angle_left", TANGENT, left, static=True))
-    book.claim("half_angle_left.cotangent", {"y_star*sin_half": "-cos_half"}, ["19"])
-    book.claim(
+    builder.open(join("half_angle_left", TANGENT, left, static=True))
+    builder.claim("half_angle_left.cotangent", {"y_star*sin_half": "-cos_half"}, ["19"])
+    builder.claim(
         "half_angle_left.squares",
         {
             "sin_half**2*(1 + y_star**2)": "1",
@@ -118,36 +118,36 @@ def _inner_halves(book: Book) -> None:
     )
 
 
-def _signs(book: Book) -> None:
+def _signs(builder: LedgerBuilder) -> None:
     """(18) with (19) has the momentum M where S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
     matrices = {
-        **book.found(Algebra).basis,
+        **builder.result(Algebra).basis,
         "R": from_quaternion("q"),
         "M": combination("M1 M2 M3"),
     }
     found = symbol("K") * (R.I * A[0] * R)
-    desk = Desk.open(book, "signed", *FACTORS, matrices=matrices, static=True)
+    scope = Scope.open(builder, "signed", *FACTORS, matrices=matrices, static=True)
     # A reflected frame would have the determinant -1.
-    size = desk.determinant(R)[0]
-    book.claim("signed.frame", {size: "1"}, ["footnote 3"])
+    size = scope.determinant(R)[0]
+    builder.claim("signed.frame", {size: "1"}, ["footnote 3"])
 
     matched = Part(relations=("S2 - side*S1", "S4 - S3"))
-    desk = Desk.open(book, "matched_signs", *FACTORS, matched, matrices=matrices, static=True)
+    scope = Scope.open(builder, "matched_signs", *FACTORS, matched, matrices=matrices, static=True)
     source = ["19", "24", "Remark 2"]
-    book.claim("matched_signs.momentum", desk.entrywise(found, M), source)
-    book.claim(
+    builder.claim("matched_signs.momentum", scope.entrywise(found, M), source)
+    builder.claim(
         "matched_signs.side", {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, ["19", "Remark 2", "footnote 3"]
     )
 
 
-def _crossing(book: Book) -> None:
+def _crossing(builder: LedgerBuilder) -> None:
     """Where Omega3 passes zero y* jumps from 1 to -1: with S2 turned, phi1 has to jump by pi."""
     jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
-    book.open(join("crossing", *ANGLES[:2], jump, static=True))
+    builder.open(join("crossing", *ANGLES[:2], jump, static=True))
     c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
     before = _by_18(c, s, F1, F2, "h", "h")
     turned = _by_18(f"(-{s})", c, F1, f"-{F2}", "h", "(-h)")
-    book.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
+    builder.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
@@ -160,7 +160,7 @@ def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...
     )
 
 
-def _pull_back(book: Book) -> None:
+def _pull_back(builder: LedgerBuilder) -> None:
     """(37): at t = 0 it is R_int, so R_int is R(0); with R_int = e only motions from e are left."""
     three = {"p": "R_int", "r": "Rbar(0)"}
     quaternions = [
@@ -172,7 +172,7 @@ def _pull_back(book: Book) -> None:
         for x, name in three.items()
     ]
     matrices = {"R_int": from_quaternion("p"), "Rbar": from_quaternion("r")}
-    desk = Desk.open(book, "pulled_back", *quaternions, matrices=matrices, static=True)
+    scope = Scope.open(builder, "pulled_back", *quaternions, matrices=matrices, static=True)
     R_int, Rbar = map(matrix, matrices)
     start = MatMul(R_int, Adjoint(Rbar), Rbar)
-    book.claim("pulled_back.start", desk.entrywise(start, R_int), ["37", "Remark 3"])
+    builder.claim("pulled_back.start", scope.entrywise(start, R_int), ["37", "Remark 3"])

@@ -16,7 +16,7 @@ from dataclasses import replace
 from derivations.attitude import MOMENTUM
 from derivations.descended_form import MOTION
 from derivations.theta_form import CLASSICAL, COMPONENTS, FORM, NORM, PHASE, TURNING
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 # What elementary values have to satisfy is shown, not assumed.
 SHOWN = (
@@ -69,23 +69,23 @@ SYMMETRIC = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """Both edges solve (3)."""
     divisors = Part(units=("c", "root"))
     parts = given((*FORM, CLASSICAL), SEPARATRIX.definitions, SHOWN)
-    book.open(join("separatrix_form", divisors, *parts, SEPARATRIX))
+    builder.open(join("separatrix_form", divisors, *parts, SEPARATRIX))
     for name, form in HYPERBOLIC.items():
-        book.claim(f"separatrix_form.{name}", {name: form}, ["18"])
-    book.model("separatrix_form", "theta_form")
-    book.carry("separatrix_form", [f"theta_form.{name}" for name in ("solution", *COMPONENTS)])
+        builder.claim(f"separatrix_form.{name}", {name: form}, ["18"])
+    builder.model("separatrix_form", "theta_form")
+    builder.carry("separatrix_form", [f"theta_form.{name}" for name in ("solution", *COMPONENTS)])
     parts = given((*MOTION, TURNING, PHASE), SYMMETRIC.definitions, SHOWN)
-    book.open(join("symmetric_form", *parts, SYMMETRIC))
+    builder.open(join("symmetric_form", *parts, SYMMETRIC))
     for name, form in COMPONENTS.items():
-        book.claim(f"symmetric_form.{name}", {name: form}, ["18", "25"])
-    book.root("symmetric_form.N_of_W", "N", "W", ["1"])
-    book.model("symmetric_form", "descended")
+        builder.claim(f"symmetric_form.{name}", {name: form}, ["18", "25"])
+    builder.root("symmetric_form.N_of_W", "N", "W", ["1"])
+    builder.model("symmetric_form", "descended")
     carried = ("solution", *(f"{name}_of_attitude" for name in MOMENTUM))
-    book.carry("symmetric_form", [f"descended.{name}" for name in carried])
+    builder.carry("symmetric_form", [f"descended.{name}" for name in carried])
 
 
 def given(parts: Iterable[Part], values: Iterable[str], shown: Iterable[str]) -> list[Part]:

@@ -22,7 +22,7 @@ from sympy import I, expand, symbols
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.printing import printed
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
@@ -129,45 +129,45 @@ COMPONENTS = {
 FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """The form solves (3), whatever functions have these rates."""
-    book.open(join("theta_form", *FORM, CLASSICAL))
-    _shift(book)
-    _form(book)
-    _truncation(book)
+    builder.open(join("theta_form", *FORM, CLASSICAL))
+    _shift(builder)
+    _form(builder)
+    _truncation(builder)
 
 
-def _shift(book: Book) -> None:
+def _shift(builder: LedgerBuilder) -> None:
     """i beta is where dn of (u | m) is K/B_a; it lies below K'/2, where sc is 1/sqrt(k_1)."""
     shift = {"y**2": "1 + x**2", "z**2": "1 + k_1**2*x**2", "n": "-(k_1*x)**2"}
-    book.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
+    builder.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
     dn = {"B_a*(1 + k_1*x**2)": "K*(1 - k_1*x**2)"}
-    book.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
-    book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
-    book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
-    book.root("theta_form.root_k", "root_k", "k_1", ["27"])
-    book.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
-    book.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
-    book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
-    book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
+    builder.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
+    builder.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
+    builder.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
+    builder.root("theta_form.root_k", "root_k", "k_1", ["27"])
+    builder.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
+    builder.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
+    builder.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
+    builder.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
     beta = {
         "s_beta": "x*c_beta",
         "s_beta**2 + c_beta**2": "1",
         "d_beta**2": "1 - (1 - k_1**2)*s_beta**2",
     }
-    book.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
+    builder.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
 
 
-def _form(book: Book) -> None:
+def _form(builder: LedgerBuilder) -> None:
     """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
-    book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
-    book.model("theta_form", "descended")
-    book.carry("theta_form", ["descended.solution"])
-    book.carry("theta_form", [f"descended.{name}_of_attitude" for name in MOMENTUM])
-    _assemble(book)
+    builder.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
+    builder.model("theta_form", "descended")
+    builder.carry("theta_form", ["descended.solution"])
+    builder.carry("theta_form", [f"descended.{name}_of_attitude" for name in MOMENTUM])
+    _assemble(builder)
 
 
-def _assemble(book: Book) -> None:
+def _assemble(builder: LedgerBuilder) -> None:
     """The components as thetas, given the quotient alone: what T4 and SN are does not matter."""
     given = Part(
         witness={"s_0": "1", "root_k": "1", "SN_re": "0", "SN_im": "0"},
@@ -184,16 +184,16 @@ def _assemble(book: Book) -> None:
     )
     values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
     signs = (HANDEDNESS, SENSE, HALF)
-    book.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
-    book.root("quotient.N", "N", "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2", ["1"])
-    book.root("quotient.N_of_W", "N", "W", ["1"])
+    builder.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
+    builder.root("quotient.N", "N", "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2", ["1"])
+    builder.root("quotient.N_of_W", "N", "W", ["1"])
     for name, form in COMPONENTS.items():
-        book.claim(f"quotient.{name}", {name: form}, ["18", "25"])
-    book.model("theta_form", "quotient")
-    book.carry("theta_form", [f"quotient.{name}" for name in ("N", "N_of_W", *COMPONENTS)])
+        builder.claim(f"quotient.{name}", {name: form}, ["18", "25"])
+    builder.model("theta_form", "quotient")
+    builder.carry("theta_form", [f"quotient.{name}" for name in ("N", "N_of_W", *COMPONENTS)])
 
 
-def _truncation(book: Book) -> None:
+def _truncation(builder: LedgerBuilder) -> None:
     """What is left out of a theta series is at most 2 t/(1 - r): the step of the induction.
 
     The terms q^(2 n^2) e^(2 i n z), n whole for theta_4 and half odd for theta_1, are bounded by t,
@@ -210,7 +210,7 @@ def _truncation(book: Book) -> None:
             "p": "q**4",
         },
     )
-    book.open(join("theta_tail", tail, static=True))
+    builder.open(join("theta_tail", tail, static=True))
     rest, next_rest = "2*t/(1 - r)", "2*t*r/(1 - p*r)"
     surplus = "2*t*r**2*(1 - p)/((1 - r)*((1 - r) + r*(1 - p)))"
-    book.sign("theta_tail.bound", {f"{rest} - 2*t - {next_rest}": surplus}, ["DLMF 20.2.4"])
+    builder.sign("theta_tail.bound", {f"{rest} - 2*t - {next_rest}": surplus}, ["DLMF 20.2.4"])

@@ -27,7 +27,7 @@ from derivations.theta_laws import (
     Family,
     prove,
 )
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 BODY = {
     "K": "K_factor*(b_n**2 + b_s**2)",
@@ -111,20 +111,20 @@ NORMS = {
 }
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """In the nome of m, squared, and in the complementary nome."""
     for context, norm in NORMS.items():
-        _motion(book, context, norm)
-        prove(book, context, norm.family)
+        _motion(builder, context, norm)
+        prove(builder, context, norm.family)
         squares = "N_re**2 + N_im**2 + S_re**2 + S_im**2"
-        book.theta(f"{context}.norm", {"W": squares}, norm.identity(), norm.arguments)
+        builder.theta(f"{context}.norm", {"W": squares}, norm.identity(), norm.arguments)
         premises = (*LAWS, "norm")
-        book.model(context, "theta_form", [f"{context}.{name}" for name in premises])
+        builder.model(context, "theta_form", [f"{context}.{name}" for name in premises])
         carried = ("solution", "N_of_W", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
-        book.carry(context, [f"theta_form.{name}" for name in carried])
+        builder.carry(context, [f"theta_form.{name}" for name in carried])
 
 
-def _motion(book: Book, context: str, norm: Norm) -> None:
+def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
     """The theta form's context, where functions are declared and the rest is made of them."""
     nome = norm.family.nome.partition("*")[0]
     values = {*JACOBI, *BODY, *SHIFTED_TIME}
@@ -142,4 +142,4 @@ def _motion(book: Book, context: str, norm: Norm) -> None:
     )
     reading = READING if norm.family is HYPERBOLIC else Part()
     parts = (replace(part, units=()) for part in given((*FORM, CLASSICAL), values, SHOWN))
-    book.open(join(context, functions, *parts, made, reading))
+    builder.open(join(context, functions, *parts, made, reading))

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 
 from sympy import Expr, Matrix, Rational, Symbol, symbols
 
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 
 ARGUMENTS = symbols("a b c d")
 _SIGNS = Matrix([[1, 1, 1, 1], [1, 1, -1, -1], [1, -1, 1, -1], [1, -1, -1, 1]])
@@ -156,7 +156,7 @@ JACOBI = {
 }
 
 
-def prove(book: Book, context: str, family: Family) -> None:
+def prove(builder: LedgerBuilder, context: str, family: Family) -> None:
     """The laws, in a context that declares the functions of a family."""
     a, _, c, d = ARGUMENTS
     v, b = family.v, family.b
@@ -178,4 +178,4 @@ def prove(book: Book, context: str, family: Family) -> None:
         "dn_slope": (relation("dndn", c, d), at_v),
     }
     for name, (identity, forms) in proofs.items():
-        book.theta(f"{context}.{name}", LAWS[name], identity, forms)
+        builder.theta(f"{context}.{name}", LAWS[name], identity, forms)

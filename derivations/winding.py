@@ -9,8 +9,8 @@ half turns add is known for all theta, at theta + pi it is what k + 1 of them ad
 
 import sympy
 
-from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps import Desk, differentiate, nonnegative
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.steps import Scope, differentiate, nonnegative
 from rigidsym.proof.steps.names import symbols
 
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + pi.
@@ -43,16 +43,16 @@ INTEGRAL = Part(
 )
 
 
-def derive(book: Book) -> None:
+def derive(builder: LedgerBuilder) -> None:
     """What the rule leaves out does not change with theta; its denominator is never negative."""
-    desk = Desk.open(book, "windings", TURNING, INTEGRAL)
+    scope = Scope.open(builder, "windings", TURNING, INTEGRAL)
     later, Pi, complete, n, theta = symbols("Pi_later Pi Pi_c n theta")
     why = "what half turns add grows no further"
     rest = later - 2 * complete - Pi
-    differentiate(desk, "windings.slope", rest, why, ["19", "20", "21"])
+    differentiate(scope, "windings.slope", rest, why, ["19", "20", "21"])
     sine, cosine = sympy.sin(theta), sympy.cos(theta)
     path = 1 - n * sine**2
     form = sympy.collect(sympy.expand(path - 1 + cosine**2 + sine**2), sine**2)
-    nonnegative(desk, "windings.path", path, form, "the integral meets no pole", ["19"])
+    nonnegative(scope, "windings.path", path, form, "the integral meets no pole", ["19"])
     rule = {"Pi_later": "2*Pi_c + Pi", "2*k*Pi_c + Pi_later": "2*(k + 1)*Pi_c + Pi"}
-    book.start("windings.rule", rule, ["19", "20", "21"])
+    builder.start("windings.rule", rule, ["19", "20", "21"])

@@ -10,7 +10,7 @@ from typing import Any
 
 from rigidsym.language.expression import Call, Number, Operation, parse, to_text
 from rigidsym.language.specification import theorems
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger
 from rigidsym.proof.kernel.ledger import _frozen
 
@@ -64,21 +64,23 @@ class Attacker:
     def redefine(self, name: str, text: str, changed: str) -> Any:
         """The ledger where a name is defined as something else, wherever it was defined so."""
         hit = {c.name for c in self._ledger.contexts.values() if c.definitions.get(name) == text}
-        book = Book()
-        book.ledger = Ledger(lambda *_: True)
+        builder = LedgerBuilder()
+        builder.ledger = Ledger(lambda *_: True)
         for context in self._ledger.contexts.values():
-            self._open(book.ledger, context, {name: changed} if context.name in hit else {})
+            self._open(builder.ledger, context, {name: changed} if context.name in hit else {})
         unlike: set[str] = set()
         for fact in self._ledger.facts.values():
             restated = _restated(fact, name, text, changed)
             touched = {fact.context, *fact.rhs} if fact.kind == "model" else {fact.context}
             if restated == fact and not touched & hit and not {*fact.premises} & unlike:
-                book.ledger.facts[fact.id] = fact
+                builder.ledger.facts[fact.id] = fact
                 continue
             unlike.add(fact.id)
-            _redo(book, restated)
-        data = json.loads(book.ledger.to_text())
-        published = {group: self._sequences(book.ledger, group) for group in ("sequences", "forms")}
+            _redo(builder, restated)
+        data = json.loads(builder.ledger.to_text())
+        published = {
+            group: self._sequences(builder.ledger, group) for group in ("sequences", "forms")
+        }
         return {**self._data, **data, "published": {**self._data["published"], **published}}
 
     def _open(self, ledger: Ledger, context: Context, changed: dict[str, str]) -> None:
@@ -119,14 +121,17 @@ def _restated(fact: Fact, name: str, text: str, changed: str) -> Fact:
     return replace(fact, rhs=tuple(changed if p == (name, text) else p[1] for p in pairs))
 
 
-def _redo(book: Book, fact: Fact) -> None:
+def _redo(builder: LedgerBuilder, fact: Fact) -> None:
     """Prove a fact again, if it still follows."""
-    if fact.context not in book.ledger.contexts or {*fact.premises} - book.ledger.facts.keys():
+    if (
+        fact.context not in builder.ledger.contexts
+        or {*fact.premises} - builder.ledger.facts.keys()
+    ):
         return
     try:
         if fact.rule == "identity":
-            book.decide(fact)
+            builder.decide(fact)
         else:
-            book.ledger.add(fact)
+            builder.ledger.add(fact)
     except (KernelError, ZeroDivisionError, KeyError):
         return

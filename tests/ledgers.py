@@ -4,15 +4,15 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import Context, Fact, Ledger
 
 
 def prove(ledger: Ledger, fact: Fact) -> Fact:
-    """Admit an identity with the cofactors of its normal form, as a book does."""
-    book = Book()
-    book.ledger = ledger
-    return book.decide(fact)
+    """Admit an identity with the cofactors of its normal form, as a builder does."""
+    builder = LedgerBuilder()
+    builder.ledger = ledger
+    return builder.decide(fact)
 
 
 def written(data: Any) -> str:

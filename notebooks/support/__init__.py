@@ -1,6 +1,6 @@
 """What notebooks alone need: books and ledgers to read from, and ways to show what is in them.
 
-Nothing is derived here.  Steps come from a book, whether the cells of a notebook or chapters of
+Nothing is derived here.  Steps come from a builder, whether the cells of a notebook or chapters of
 `derivations` wrote it; statements from its ledger, or from the sealed one, replayed.
 """
 
@@ -14,7 +14,7 @@ from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.io.ledger import ledger_text
 from rigidsym.language.latex import latex, symbol
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
@@ -24,31 +24,31 @@ from rigidsym.view.article import line_html
 from rigidsym.view.article.mathematics import latex as in_letters
 
 
-def begun(setting: Setting, *chapters: str) -> Book:
-    """A book with this setting, and in it forward chapters up to the last of these."""
-    book = Book()
-    book.keep(setting)
+def begun(setting: Setting, *chapters: str) -> LedgerBuilder:
+    """A builder with this setting, and in it forward chapters up to the last of these."""
+    builder = LedgerBuilder()
+    builder.keep(setting)
     for name in FORWARD[: max(map(FORWARD.index, chapters), default=-1) + 1]:
-        import_module(f"derivations.{name}").derive(book)
-    return book
+        import_module(f"derivations.{name}").derive(builder)
+    return builder
 
 
 def derived(*chapters: str) -> Ledger:
     """Run chapters of `derivations`, and those before the last of them, in a new ledger."""
-    book = begun(Setting())
+    builder = begun(Setting())
     for name in CHAPTERS[: max(map(CHAPTERS.index, chapters)) + 1]:
-        import_module(f"derivations.{name}").derive(book)
-    return book.ledger
+        import_module(f"derivations.{name}").derive(builder)
+    return builder.ledger
 
 
-def step(book: Book, fact: str) -> Step:
-    """The step of a book that found a fact; KeyError where none did."""
-    return {step.fact.id: step for step in book.steps}[fact]
+def step(builder: LedgerBuilder, fact: str) -> Step:
+    """The step of a builder that found a fact; KeyError where none did."""
+    return {step.fact.id: step for step in builder.steps}[fact]
 
 
-def lines(book: Book, *numbers: str) -> HTML:
-    """The steps of a book that are about equations of the paper, under each other."""
-    found = (step for step in book.steps if {*step.source} & {*numbers})
+def lines(builder: LedgerBuilder, *numbers: str) -> HTML:
+    """The steps of a builder that are about equations of the paper, under each other."""
+    found = (step for step in builder.steps if {*step.source} & {*numbers})
     return HTML("\n".join(map(line_html, found)))
 
 

@@ -64,11 +64,11 @@ from derivations.lie_algebra import (
 )
 from derivations.setting import Setting
 from rigidsym.io.cases import paper_case
-from rigidsym.proof.algebra import Book, Part, circle
+from rigidsym.proof.algebra import LedgerBuilder, Part, circle
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     StepError,
     coordinates,
     determinant,
@@ -96,11 +96,11 @@ from support.figures import curve, label, momentum_sphere
 # %%
 setting = Setting()
 
-book = Book()
-book.keep(setting)
+builder = LedgerBuilder()
+builder.keep(setting)
 
 # %% [markdown]
-# The *book* takes down every step, and the facts of the kernel.
+# The *builder* takes down every step, and the facts of the kernel.
 #
 # ## A basis whose bracket is the cross product
 #
@@ -115,7 +115,7 @@ for name, value in basis.items():
     display(equation(matrix(name), value))
 
 # %% [markdown]
-# One works at a *desk*: a context with names of numbers (here the components of two quaternions and of
+# One works at a *scope*: a context with names of numbers (here the components of two quaternions and of
 # a velocity), and of matrices made from them. $P$ and $Q$ are quaternions, $e_0,\dots,e_3$ are
 # $1,\mathrm i,\mathrm j,\mathrm k$. The first step asks for the coordinates of each bracket.
 
@@ -127,7 +127,7 @@ matrices = {
     **basis,
     "Omega": combination("Omega1 Omega2 Omega3"),
 }
-desk = Desk.open(book, "quaternions", PAIR, matrices=matrices, static=True)
+scope = Scope.open(builder, "quaternions", PAIR, matrices=matrices, static=True)
 
 constants = [[(sympy.S.Zero,) * 3 for _ in A] for _ in A]
 for i, j in ((0, 1), (1, 2), (0, 2)):
@@ -135,7 +135,7 @@ for i, j in ((0, 1), (1, 2), (0, 2)):
         f"quaternions.bracket_{i + 1}{j + 1}",
         f"the bracket of A{i + 1} and A{j + 1}, read off",
     )
-    step = coordinates(desk, fact, commutator(A[i], A[j]), A, why, ["4"])
+    step = coordinates(scope, fact, commutator(A[i], A[j]), A, why, ["4"])
     constants[i][j], constants[j][i] = step.value, tuple(-x for x in step.value)
     display(step)
 
@@ -145,9 +145,9 @@ for i, j in ((0, 1), (1, 2), (0, 2)):
 
 # %%
 why = "R' = R Omega in the components of a quaternion"
-kinematics = coordinates(desk, "quaternions.kinematics", matrix("Q") * Omega, e, why, ["3"])
+kinematics = coordinates(scope, "quaternions.kinematics", matrix("Q") * Omega, e, why, ["3"])
 algebra = Algebra(setting, constants, kinematics.value)
-book.keep(algebra)
+builder.keep(algebra)
 kinematics
 
 # %% [markdown]
@@ -166,13 +166,13 @@ kinematics
 given, lagrangian = parameters(setting), setting.energy()
 display(equation("L", lagrangian))
 why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
-varied = vary(book, "variation", lagrangian, constants, given, why, ["5", "7"])
+varied = vary(builder, "variation", lagrangian, constants, given, why, ["5", "7"])
 varied.step
 
 # %%
 unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
 why = "Euler's equations: solve for the rates of the rates"
-euler = solve(varied.desk, "variation.euler", varied.equations, unknown, why, ["5"])
+euler = solve(varied.scope, "variation.euler", varied.equations, unknown, why, ["5"])
 euler
 
 # %% [markdown]
@@ -183,9 +183,9 @@ euler
 # %%
 momenta = Part(witness=dict.fromkeys(map(str, MOMENTA), "1"))
 named = {**basis, "M": combination("M1 M2 M3")}
-desk = Desk.open(book, "spectrum", momenta, matrices=named, static=True)
+scope = Scope.open(builder, "spectrum", momenta, matrices=named, static=True)
 why = "the spectrum of M, whose trace is zero, is in its determinant"
-spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
+spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
 spectrum
 
 # %% [markdown]
@@ -209,7 +209,7 @@ body = Part(
 )
 gaps = [name - value for name, value in zip(MOMENTA, varied.momenta, strict=True)]
 velocities = sympy.solve(gaps, RATES)
-book.keep(Dynamics(given, body, varied.momenta, velocities))
+builder.keep(Dynamics(given, body, varied.momenta, velocities))
 display(equation("H", energy), equation("K^2", square))
 
 # %% [markdown]
@@ -220,11 +220,11 @@ display(equation("H", energy), equation("K^2", square))
 
 # %%
 pair = {**named, "Omega": combination("Omega1 Omega2 Omega3")}
-desk = Desk.open(book, "body", given, body, matrices=pair)
+scope = Scope.open(builder, "body", given, body, matrices=pair)
 why = "the bracket of M with the velocity"
-bracket = coordinates(desk, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
+bracket = coordinates(scope, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
 why = "M and Omega are a Lax pair"
-lax = multiply(desk, "body.lax", Rate(M), commutator(M, Omega), why, ["7"])
+lax = multiply(scope, "body.lax", Rate(M), commutator(M, Omega), why, ["7"])
 display(bracket, lax)
 
 # %% [markdown]
@@ -233,9 +233,9 @@ display(bracket, lax)
 # conservation of $K$. Energy is conserved as well, for another reason.
 
 # %%
-display(differentiate(desk, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
+display(differentiate(scope, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
 why = "and so is the spectrum of M"
-display(differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
+display(differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
 
 # %% [markdown]
 # Did one have to know the partner $\Omega$? No. Suppose any matrix $B=\sum b_kA_k$, ask for
@@ -245,13 +245,13 @@ display(differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7"
 unknown = symbols("b1 b2 b3")
 ansatz = Part(witness={**dict.fromkeys(map(str, unknown), "1"), "b_free": "1"})
 B, partner = matrix("B"), {**pair, "B": combination("b1 b2 b3")}
-desk = Desk.open(book, "partner", given, body, ansatz, matrices=partner)
+scope = Scope.open(builder, "partner", given, body, ansatz, matrices=partner)
 why = "which matrices B have M' = [M, B]?"
-wanted = coordinates(desk, "partner.bracket", commutator(M, B), A, why, ["7"])
+wanted = coordinates(scope, "partner.bracket", commutator(M, B), A, why, ["7"])
 equations = list(zip(wanted.value, bracket.value, strict=True))
 why = "Omega, up to a multiple of M"
 free = symbol("b_free")
-display(wanted, solve_family(desk, "partner.found", equations, unknown, free, why, ["7"]))
+display(wanted, solve_family(scope, "partner.found", equations, unknown, free, why, ["7"]))
 
 # %% [markdown]
 # ## As seen from space, the momentum stands still
@@ -265,12 +265,12 @@ display(wanted, solve_family(desk, "partner.found", equations, unknown, free, wh
 
 # %%
 parts = (given, body, UNIT_QUATERNION, algebra.attitude)
-desk = Desk.open(book, "moving_body", *parts, matrices={**pair, "R": from_quaternion("q")})
+scope = Scope.open(builder, "moving_body", *parts, matrices={**pair, "R": from_quaternion("q")})
 why = "the attitude turns with the body"
-display(multiply(desk, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"]))
+display(multiply(scope, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"]))
 nothing, why = sympy.ZeroMatrix(2, 2), "the momentum in space is constant"
 fact = "moving_body.momentum_is_constant"
-display(multiply(desk, fact, Rate(R * M * R.I), nothing, why, ["9", "22"]))
+display(multiply(scope, fact, Rate(R * M * R.I), nothing, why, ["9", "22"]))
 
 # %% [markdown]
 # The paper calls the constant $M(0)$. It is $R(0)M(0)R(0)^{-1}$; that is the same only when $R(0)$ and
@@ -298,13 +298,15 @@ printed("9", "22")
 # %%
 factors, axis = rotation(setting), A[setting.target - 1]
 outer, parts = A[setting.sequence[0] - 1], turns(setting)
-desk = Desk.open(book, "three_angles", MOMENTUM, TURNING, *parts, matrices={**basis, **factors})
+scope = Scope.open(
+    builder, "three_angles", MOMENTUM, TURNING, *parts, matrices={**basis, **factors}
+)
 display(equation("R", factors["R"]))
 E1, why = matrix("E1"), "a turn about a fixed axis"
 turning = symbol("phi1_rate") * outer * E1
-display(multiply(desk, "three_angles.exponential", Rate(E1), turning, why, ["25"]))
+display(multiply(scope, "three_angles.exponential", Rate(E1), turning, why, ["25"]))
 one, why = sympy.Identity(2), "R is unitary"
-display(multiply(desk, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"]))
+display(multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"]))
 
 # %% [markdown]
 # In space the first factor is a turn about the momentum itself. It commutes with $A_1$, and therefore
@@ -313,9 +315,9 @@ display(multiply(desk, "three_angles.inverse", R * R.adjoint(), one, why, ["1", 
 
 # %%
 why = "the first turn leaves its own axis where it is"
-display(multiply(desk, "three_angles.stabiliser", E1 * outer * E1.I, outer, why, ["25"]))
+display(multiply(scope, "three_angles.stabiliser", E1 * outer * E1.I, outer, why, ["25"]))
 why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
-seen = coordinates(desk, "three_angles.momentum", R.I * axis * R, A, why, ["24", "26"])
+seen = coordinates(scope, "three_angles.momentum", R.I * axis * R, A, why, ["24", "26"])
 display(seen, printed("26"))
 
 # %% [markdown]
@@ -327,14 +329,14 @@ display(seen, printed("26"))
 # which polynomial multiplication confirms. Here is one of the entries.
 
 # %%
-ring, fact = desk.ring, seen.fact
+ring, fact = scope.ring, seen.fact
 differences = [ring.read(x) - ring.read(y) for x, y in zip(fact.lhs, fact.rhs, strict=True)]
 entry = next(k for k, difference in enumerate(differences) if len(difference.numerator) > 0)
 cofactors = [ring.read(text).numerator for text in fact.certificate["cofactors"][entry]]
 print("terms of left minus right:", len(differences[entry].numerator))
 for k, (relation, cofactor) in enumerate(zip(ring.relations, cofactors, strict=True), start=1):
-    display(equation(f"r_{k}", desk.read(str(relation))))
-    display(equation(f"a_{k}", desk.read(str(cofactor))))
+    display(equation(f"r_{k}", scope.read(str(relation))))
+    display(equation(f"a_{k}", scope.read(str(cofactor))))
 display(Math(r"\text{left} - \text{right} = a_1r_1 + a_2r_2 + a_3r_3"))
 
 # %% [markdown]
@@ -344,7 +346,7 @@ display(Math(r"\text{left} - \text{right} = a_1r_1 + a_2r_2 + a_3r_3"))
 
 # %%
 try:
-    rewrite(desk, "three_angles.wrong", sympy.cos(PHI[1]), sympy.sin(PHI[1]), "wrong")
+    rewrite(scope, "three_angles.wrong", sympy.cos(PHI[1]), sympy.sin(PHI[1]), "wrong")
 except StepError as refusal:
     print(refusal)
 
@@ -359,15 +361,15 @@ circles = tuple(
     circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
 )
 reduction = Reduction(seen.value, varied.momenta, {**basis, **factors}, parts, circles)
-book.keep(reduction)
+builder.keep(reduction)
 there = (given, MOMENTUM, *parts)
 named = {**reduction.matrices, "M": combination("M1 M2 M3")}
-desk = Desk.open(
-    book, "reduced", *there, by_angles(book, reduction, *there), matrices=named, static=True
+scope = Scope.open(
+    builder, "reduced", *there, by_angles(builder, reduction, *there), matrices=named, static=True
 )
 why = "with these components of M, R turns M onto the axis"
-display(multiply(desk, "reduced.conjugate", R * M * R.I, K * axis, why, ["23"]))
-display(multiply(desk, "reduced.momentum", M, K * (R.I * axis * R), "and back", ["24"]))
+display(multiply(scope, "reduced.conjugate", R * M * R.I, K * axis, why, ["23"]))
+display(multiply(scope, "reduced.momentum", M, K * (R.I * axis * R), "and back", ["24"]))
 
 # %% [markdown]
 # ## Reading off two angles
@@ -389,12 +391,12 @@ names = ("cos_phi2", "cos_phi3", "sin_phi3")
 angles = Part(
     witness=dict.fromkeys(names, "1"), reading=dict(zip(names, map(str, unknown), strict=True))
 )
-desk = Desk.open(book, "compared", MOMENTUM, pole, angles, static=True)
+scope = Scope.open(builder, "compared", MOMENTUM, pole, angles, static=True)
 compared = [(MOMENTA[k], K * seen[k]) for k in (first, second, third)]
 why = "the component along the outer axis gives phi2"
-phi2 = solve(desk, "compared.phi2", compared[:1], unknown[:1], why, ["27"])
+phi2 = solve(scope, "compared.phi2", compared[:1], unknown[:1], why, ["27"])
 why = "the other two give phi3"
-phi3 = solve(desk, "compared.phi3", compared[1:], unknown[1:], why, ["28"])
+phi3 = solve(scope, "compared.phi3", compared[1:], unknown[1:], why, ["28"])
 display(phi2, phi3)
 
 # %% [markdown]
@@ -403,12 +405,12 @@ display(phi2, phi3)
 
 # %%
 there = (given, MOMENTUM, *circles)
-desk = Desk.open(book, "phi3", *there, by_angles(book, reduction, *there), static=True)
+scope = Scope.open(builder, "phi3", *there, by_angles(builder, reduction, *there), static=True)
 cosine, sine = unknown[1:]
 known = dict(zip(MOMENTA, varied.momenta, strict=True))
 quotient = sympy.cancel(phi3[sine] / phi3[cosine]).subs(known)
 why = "their quotient, where it is one; it gives phi3 up to half a turn"
-tangent = rewrite(desk, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")
+tangent = rewrite(scope, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")
 display(tangent, printed("29"))
 
 # %% [markdown]
@@ -502,7 +504,9 @@ def conjugated(turns, matrices):
 
 
 in_space = conjugated(combined(q, e_numbers), combined(momentum, e_numbers[1:]))
-explicit = Desk.open(Book(), "R", *parts, matrices={**basis, **factors}, static=True).explicit(R)
+explicit = Scope.open(
+    LedgerBuilder(), "R", *parts, matrices={**basis, **factors}, static=True
+).explicit(R)
 entries = numbers(explicit, PHI, 0 * t + 0.7, colatitude / turned, longitude / turned)
 reduced = conjugated(entries.reshape(-1, 2, 2), combined(momentum, A_numbers))
 onto = size * A_numbers[setting.target - 1]
@@ -517,9 +521,9 @@ print("it becomes K A to 1e-14 K:       ", bool(abs(reduced - onto).max() < 1e-1
 # was said. (That the facts above are, side by side, those of the chapters, is tested elsewhere.)
 
 # %% tags=["hide-cell"]
-ledger = book.ledger
+ledger = builder.ledger
 assert grades(ledger, *ledger.facts) == {Grade.PROVED}
-assert len(ledger.facts) == len(book.steps) >= 20
+assert len(ledger.facts) == len(builder.steps) >= 20
 assert "three_angles.wrong" not in ledger.facts
 products = [c * relation for c, relation in zip(cofactors, ring.relations, strict=True)]
 assert differences[entry].numerator == sum(products)

@@ -64,8 +64,8 @@ from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import verdicts
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     apart,
     coordinates,
     differentiate,
@@ -88,15 +88,15 @@ verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
 # The setting is the paper's. **Change it here and run on**: `Setting(sequence=(3, 1, 3))` for other
 # axes of the three turns, `Setting(sign=-1)`, `Setting(factor=1)` or `Setting(order=(2, 3, 1))` for
 # another basis. (A body with wheels is another matter: its rate is no multiple of $\mathrm{sn}$.
-# [Notebook 11](11_derive_your_own.ipynb) has one.) The book starts where notebook 2 ended.
+# [Notebook 11](11_derive_your_own.ipynb) has one.) The builder starts where notebook 2 ended.
 
 # %%
 setting = Setting()
 
-book = begun(setting, "conjugacy")
-dynamics, reduction = book.found(Dynamics), book.found(Reduction)
-display(step(book, "three_angles.momentum"))
-display(step(book, "compared.phi2"), step(book, "compared.phi3"))
+builder = begun(setting, "conjugacy")
+dynamics, reduction = builder.result(Dynamics), builder.result(Reduction)
+display(step(builder, "three_angles.momentum"))
+display(step(builder, "compared.phi2"), step(builder, "compared.phi3"))
 
 # %% [markdown]
 # ## The angular velocity in terms of the angles
@@ -107,9 +107,9 @@ display(step(book, "compared.phi2"), step(book, "compared.phi3"))
 
 # %%
 parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
-desk = Desk.open(book, "turning", *parts, matrices=reduction.matrices)
+scope = Scope.open(builder, "turning", *parts, matrices=reduction.matrices)
 why = "the velocity in the body, multiplied out"
-velocity = coordinates(desk, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
+velocity = coordinates(scope, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
 display(velocity, printed("R^-1 dR/dt"))
 
 # %% [markdown]
@@ -119,13 +119,13 @@ display(velocity, printed("R^-1 dR/dt"))
 
 # %%
 unknown = Part(witness=dict.fromkeys(map(str, UNKNOWN), "1"), reading=TURNING.reading)
-desk = Desk.open(book, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
+scope = Scope.open(builder, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
 equations = list(zip(RATES, velocity.value, strict=True))
 why = "R' = R Omega, solved for the rates of the angles"
-rates = solve(desk, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
+rates = solve(scope, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
 first, second, third = (k - 1 for k in setting.axes)
 why = "phi3' without a denominator"
-last = solve(desk, "velocity.phi3", [equations[first]], UNKNOWN[2:], why, ["3"])
+last = solve(scope, "velocity.phi3", [equations[first]], UNKNOWN[2:], why, ["3"])
 display(rates, last)
 
 # %% [markdown]
@@ -133,16 +133,16 @@ display(rates, last)
 
 # %%
 there = (dynamics.parameters, MOMENTUM, *reduction.circles)
-body = by_angles(book, reduction, *there)
-desk = Desk.open(book, "on_momentum", *there, body, static=True)
-rate, put_in = rates[UNKNOWN[0]], {w: desk.read(body.definitions[str(w)]) for w in RATES}
+body = by_angles(builder, reduction, *there)
+scope = Scope.open(builder, "on_momentum", *there, body, static=True)
+rate, put_in = rates[UNKNOWN[0]], {w: scope.read(body.definitions[str(w)]) for w in RATES}
 named = Part(
-    units=tuple(map(desk.text, desk.divisors(rate))),
-    definitions={"phi1_rate": desk.text(rate)},
+    units=tuple(map(scope.text, scope.divisors(rate))),
+    definitions={"phi1_rate": scope.text(rate)},
 )
-desk = Desk.open(book, "line32", *there, named, body, static=True)
-by_phi, why = desk.reduced(rate.subs(put_in)), "phi1' with the momentum put in"
-rewrite(desk, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
+scope = Scope.open(builder, "line32", *there, named, body, static=True)
+by_phi, why = scope.reduced(rate.subs(put_in)), "phi1' with the momentum put in"
+rewrite(scope, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
 
 # %% [markdown]
 # What was $\frac00$ at the pole $\sin\phi_2=0$ has no denominator now. And since
@@ -160,9 +160,9 @@ gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (second, third)]
 above, below = sympy.fraction(sympy.together(rate.subs(angles)))
 across = (MOMENTA[second] ** 2 + MOMENTA[third] ** 2) / K**2
 quotient = sympy.cancel(above / below.subs(sympy.sin(w * PHI[1]) ** 2, across))
-quotient = desk.reduced(quotient.subs(dict(zip(MOMENTA, dynamics.momenta, strict=True))))
+quotient = scope.reduced(quotient.subs(dict(zip(MOMENTA, dynamics.momenta, strict=True))))
 why = "phi1' with the momentum in the place of the angles"
-line = rewrite(desk, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
+line = rewrite(scope, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
 display(line, printed("32"))
 
 # %% [markdown]
@@ -178,7 +178,7 @@ energy = 2 * H - 2 * read(dynamics.body.definitions["H"])
 momentum = K**2 - sum(x**2 for x in dynamics.momenta)
 invariants, why = [energy, momentum], "two rates eliminated by H and K"
 fact, of = "line32.by_invariants", UNKNOWN[0]
-one_rate = eliminate(desk, fact, line.value, invariants, squares, why, ["33"], of)
+one_rate = eliminate(scope, fact, line.value, invariants, squares, why, ["33"], of)
 display(one_rate, printed("33"))
 
 # %% [markdown]
@@ -187,7 +187,7 @@ display(one_rate, printed("33"))
 
 # %%
 parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
-text = Desk(book, book.ledger.contexts["turning"], {}).text
+text = Scope(builder, builder.ledger.contexts["turning"], {}).text
 values = (by_phi, rates[UNKNOWN[1]], last[UNKNOWN[2]])
 moves = Part(definitions={str(x): text(value) for x, value in zip(UNKNOWN, values, strict=True)})
 matrices = {
@@ -195,20 +195,20 @@ matrices = {
     "M": combination("M1 M2 M3"),
     "Omega": combination("Omega1 Omega2 Omega3"),
 }
-body = by_angles(book, reduction, *parts)
-desk = Desk.open(book, "three_angle_motion", *parts, body, moves, matrices=matrices)
+body = by_angles(builder, reduction, *parts)
+scope = Scope.open(builder, "three_angle_motion", *parts, body, moves, matrices=matrices)
 for name in UNKNOWN:
-    display(equation(name, desk.read(moves.definitions[str(name)])))
+    display(equation(name, scope.read(moves.definitions[str(name)])))
 
 # %% [markdown]
 # then $\bar R$ satisfies the kinematics (3), and the body rates Euler's equations (5).
 
 # %%
 why = "angles that move so carry a motion"
-display(multiply(desk, "three_angle_motion.kinematics", Rate(R), R * Omega, why, ["3", "25"]))
+display(multiply(scope, "three_angle_motion.kinematics", Rate(R), R * Omega, why, ["3", "25"]))
 why = "whose rates satisfy Euler's equations"
 bracket = commutator(M, Omega)
-display(multiply(desk, "three_angle_motion.euler", Rate(M), bracket, why, ["5", "7"]))
+display(multiply(scope, "three_angle_motion.euler", Rate(M), bracket, why, ["5", "7"]))
 
 # %% [markdown]
 # ## Lemma 1, in brief
@@ -219,8 +219,8 @@ display(multiply(desk, "three_angle_motion.euler", Rate(M), bracket, why, ["5", 
 # these steps, for any cyclic order $(i,j,k)$ of the axes:
 
 # %%
-lemma1.derive(book)
-lines(book, "10", "13", "14")
+lemma1.derive(builder)
+lines(builder, "10", "13", "14")
 
 # %% [markdown]
 # ## Partial fractions
@@ -232,10 +232,10 @@ lines(book, "10", "13", "14")
 # %%
 axis = setting.axes[0]
 given = (constants(axis), FUNCTIONS, sine(axis))
-desk = Desk.open(book, "sine_motion", *given, static=True)
+scope = Scope.open(builder, "sine_motion", *given, static=True)
 split = apart(one_rate.value.subs(RATES[first], ZETA * SN), SN**2)
 why = "with the rate put in, partial fractions in sn^2"
-rewrite(desk, "sine_motion.split", one_rate.value, split, why, ["34"], "partial_fractions")
+rewrite(scope, "sine_motion.split", one_rate.value, split, why, ["34"], "partial_fractions")
 
 # %% [markdown]
 # ## Legendre's integral of the third kind
@@ -259,10 +259,10 @@ table = Part(
     units=("xi",),
     reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
 )
-desk = Desk.open(book, "table", *given, table)
+scope = Scope.open(builder, "table", *given, table)
 known = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}
 why = "integrated term by term, by the table that has the rate of Pi"
-integral = integrate(desk, "table.phi1", split, known, why, ["19", "36"])
+integral = integrate(scope, "table.phi1", split, known, why, ["19", "36"])
 display(equation("n", n), integral)
 
 # %% [markdown]
@@ -271,11 +271,11 @@ display(equation("n", n), integral)
 
 # %%
 kappa, steady = (integral.value.coeff(symbol(name)) for name in ("Pi", "t"))
-named = Part(definitions={"kappa": desk.text(kappa), "phi1": f"{desk.text(steady)}*t + kappa*Pi"})
-desk = Desk.open(book, "third_kind", *given, table, named)
+named = Part(definitions={"kappa": scope.text(kappa), "phi1": f"{scope.text(steady)}*t + kappa*Pi"})
+scope = Scope.open(builder, "third_kind", *given, table, named)
 slope, why = rate_of(symbol("phi1")), "so phi1 has the rate (33)"
-done = rewrite(desk, "third_kind.phi1", slope, one_rate.value, why, ["19", "33"], "differentiate")
-display(definitions(book.ledger, "third_kind", "n", "kappa", "phi1"), done)
+done = rewrite(scope, "third_kind.phi1", slope, one_rate.value, why, ["19", "33"], "differentiate")
+display(definitions(builder.ledger, "third_kind", "n", "kappa", "phi1"), done)
 
 # %% [markdown]
 # Theorem 1 prints $n=s_1/K^2$ and lacks the $c_1^2$:
@@ -293,12 +293,12 @@ verdict["20"]
 # coordinates settles it.
 
 # %%
-desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
+scope = Scope.open(builder, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
 why = "the square of the rate of the amplitude theta"
 (by_sn,) = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)
 squared = rate_of(symbol("theta")) ** 2
 value = XI**2 * by_sn
-amplitude = rewrite(desk, "amplitude.squared", squared, value, why, ["35"], "differentiate")
+amplitude = rewrite(scope, "amplitude.squared", squared, value, why, ["35"], "differentiate")
 display(amplitude, verdict["35"])
 
 # %% [markdown]
@@ -315,17 +315,17 @@ display(amplitude, verdict["35"])
 # turns to $k+1$.
 
 # %%
-desk = Desk.open(book, "windings", HALF_TURNS, INTEGRAL)
+scope = Scope.open(builder, "windings", HALF_TURNS, INTEGRAL)
 later, Pi, complete, n_, theta = symbols("Pi_later Pi Pi_c n theta")
 rest, why = later - 2 * complete - Pi, "what half turns add grows no further"
-display(differentiate(desk, "windings.slope", rest, why, ["19", "20", "21"]))
+display(differentiate(scope, "windings.slope", rest, why, ["19", "20", "21"]))
 sin, cos = sympy.sin(theta), sympy.cos(theta)
 path, why = 1 - n_ * sin**2, "the integral meets no pole"
 form = sympy.collect(sympy.expand(path - 1 + cos**2 + sin**2), sin**2)
-display(nonnegative(desk, "windings.path", path, form, why, ["19"]))
+display(nonnegative(scope, "windings.path", path, form, why, ["19"]))
 rule = {"Pi_later": "2*Pi_c + Pi", "2*k*Pi_c + Pi_later": "2*(k + 1)*Pi_c + Pi"}
-book.start("windings.rule", rule, ["19", "20", "21"])
-show(book.ledger, "windings.rule")
+builder.start("windings.rule", rule, ["19", "20", "21"])
+show(builder.ledger, "windings.rule")
 
 # %% [markdown]
 # ## Seen on a motion
@@ -372,9 +372,9 @@ cyclic = {
     for name in ("c", "Omega")
     for k, x in enumerate("ijk")
 }
-lemma = book.found(lemma1.Lemma1)
+lemma = builder.result(lemma1.Lemma1)
 alpha = number(read(lemma.quartic.definitions["alpha"]).subs(cyclic))
-roots = [number(root.subs(cyclic)) for root in step(book, "factored.roots").value]
+roots = [number(root.subs(cyclic)) for root in step(builder, "factored.roots").value]
 s1, s2 = sorted(roots)
 rising = mp.sign(number(read(dynamics.body.rates[str(RATES[first])])))
 body[ZETA], body[MU], body[XI] = mp.sqrt(s1), s1 / s2, rising * mp.sqrt(alpha * s2)
@@ -453,9 +453,9 @@ def angle_of(cosine, sine=None):
     return np.arccos(found[0]) if sine is None else np.unwrap(np.arctan2(found[1], found[0]))
 
 
-(cosine,) = step(book, "compared.phi2").value.values()
+(cosine,) = step(builder, "compared.phi2").value.values()
 nutation = angle_of(cosine) / float(w)
-spin = angle_of(*step(book, "compared.phi3").value.values()) / float(w)
+spin = angle_of(*step(builder, "compared.phi3").value.values()) / float(w)
 
 
 def product(p, q):
@@ -528,7 +528,7 @@ figure.tight_layout()
 # said. (That the facts above are, side by side, those of the chapters, is tested elsewhere.)
 
 # %% tags=["hide-cell"]
-ledger = book.ledger
+ledger = builder.ledger
 assert grades(ledger, *ledger.facts) == {Grade.PROVED}
 earned = {
     "R^-1 dR/dt": ["turning.velocity"],

@@ -46,7 +46,7 @@ from derivations.setting import Setting
 from rigidsym.io.cases import paper_case
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
-from rigidsym.proof.steps import Desk, coordinates, eliminate, matrix, multiply, rewrite
+from rigidsym.proof.steps import Scope, coordinates, eliminate, matrix, multiply, rewrite
 from rigidsym.proof.steps.names import symbols
 from support import begun, definitions, grades, sealed, show, step
 
@@ -64,8 +64,8 @@ plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.f
 # %%
 setting = Setting()
 
-book = begun(setting, "kinematics")
-dynamics, reduction, phi1_found = map(book.found, (Dynamics, Reduction, Phi1))
+builder = begun(setting, "kinematics")
+dynamics, reduction, phi1_found = map(builder.result, (Dynamics, Reduction, Phi1))
 outer = setting.axes[0] - 1
 ledger = sealed()
 
@@ -121,13 +121,13 @@ tangent = Part(
     relations=("root**2 - y**2 - 1",),
     reading={"y": "tan(phi3)", "tau": "tan(phi3/2)", "root": "sqrt(1 + y**2) or less that"},
 )
-desk = Desk.open(book, "half_tangent", tangent, static=True)
+scope = Scope.open(builder, "half_tangent", tangent, static=True)
 quadratic = sympy.expand(-sympy.numer(sympy.together(2 * tau / (1 - tau**2) - y_)))
 quadratic *= 1 if quadratic.coeff(tau) > 0 else -1
 solutions = [x.subs(sympy.sqrt(y_**2 + 1), root) for x in sympy.solve(quadratic, tau)]
 factors = sympy.Mul(y_, *(tau - x for x in solutions), evaluate=False)
 why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
-rewrite(desk, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
+rewrite(scope, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
 
 # %% [markdown]
 # In the shaded half the printed step is not slightly off: it is $-\cot(\phi_3/2)$. The kernel says
@@ -310,11 +310,11 @@ plt.show()
 # %%
 E1, E2, E3, S = map(matrix, ("E1", "E2", "E3", "S"))
 matrices = {**reduction.matrices, **UNITS, "S": E3.I * E2 * E3}
-desk = Desk.open(book, "regrouped", *reduction.angles, matrices=matrices, static=True)
+scope = Scope.open(builder, "regrouped", *reduction.angles, matrices=matrices, static=True)
 why = "the last factor moved to the first"
-display(multiply(desk, "regrouped.product", E1 * E2 * E3, E1 * E3 * S, why, ["25"]))
+display(multiply(scope, "regrouped.product", E1 * E2 * E3, E1 * E3 * S, why, ["25"]))
 why = "what is left, as a quaternion: nothing along the outer axis"
-display(coordinates(desk, "regrouped.shortest", S, e, why, ["18", "25"]))
+display(coordinates(scope, "regrouped.shortest", S, e, why, ["18", "25"]))
 
 # %% [markdown]
 # ($2\cos^2\frac{\phi_3}2-1$ is $\cos\phi_3$.) So $S$ turns by $\phi_2$ about an axis *across* $e_1$, and
@@ -325,14 +325,14 @@ display(coordinates(desk, "regrouped.shortest", S, e, why, ["18", "25"]))
 
 # %%
 parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
-body, named = by_angles(book, reduction, *parts), {"M": combination("M1 M2 M3")}
-desk = Desk.open(book, "shortest", *parts, body, matrices={**matrices, **named}, static=True)
+body, named = by_angles(builder, reduction, *parts), {"M": combination("M1 M2 M3")}
+scope = Scope.open(builder, "shortest", *parts, body, matrices={**matrices, **named}, static=True)
 onto, half = A[outer], setting.factor * PHI[1]
 why = "S turns the momentum onto the axis"
-display(multiply(desk, "shortest.conjugate", S * M * S.I, K * onto, why, ["23"]))
+display(multiply(scope, "shortest.conjugate", S * M * S.I, K * onto, why, ["23"]))
 length, why = 2 * K * sympy.cos(half), "and it is this product, of the length 2 K cos(phi2/2)"
 no_angle = sympy.MatAdd(K * sympy.Identity(2), -onto * M / setting.factor**2, evaluate=False)
-display(multiply(desk, "shortest.form", length * S, no_angle, why, ["23", "25"]))
+display(multiply(scope, "shortest.form", length * S, no_angle, why, ["23", "25"]))
 
 # %% [markdown]
 # The length is known from the momentum as well: solve the two equations
@@ -343,7 +343,7 @@ display(multiply(desk, "shortest.form", length * S, no_angle, why, ["23", "25"])
 cosine, sine = sympy.cos(half), sympy.sin(half)
 whole = [cosine**2 + sine**2 - 1, K * (cosine**2 - sine**2) - MOMENTA[outer]]
 squares, why = [cosine**2, sine**2], "the square of its first component"
-eliminate(desk, "shortest.cosine", cosine**2, whole, squares, why, ["19", "27"])
+eliminate(scope, "shortest.cosine", cosine**2, whole, squares, why, ["19", "27"])
 
 # %% [markdown]
 # So half angles are gone, and
@@ -358,16 +358,16 @@ eliminate(desk, "shortest.cosine", cosine**2, whole, squares, why, ["19", "27"])
 
 # %%
 circles = (dynamics.parameters, MOMENTUM, *reduction.circles)
-last = step(book, "velocity.phi3").value[UNKNOWN[2]]
-body = by_angles(book, reduction, *circles)
-text = Desk.open(book, "angles", *circles, body, static=True).text
+last = step(builder, "velocity.phi3").value[UNKNOWN[2]]
+body = by_angles(builder, reduction, *circles)
+text = Scope.open(builder, "angles", *circles, body, static=True).text
 rates = {str(UNKNOWN[0]): text(phi1_found.by_angles), str(UNKNOWN[2]): str(text(last))}
-desk = Desk.open(book, "turns", *circles, body, Part(definitions=rates), static=True)
-display(step(book, "line32.by_angles"), step(book, "velocity.phi3"))
+scope = Scope.open(builder, "turns", *circles, body, Part(definitions=rates), static=True)
+display(step(builder, "line32.by_angles"), step(builder, "velocity.phi3"))
 along = dynamics.momenta[outer]
 found = sympy.cancel(phi1_found.by_invariants * (1 - along / K) + RATES[outer])
 why = "psi' = phi1' + phi3', by H and K"
-rewrite(desk, "psi.rate", UNKNOWN[0] + UNKNOWN[2], desk.reduced(found), why, ["33"], "substitute")
+rewrite(scope, "psi.rate", UNKNOWN[0] + UNKNOWN[2], scope.reduced(found), why, ["33"], "substitute")
 
 # %% [markdown]
 # One factor of the denominator of (33) has cancelled. The other vanishes where the momentum points to
@@ -549,7 +549,7 @@ print(f"{len(seen)} kinds of motion; worst error below 1e-14: {worst < 1e-14}")
 
 # %% tags=["hide-cell"]
 # The lines that were derived here; and the facts that were quoted.
-there = {name: fact for name, fact in book.ledger.facts.items() if fact.grade != Grade.PROVED}
+there = {name: fact for name, fact in builder.ledger.facts.items() if fact.grade != Grade.PROVED}
 assert not there
 quoted = (
     *("attitude.nu", "attitude.solution", "both_forms.turn", "both_forms.quaternion"),

@@ -44,8 +44,8 @@ from rigidsym.errors import InputError
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     StepError,
     coefficients,
     coordinates,
@@ -74,11 +74,11 @@ from support.figures import curve, unit_sphere
 # %%
 setting = Setting(lagrangian=KINETIC + " + h1*Omega1")
 
-book = begun(setting, "lie_algebra")
-algebra = book.found(Algebra)
+builder = begun(setting, "lie_algebra")
+algebra = builder.result(Algebra)
 lagrangian, given = setting.energy(), parameters(setting)
 display(equation("L", lagrangian))
-display(step(book, "quaternions.bracket_12"), step(book, "quaternions.kinematics"))
+display(step(builder, "quaternions.bracket_12"), step(builder, "quaternions.kinematics"))
 
 # %% [markdown]
 # The algebra is that of rotations and knows of no body. The body comes in by its Lagrangian, and by
@@ -86,7 +86,7 @@ display(step(book, "quaternions.bracket_12"), step(book, "quaternions.kinematics
 
 # %%
 why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
-varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
+varied = vary(builder, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
 for name, momentum in zip(MOMENTA, varied.momenta, strict=True):
     display(equation(name, momentum))
 varied.step
@@ -98,7 +98,7 @@ varied.step
 # %%
 unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
 why = "Euler's equations: solve for the rates of the rates"
-euler = solve(varied.desk, "variation.euler", varied.equations, unknown, why, ["5"])
+euler = solve(varied.scope, "variation.euler", varied.equations, unknown, why, ["5"])
 euler
 
 # %% [markdown]
@@ -112,9 +112,9 @@ euler
 basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
 free = Part(witness=dict.fromkeys(map(str, MOMENTA), "1"))
 named = {**basis, "M": combination("M1 M2 M3")}
-desk = Desk.open(book, "spectrum", free, matrices=named, static=True)
+scope = Scope.open(builder, "spectrum", free, matrices=named, static=True)
 why = "the spectrum of M, whose trace is zero, is in its determinant"
-spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
+spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
 
 square = sympy.expand(spectrum.value / setting.factor**2)
 pairs = zip(varied.momenta, RATES, strict=True)
@@ -131,7 +131,7 @@ body = Part(
 )
 gaps = [name - value for name, value in zip(MOMENTA, varied.momenta, strict=True)]
 velocities = sympy.solve(gaps, RATES)
-book.keep(Dynamics(given, body, varied.momenta, velocities))
+builder.keep(Dynamics(given, body, varied.momenta, velocities))
 display(spectrum, equation("H", energy))
 
 # %% [markdown]
@@ -142,26 +142,26 @@ unknown = symbols("b1 b2 b3")
 ansatz = Part(witness={**dict.fromkeys(map(str, unknown), "1"), "b_free": "1"})
 velocity = {"Omega": combination("Omega1 Omega2 Omega3")}
 partner = {**named, **velocity, "B": combination("b1 b2 b3")}
-desk = Desk.open(book, "partner", given, body, ansatz, matrices=partner)
+scope = Scope.open(builder, "partner", given, body, ansatz, matrices=partner)
 why = "which matrices B have M' = [M, B]?"
-wanted = coordinates(desk, "partner.bracket", commutator(M, matrix("B")), A, why, ["7"])
+wanted = coordinates(scope, "partner.bracket", commutator(M, matrix("B")), A, why, ["7"])
 equations = list(zip(wanted.value, varied.moments, strict=True))
 why = "Omega, up to a multiple of M"
-display(solve_family(desk, "partner.found", equations, unknown, symbol("b_free"), why, ["7"]))
+display(solve_family(scope, "partner.found", equations, unknown, symbol("b_free"), why, ["7"]))
 
 # %% [markdown]
 # The partner is the velocity, as for the rigid body: the wheel has changed $M$ and left $\Omega$ alone.
 # So there is a Lax pair, and both quantities are conserved.
 
 # %%
-desk = Desk.open(book, "body", given, body, matrices={**named, **velocity})
+scope = Scope.open(builder, "body", given, body, matrices={**named, **velocity})
 why = "the bracket of M with the velocity"
-display(coordinates(desk, "body.euler", commutator(M, Omega), A, why, ["5", "7"]))
+display(coordinates(scope, "body.euler", commutator(M, Omega), A, why, ["5", "7"]))
 why = "M and Omega are a Lax pair"
-display(multiply(desk, "body.lax", Rate(M), commutator(M, Omega), why, ["7"]))
-display(differentiate(desk, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
+display(multiply(scope, "body.lax", Rate(M), commutator(M, Omega), why, ["7"]))
+display(differentiate(scope, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
 why = "and so is the spectrum of M"
-display(differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
+display(differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
 
 # %% [markdown]
 # ## Conjugacy: nothing has to be done again
@@ -170,17 +170,17 @@ display(differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7"
 # $\dot R=R\,\Omega$. It does not ask how $M$ is made of $\Omega$. So the chapters run as they are,
 
 # %%
-conjugacy.derive(book)
-kinematics.derive(book)
+conjugacy.derive(builder)
+kinematics.derive(builder)
 for name in ("three_angles.momentum", "reduced.conjugate", "compared.phi2", "compared.phi3"):
-    display(step(book, name))
+    display(step(builder, name))
 
 # %% [markdown]
 # and the body comes back where $M$ is put in: in $\tan\phi_3$ and in $\dot\phi_1$.
 
 # %%
 for name in ("tangent.phi3", "rates.angles", "line32.rate"):
-    display(step(book, name))
+    display(step(builder, name))
 
 # %% [markdown]
 # ## The rate of $\phi_1$
@@ -188,7 +188,7 @@ for name in ("tangent.phi3", "rates.angles", "line32.rate"):
 # The last of these has two rates above and below. Eliminate their squares by $H$ and $K$:
 
 # %%
-rate = step(book, "line32.by_invariants")
+rate = step(builder, "line32.by_invariants")
 rate
 
 # %% [markdown]
@@ -197,7 +197,7 @@ rate
 # where the velocity does. That these angles carry a motion was decided along the way:
 
 # %%
-display(step(book, "three_angle_motion.kinematics"), step(book, "three_angle_motion.euler"))
+display(step(builder, "three_angle_motion.kinematics"), step(builder, "three_angle_motion.euler"))
 
 # %% [markdown]
 # ## The quartic of its curve
@@ -215,10 +215,10 @@ moving = Part(
     definitions={"H": str(energy), "K_squared": str(sympy.expand(K_squared - invariants[1]))},
     rates=body.rates,
 )
-desk = Desk.open(book, "gyrostat", given, moving)
-slope = desk.rate(RATES[wheel])
+scope = Scope.open(builder, "gyrostat", given, moving)
+slope = scope.rate(RATES[wheel])
 name, why = rate_of(RATES[wheel]) ** 2, "the rate along the wheel, squared: a quartic"
-quartic = eliminate(desk, "gyrostat.quartic", slope**2, invariants, others, why, ["14"], name)
+quartic = eliminate(scope, "gyrostat.quartic", slope**2, invariants, others, why, ["14"], name)
 quartic
 
 # %%
@@ -245,11 +245,11 @@ def quadric(expression):
 
 
 variable = Part(witness={"x": "1", "H": "1", "K_squared": "1"})
-desk = Desk.open(book, "pencil", given, variable, static=True)
+scope = Scope.open(builder, "pencil", given, variable, static=True)
 both = quadric(-invariants[1]) - x * quadric(-invariants[0])
 leibniz = (-both).applyfunc(sympy.factor).det(method="berkowitz")
 why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
-rewrite(desk, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
+rewrite(scope, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
 
 # %% [markdown]
 # Three of its four roots would be $c_1$, $c_2$, $c_3$ for the body without a wheel, and the fourth
@@ -279,15 +279,18 @@ momentum = function(varied.momenta, *RATES)
 size = float(np.linalg.norm(momentum(*START)))
 numbers = {K: size, H: float(energy.subs(known).subs(dict(zip(RATES, START, strict=True))))}
 accelerations = [euler[symbol(f"{w}_rate")] for w in RATES]
-turning = book.found(Phi1).by_invariants.subs(numbers)
+turning = builder.result(Phi1).by_invariants.subs(numbers)
 motion = function([*accelerations, *algebra.kinematics, turning], *RATES, *Q)
 
-reduction = book.found(Reduction)
+reduction = builder.result(Reduction)
 w = 2 * setting.factor
-shares = [*step(book, "compared.phi2").value.values(), *step(book, "compared.phi3").value.values()]
+shares = [
+    *step(builder, "compared.phi2").value.values(),
+    *step(builder, "compared.phi3").value.values(),
+]
 shares = function([x.subs(sympy.sin(w * PHI[1]), 1).subs(numbers) for x in shares], *MOMENTA)
-desk = Desk.open(book, "flown", *reduction.angles, matrices=reduction.matrices, static=True)
-factors = desk.explicit(matrix("R"))
+scope = Scope.open(builder, "flown", *reduction.angles, matrices=reduction.matrices, static=True)
+factors = scope.explicit(matrix("R"))
 attitude = function(list(factors), *PHI)
 
 
@@ -395,9 +398,9 @@ for choice in refused:
 # cannot do one, it says so; if it does one wrong, the kernel does. Here the equations are too few:
 
 # %%
-desk = Desk.open(book, "too_few", given, Part(witness=dict.fromkeys(map(str, UNKNOWN), "1")))
+scope = Scope.open(builder, "too_few", given, Part(witness=dict.fromkeys(map(str, UNKNOWN), "1")))
 try:
-    solve(desk, "too_few.found", [(UNKNOWN[0] + UNKNOWN[1], symbol("c1"))], UNKNOWN[:2], "too few")
+    solve(scope, "too_few.found", [(UNKNOWN[0] + UNKNOWN[1], symbol("c1"))], UNKNOWN[:2], "too few")
 except StepError as error:
     refusals.append(str(error))
     print(error)
@@ -405,10 +408,10 @@ except StepError as error:
 # %% [markdown]
 # The vocabulary is in `rigidsym/proof/steps`: `vary`, `multiply`, `coordinates`, `solve`, `eliminate`,
 # `differentiate`, `apart`, `integrate`, `roots`, `match`, `rewrite`. A new one is a function that finds
-# something by SymPy and ends in `Desk.decide`.
+# something by SymPy and ends in `Scope.decide`.
 
 # %% tags=["hide-cell"]
-ledger = book.ledger
+ledger = builder.ledger
 assert grades(ledger, *ledger.facts) == {Grade.PROVED}
 assert grades(varied_book.ledger, "line32.by_invariants") == {Grade.PROVED}
 derived_here = ("variation.euler", "body.lax", "partner.found", "reduced.conjugate", "compared.phi3",

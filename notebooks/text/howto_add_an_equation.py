@@ -33,17 +33,17 @@
 
 # %%
 from derivations import euler_lax, lie_algebra
-from rigidsym.proof.algebra import Book, Part, extend
+from rigidsym.proof.algebra import LedgerBuilder, Part, extend
 
-chapters = Book()
+chapters = LedgerBuilder()
 lie_algebra.derive(chapters)
 euler_lax.derive(chapters)
 body = chapters.ledger.contexts["body"]
 
-book = Book()
+builder = LedgerBuilder()
 mine = Part(definitions={"E": "K_squared - 2*H*c2"}, reading={"E": "K^2 - 2 H c_2"})
-book.open(extend("mine", body, mine))
-context = book.ledger.contexts["mine"]
+builder.open(extend("mine", body, mine))
+context = builder.ledger.contexts["mine"]
 print("quantities:", ", ".join(context.generators))
 print("not zero:  ", ", ".join(context.units))
 print("D(Omega1) =", context.rates["Omega1"])
@@ -60,8 +60,8 @@ print("D(Omega1) =", context.rates["Omega1"])
 # %%
 from rigidsym.proof.kernel import Grade
 
-constant = book.claim("mine.constant", {"D(E)": "0"}, ["15"])
-form = book.claim("mine.form", {"E": "c1*(c1 - c2)*Omega1**2 + c3*(c3 - c2)*Omega3**2"}, ["15"])
+constant = builder.claim("mine.constant", {"D(E)": "0"}, ["15"])
+form = builder.claim("mine.form", {"E": "c1*(c1 - c2)*Omega1**2 + c3*(c3 - c2)*Omega3**2"}, ["15"])
 print(constant.id, constant.grade)
 print(form.id, form.grade)
 
@@ -76,7 +76,7 @@ from rigidsym.proof.kernel import KernelError
 
 WRONG = {"E": "c1*(c1 - c2)*Omega1**2 + c3*(c2 - c3)*Omega3**2"}
 try:
-    book.claim("mine.wrong", WRONG, ["15"])
+    builder.claim("mine.wrong", WRONG, ["15"])
     undecided = ""
 except KernelError as error:
     undecided = str(error)
@@ -88,11 +88,11 @@ print(undecided)
 
 # %%
 point = {"c1": "1", "c2": "2", "c3": "5/2", "Omega1": "0", "Omega2": "0", "Omega3": "1"}
-not_so = book.refute("mine.not_so", WRONG, point, ["15"])
+not_so = builder.refute("mine.not_so", WRONG, point, ["15"])
 print(not_so.id, not_so.kind, not_so.grade)
 
 try:
-    book.refute("mine.never", {"E": "K_squared - 2*H*c2"}, point)
+    builder.refute("mine.never", {"E": "K_squared - 2*H*c2"}, point)
     disagreed = ""
 except KernelError as error:
     disagreed = str(error)
@@ -107,7 +107,7 @@ print(disagreed)
 from rigidsym.proof.checker import check
 from rigidsym.proof.kernel import replay
 
-written = book.ledger.to_text()
+written = builder.ledger.to_text()
 
 # %% [markdown]
 # A changed text is refused:
@@ -129,13 +129,13 @@ print(refused)
 # %%
 from rigidsym.proof.claims import claims
 
-mine = claims(book.ledger)
+mine = claims(builder.ledger)
 mine
 
 # %% [markdown]
 # ## Adding it to the project
 #
-# 1. Put `book.open` and `book.claim` into the chapter of `derivations` where they belong (a new
+# 1. Put `builder.open` and `builder.claim` into the chapter of `derivations` where they belong (a new
 #    chapter goes into `CHAPTERS` in `derivations/__init__.py`).
 # 2. If the paper prints the equation, put its LaTeX into the names of the context in its section of
 #    `rigidsym/proof/paper`, by a `Sense`: the kernel then decides the print itself.
@@ -147,7 +147,7 @@ mine
 assert context.rates["Omega1"] == "Omega2*Omega3*(c2 - c3)/c1"
 assert constant.grade == form.grade == Grade.PROVED
 assert "undecided" in undecided
-assert "mine.wrong" not in book.ledger.facts
+assert "mine.wrong" not in builder.ledger.facts
 assert (not_so.kind, not_so.grade) == ("unequal", Grade.PROVED)
 assert "agree" in disagreed
 assert set(replay(written).facts) == {"mine.constant", "mine.form", "mine.not_so"}

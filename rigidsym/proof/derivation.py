@@ -1,4 +1,4 @@
-"""Running the derivation: chapters into a book, and the book into the sealed ledger."""
+"""Running the derivation: chapters into a builder, and the builder into the sealed ledger."""
 
 import json
 import re
@@ -15,7 +15,7 @@ from derivations.setting import Setting
 from rigidsym.errors import InputError, LedgerError
 from rigidsym.io.ledger import sealed_text, specification_text
 from rigidsym.language.specification import Unproved, require
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
 from rigidsym.proof.steps import Step, StepError
@@ -114,19 +114,19 @@ def derive(
     last = max(map(known.index, chosen), default=len(known) - 1)
     # SymPy factors by numbers that it draws, and some of them take it minutes: draw the same ones.
     random.seed(0)
-    book, ran = Book(sealed), []
-    book.keep(setting or Setting())
+    builder, ran = LedgerBuilder(sealed), []
+    builder.keep(setting or Setting())
     try:
         for done, name in enumerate(known[: last + 1]):
             progress(done, last + 1)
-            ran.append(_run(book, name))
+            ran.append(_run(builder, name))
     finally:
         progress(last + 1, last + 1)
-    text = book.ledger.to_text()
+    text = builder.ledger.to_text()
     if setting is None and last == len(known) - 1:
         _require_specified(text)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
-    return Derivation(reported, text, book.recounted)
+    return Derivation(reported, text, builder.recounted)
 
 
 def sealed_counts() -> str:
@@ -145,19 +145,19 @@ def _require_specified(ledger: str) -> None:
         raise DerivationError(str(error)) from None
 
 
-def _run(book: Book, name: str) -> Chapter:
-    facts, steps, start = len(book.ledger.facts), len(book.steps), perf_counter()
+def _run(builder: LedgerBuilder, name: str) -> Chapter:
+    facts, steps, start = len(builder.ledger.facts), len(builder.steps), perf_counter()
     try:
         module = import_module(f"derivations.{name}")
-        module.derive(book)
+        module.derive(builder)
     except (KernelError, StepError) as error:
         raise DerivationError(f"chapter {name}: {error}") from None
     except Exception as error:
         raise DerivationError(f"chapter {name}: {type(error).__name__}: {error}") from error
     title, opening = _words(module.__doc__ or name)
-    found = tuple(book.ledger.facts.values())[facts:]
+    found = tuple(builder.ledger.facts.values())[facts:]
     seconds = perf_counter() - start
-    return Chapter(name, title, found, seconds, tuple(book.steps[steps:]), opening)
+    return Chapter(name, title, found, seconds, tuple(builder.steps[steps:]), opening)
 
 
 def _words(docstring: str) -> tuple[str, str]:

@@ -145,7 +145,7 @@ def test_a_failing_claim_exits_1_and_leaves_the_ledger(monkeypatch, tmp_path, ru
 def test_a_chapter_that_raises_is_one_line(monkeypatch, run):
     from derivations import conjugacy
 
-    monkeypatch.setattr(conjugacy, "derive", lambda book: 1 / 0)
+    monkeypatch.setattr(conjugacy, "derive", lambda builder: 1 / 0)
     assert (
         "chapter conjugacy: ZeroDivisionError"
         in run("derive conjugacy", status=1).err.splitlines()[-1]

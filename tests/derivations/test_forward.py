@@ -35,7 +35,7 @@ def derived(setting: Setting) -> Derivation:
 # What is typed in the chapters: nothing.
 
 
-# What computes: steps that find their value, SymPy, and what a desk or a chapter found.
+# What computes: steps that find their value, SymPy, and what a scope or a chapter found.
 COMPUTES = {
     *("solve", "factor", "expand", "cancel", "apart", "together", "subs", "coefficients", "rate"),
     *(
@@ -140,19 +140,19 @@ def test_no_right_side_is_typed(chapter):
 
 
 TYPED = [
-    'book.claim("a.b", {"x": "y"})',
-    'rewrite(desk, "a.b", x, read("c1*Omega1"), "why")',
-    'rewrite(desk, "a.b", x, c1 * Omega1, "why")',
-    'y = symbol("c1") * symbol("Omega1")\n    rewrite(desk, "a.b", x, y, "why")',
-    'nonnegative(desk, "a.b", x, 1 + y**2, "why")',
-    'multiply(desk, "a.b", R * M, 2 * A, "why")',
-    'differentiate(desk, "a.b", "x*y", "why")',
+    'builder.claim("a.b", {"x": "y"})',
+    'rewrite(scope, "a.b", x, read("c1*Omega1"), "why")',
+    'rewrite(scope, "a.b", x, c1 * Omega1, "why")',
+    'y = symbol("c1") * symbol("Omega1")\n    rewrite(scope, "a.b", x, y, "why")',
+    'nonnegative(scope, "a.b", x, 1 + y**2, "why")',
+    'multiply(scope, "a.b", R * M, 2 * A, "why")',
+    'differentiate(scope, "a.b", "x*y", "why")',
 ]
 
 
 @pytest.mark.parametrize("line", TYPED)
 def test_a_right_side_that_is_typed_is_seen(line):
-    assert len(list(typed(f"def derive(book):\n    {line}\n"))) >= 1
+    assert len(list(typed(f"def derive(builder):\n    {line}\n"))) >= 1
 
 
 def test_what_is_not_a_step_is_the_assumption_about_Pi_alone():
@@ -364,8 +364,8 @@ def test_a_wrong_bracket_goes_through_to_other_equations(monkeypatch):
     """The variation is proved for the constants it is given: the Lax pair then refuses them."""
     honest = lie_algebra._brackets
 
-    def flipped(desk):
-        return tuple(tuple(tuple(-x for x in y) for y in z) for z in honest(desk))
+    def flipped(scope):
+        return tuple(tuple(tuple(-x for x in y) for y in z) for z in honest(scope))
 
     monkeypatch.setattr(lie_algebra, "_brackets", flipped)
     with pytest.raises(DerivationError, match=r"^chapter euler_lax: fact body\.lax: undecided"):

@@ -5,7 +5,7 @@ import pytest
 
 from derivations.fourier_form import COEFFICIENT, PHASE, TERMS
 from derivations.regular_form import CIRCULATION
-from rigidsym.proof.algebra import Book, Part, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, sign
 from rigidsym.proof.kernel import KernelError
 from rigidsym.solution.formulas import sequence
 
@@ -76,16 +76,16 @@ def test_the_angle_of_theta_4_off_the_real_line(rho):
 def test_other_coefficients_are_none(wrong):
     """The step, which is homogeneous in a but for what is left over, tells these apart."""
     part = Part(COEFFICIENT.witness, (*COEFFICIENT.units, "1 + e*x**2", "1 - x**2"), {"a": wrong})
-    book = Book()
-    book.open(join("terms", sign("e", "a sign"), part, TERMS, static=True))
+    builder = LedgerBuilder()
+    builder.open(join("terms", sign("e", "a sign"), part, TERMS, static=True))
     with pytest.raises(KernelError, match="undecided"):
-        book.claim("terms.step", {"next_term": "e*term + P/x"})
+        builder.claim("terms.step", {"next_term": "e*term + P/x"})
 
 
 def test_a_term_of_another_size_has_another_rate():
-    book = Book()
+    builder = LedgerBuilder()
     wrong = {**PHASE.definitions, "rest_k": "-rho*a*sinh_b/k"}
     part = Part(PHASE.witness, PHASE.units, wrong, PHASE.relations, PHASE.rates, PHASE.nonnegative)
-    book.open(join("phase", CIRCULATION, COEFFICIENT, part))
+    builder.open(join("phase", CIRCULATION, COEFFICIENT, part))
     with pytest.raises(KernelError, match="undecided"):
-        book.claim("phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"})
+        builder.claim("phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"})

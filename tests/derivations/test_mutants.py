@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from rigidsym.io.ledger import ledger_text
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.mutants import PRINTED, known_fates, mutants, tally
 from rigidsym.proof.kernel import replay
@@ -36,15 +36,15 @@ def test_all_mutants_counted_again_have_the_sealed_fates():
 
 
 @pytest.fixture
-def book():
-    book = Book()
-    book.open(join("c", Part({"c1": "1", "c2": "2", "x1": "1", "x2": "1"}, units=("c1",))))
-    return book
+def builder():
+    builder = LedgerBuilder()
+    builder.open(join("c", Part({"c1": "1", "c2": "2", "x1": "1", "x2": "1"}, units=("c1",))))
+    return builder
 
 
-def test_mutants_change_one_place_and_are_all_different(book):
-    fact = book.claim("c.square", {"(x1 + x2)**2/c1": "(x1**2 + 2*x1*x2 + x2**2)/c1"})
-    found = list(mutants(fact, book.ledger.rings["c"]))
+def test_mutants_change_one_place_and_are_all_different(builder):
+    fact = builder.claim("c.square", {"(x1 + x2)**2/c1": "(x1**2 + 2*x1*x2 + x2**2)/c1"})
+    found = list(mutants(fact, builder.ledger.rings["c"]))
     assert len(found) == len(set(found)) > 10
     assert (fact.lhs[0], fact.rhs[0]) not in found
     assert ("(x1 + x2)**2/c1", "(x1 ** 2 - 2 * x1 * x2 + x2 ** 2) / c1") in found
@@ -53,9 +53,9 @@ def test_mutants_change_one_place_and_are_all_different(book):
     assert ("(x1 + x2)**2/c1", "(x1 + 2 * x1 * x2 + x2 ** 2) / c1") in found
 
 
-def test_the_three_fates(book):
-    book.claim("c.zero", {"(x1 - x1)/c1": "0"})
-    counts = tally(book.ledger, each=40)["c.zero"]
+def test_the_three_fates(builder):
+    builder.claim("c.zero", {"(x1 - x1)/c1": "0"})
+    counts = tally(builder.ledger, each=40)["c.zero"]
     assert set(counts) == FATES
 
 
@@ -63,7 +63,7 @@ PART = Part({"c1": "1", "x1": "1", "x2": "1"}, units=("c1",))
 
 
 def other_book(part=PART):
-    other = Book()
+    other = LedgerBuilder()
     other.open(join("c", part))
     other.claim("c.square", {"(x1 + x2)**2/c1": "(x1**2 + 2*x1*x2 + x2**2)/c1"})
     other.claim("c.sum", {"x1 + x2": "x2 + x1"})
@@ -103,4 +103,4 @@ def test_no_fate_is_known_of_a_changed_fact():
     sealed.ledger.published["mutants"] = {"c.sum": {"refuted": 1}}
     text = sealed.ledger.to_text().replace('"x2 + x1"', '"x1 + x2 + 0"')
     assert known_fates(other_book().ledger, text) == {}
-    assert known_fates(other_book().ledger, Book().ledger.to_text()) == {}
+    assert known_fates(other_book().ledger, LedgerBuilder().ledger.to_text()) == {}

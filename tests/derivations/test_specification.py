@@ -13,7 +13,7 @@ from rigidsym.codegen.lines import handwritten
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language.specification import Unproved, read, require, sequences, theorems
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.audit import audit, totals
 from rigidsym.proof.checker import Refused
 from rigidsym.proof.checker.records import Claim, Hypotheses, fill
@@ -109,7 +109,7 @@ def test_a_theorem_is_missed_with_its_context(name):
 
 def test_chapters_that_prove_less_seal_nothing():
     with pytest.raises(DerivationError, match=r"theorem steady \(.*: its hypotheses are not in"):
-        _require_specified(Book().ledger.to_text())
+        _require_specified(LedgerBuilder().ledger.to_text())
 
 
 def test_a_theorem_has_to_be_proved():

@@ -55,7 +55,7 @@ def chapters():
 @pytest.mark.parametrize("name", NAMES)
 def test_with_another_setting_a_notebook_finds_what_the_chapters_find(name, chapters, monkeypatch):
     left = run(name, OTHER, monkeypatch)
-    found = left["book"].ledger.facts
+    found = left["builder"].ledger.facts
     known = {fact: value for fact, value in found.items() if value.context not in NAMES[name]}
     assert len(known) > 20
     assert {*known} <= {*chapters}

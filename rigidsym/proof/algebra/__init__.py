@@ -1,7 +1,9 @@
-"""What derivations are written with: su(2), quaternions, and the differential rings of the
-rigid body, trigonometric and Jacobi functions.  Every claim ends in the kernel."""
+"""Tools to write derivations with: the builder of a ledger, parts of contexts, quaternions.
 
-from rigidsym.proof.algebra.book import Book, equal, text
+Every claim is decided by the kernel.
+"""
+
+from rigidsym.proof.algebra.builder import LedgerBuilder, equal, text
 from rigidsym.proof.algebra.parts import (
     Part,
     circle,
@@ -15,7 +17,7 @@ from rigidsym.proof.algebra.parts import (
 )
 
 __all__ = [
-    "Book",
+    "LedgerBuilder",
     "Part",
     "circle",
     "double_angle",

@@ -28,7 +28,7 @@ STEPS = 32
 
 
 def agrees(at: "Evaluation", fact: Fact) -> bool:
-    """Whether lhs - rhs is enclosed near zero at a point; KernelError where it has no value."""
+    """Say whether lhs - rhs is enclosed near zero at a point; KernelError for no value."""
     gaps, small = [], _tiny(64)
     for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
         left = at.value(lhs)
@@ -38,7 +38,7 @@ def agrees(at: "Evaluation", fact: Fact) -> bool:
 
 
 def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
-    """The numbers that a point gives to names which are free."""
+    """Return the values of a point; KernelError for names that are not free."""
     known = {}
     for name, number in point.items():
         if name not in context.generators or _is_formula(context.reading.get(name, "?")):
@@ -49,7 +49,7 @@ def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
 
 
 class Evaluation:
-    """The balls of the names of a context at one point, each found once."""
+    """The balls of the names of a context at one point, each computed once."""
 
     def __init__(self, context: Context, point: Mapping[str, acb]) -> None:
         self.context = context
@@ -68,7 +68,7 @@ class Evaluation:
                     raise KernelError(f"the point is not one of the context: {text}")
 
     def value(self, text: str) -> acb:
-        """The ball of a text; KernelError where it is no expression, or refers to itself."""
+        """Return the ball of a text; KernelError where it is no expression, or refers to itself."""
         try:
             return self._of(parse(text))
         except (RecursionError, TypeError, ValueError) as error:
@@ -105,7 +105,7 @@ class Evaluation:
 
 
 def names(tree: Tree) -> Iterator[str]:
-    """The names in an expression, those of functions and D left out."""
+    """Yield the names in an expression, except those of functions and D."""
     match tree:
         case str() if is_name(tree):
             yield tree
@@ -117,7 +117,7 @@ def names(tree: Tree) -> Iterator[str]:
 
 
 def _is_formula(reading: str) -> bool:
-    """Whether a reading says what the number is, rather than what it is called."""
+    """Say whether a meaning is an expression, rather than words."""
     try:
         parse(reading)
     except KernelError:
@@ -126,7 +126,7 @@ def _is_formula(reading: str) -> bool:
 
 
 def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """theta_kind(z, q) or its z-derivative (DLMF 20.2(i)); Arb has z in units of pi."""
+    """Return theta_kind(z, q) or its z-derivative (DLMF 20.2(i)); Arb takes z/pi."""
 
     def evaluate(z: acb, q: acb) -> acb:
         tau = q.log() / acb(0, 1) / acb.pi()
@@ -137,7 +137,7 @@ def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _tiny(lost: int) -> arb:
-    """What is small at the precision of the balls, some bits lost."""
+    """Return a small number at the precision of the balls, with some bits lost."""
     return arb(2) ** (lost - ctx.prec)
 
 
@@ -153,12 +153,12 @@ def _nome(m: acb) -> acb:
 
 
 def _slope(phi: acb, m: acb) -> acb:
-    """dF/dphi."""
+    """Return dF/dphi."""
     return 1 / (1 - m * phi.sin() ** 2).sqrt()
 
 
 def _amplitude(u: acb, m: acb) -> acb:
-    """phi with F(phi | m) = u (DLMF 22.16.10, continued), by a step of interval Newton."""
+    """Enclose phi with F(phi | m) = u (DLMF 22.16.10, continued) by an interval Newton step."""
     phi = _near(u, _parameter(m))
     radius = arb(0, _tiny(32))
     box = acb(phi.real + radius, phi.imag + radius)
@@ -169,7 +169,7 @@ def _amplitude(u: acb, m: acb) -> acb:
 
 
 def _near(u: acb, m: acb) -> acb:
-    """An amplitude that is nearly right: dphi/du = dn along the segment to u, then Newton steps."""
+    """Approximate an amplitude: integrate dphi/du = dn along the segment to u, then Newton."""
     phi, step = acb(0), u / STEPS
     for _ in range(STEPS):
         half = (phi + step / (2 * _slope(phi, m))).mid()
@@ -180,7 +180,7 @@ def _near(u: acb, m: acb) -> acb:
 
 
 def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
-    """Pi(n; phi | m) along the real path from 0, free of poles for n < 1 (DLMF 19.2.7)."""
+    """Integrate Pi(n; phi | m) on the real path from 0, without poles for n < 1 (DLMF 19.2.7)."""
 
     def integrand(angle: acb, analytic: bool) -> acb:
         square = angle.sin() ** 2
@@ -188,10 +188,6 @@ def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
         return 1 / ((1 - n * square) * root)
 
     return acb.integral(integrand, 0, phi)
-
-
-def _pi(n: acb, *rest: acb) -> acb:
-    return _incomplete_pi(n, *rest) if len(rest) == 2 else acb.elliptic_pi(n, *rest)
 
 
 FUNCTIONS: dict[str, Callable[..., acb]] = {
@@ -203,7 +199,7 @@ FUNCTIONS: dict[str, Callable[..., acb]] = {
     "nome": _nome,
     "elliptic_k": lambda m: m.elliptic_k(),
     "elliptic_e": lambda m: m.elliptic_e(),
-    "elliptic_pi": _pi,
+    "elliptic_pi": lambda n, *x: (_incomplete_pi if x[1:] else acb.elliptic_pi)(n, *x),
     "elliptic_j": lambda u, n, m: (_incomplete_pi(n, _amplitude(u, m), m) - u) / n,
     "jacobi_sn": lambda u, m: _amplitude(u, m).sin(),
     "jacobi_cn": lambda u, m: _amplitude(u, m).cos(),
@@ -219,7 +215,7 @@ FEWER_BITS = 128
 
 
 def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
-    """Whether lhs - rhs is enclosed near zero at the points, and at those that are drawn."""
+    """Say whether lhs - rhs is enclosed near zero at the points and at drawn ones."""
     with ctx.workprec(BITS):
         given = (Evaluation(context, rational(context, point)) for point in points)
         if not all(agrees(at, fact) for at in given):
@@ -230,7 +226,7 @@ def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) 
 
 
 def _everywhere(context: Context, fact: Fact, free: Sequence[str]) -> bool:
-    """Whether balls agree at as many points as are due; KernelError where there are fewer."""
+    """Say whether balls agree at `COUNT` drawn points; KernelError where there are fewer."""
     found = 0
     for attempt in range(ATTEMPTS):
         try:
@@ -242,7 +238,9 @@ def _everywhere(context: Context, fact: Fact, free: Sequence[str]) -> bool:
         found += 1
         if found == COUNT:
             return True
-    raise KernelError(f"only {found} of {ATTEMPTS} drawn points are points where balls can look")
+    raise KernelError(
+        f"only {found} of {ATTEMPTS} drawn points are points where both sides have values"
+    )
 
 
 def _drawn(context: Context, fact: Fact, free: Sequence[str], attempt: int) -> Evaluation:
@@ -254,7 +252,7 @@ def _drawn(context: Context, fact: Fact, free: Sequence[str], attempt: int) -> E
 
 
 def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
-    """A number for a name: the same for the same claim, another for any other."""
+    """Return a number for a name, determined by the claim and the attempt."""
     claim = [fact.context, *fact.lhs, "=", *fact.rhs, name, str(attempt)]
     digest = sha256("\n".join(claim).encode()).digest()
     share, kind = fmpq(int.from_bytes(digest[:8]), 2**64), digest[8] % 8
@@ -268,14 +266,14 @@ def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
 
 
 def _ties(context: Context, free: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """The last name of each relation between free names, and the relation."""
+    """Yield the last name of each relation between free names, and the relation."""
     for relation in context.relations:
         if (tied := {*names(parse(relation))}) <= {*free}:
             yield max(tied, key=free.index), relation
 
 
 def _solution(context: Context, known: Mapping[str, acb], name: str, relation: str) -> acb:
-    """x of a + b x = 0, or the positive one of a + b x**2 = 0; others are caught as no points."""
+    """Solve a + b x = 0 for x, or a + b x**2 = 0 for x > 0; for others the point is refused."""
     zero, one, less = (
         Evaluation(context, {**known, name: acb(x)}).value(relation) for x in (0, 1, -1)
     )

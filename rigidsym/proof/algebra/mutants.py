@@ -1,10 +1,10 @@
-"""Mutants: proved statements made wrong on purpose, to see that the same proof refuses them.
+"""Mutants: proved statements made wrong on purpose, to test that their proofs refuse them.
 
 A proof that would also accept a changed sign, index or power proves nothing about them.  Each
-mutant changes one place of one side of one component; it is `refuted` (its normal form is not
+mutant changes one place of one side of one component.  It is `refuted` (its normal form is not
 zero), `refused` (it divides by something the hypotheses do not cover) or `equivalent` (it is an
-identity too, as the same decision shows).  What is enclosed instead of proved is judged by the
-same balls: they exclude a mutant, cannot be had for it, or agree with it too.
+identity too, by the same decision).  Mutants of enclosed facts are decided by balls in the same
+way: the balls exclude a mutant, have no value for it, or agree with it too.
 """
 
 import ast
@@ -24,7 +24,7 @@ from rigidsym.proof.kernel.language import Tree
 from rigidsym.proof.kernel.ring import Number, at
 
 EACH = 16
-# What facts are called that compare the print.
+# Part of the ids of facts that are about printed lines.
 PRINTED = ".print_"
 # Long statements are changed near their top: the walk goes by depth.
 PLACES = 30
@@ -41,9 +41,9 @@ _INDEX = {"1": "2", "2": "3", "3": "1", "a": "b", "b": "d", "d": "a"}
 def tally(
     ledger: Ledger, known: Mapping[str, Fates] | None = None, each: int = EACH
 ) -> dict[str, Fates]:
-    """Count the fates of the mutants, at most `each`, of every fact decided, unless they are known.
+    """Count the fates of the mutants, at most `each`, of every decided fact that is not in `known`.
 
-    What is printed has mutants of its own: LaTeX with one place changed, which tests compare.
+    Facts about printed lines are left out: tests change one place of the printed LaTeX instead.
     """
     decided = [
         fact
@@ -55,9 +55,9 @@ def tally(
 
 
 def known_fates(ledger: Ledger, text: str) -> dict[str, Fates]:
-    """Return the fates that a written ledger has for facts that are word for word in this one.
+    """Return the fates that a written ledger has for facts that are in this one unchanged.
 
-    Their contexts have to be the same, too.
+    Their contexts have to be unchanged, too.
     """
     here, there = json.loads(ledger.to_text()), json.loads(text)
     contexts = {each["name"]: each for each in there["contexts"]}
@@ -96,9 +96,9 @@ def _enclose(context: Context, mutant: Fact) -> str:
 def decide(
     ring: Ring, lhs: str, rhs: str, power: int = 1, point: list[Number] | None = None
 ) -> str:
-    """The fate of lhs**power = rhs by its normal form: refuted, refused or equivalent.
+    """Return the fate of lhs**power = rhs by its normal form: refuted, refused or equivalent.
 
-    Where the sides differ at a point of the context, that refutes them at once.
+    If the sides differ at a point of the context, they are refuted without a normal form.
     """
     try:
         difference = (ring.read(lhs) ** power - ring.read(rhs)).numerator
@@ -109,7 +109,7 @@ def decide(
 
 
 def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
-    """(lhs, rhs) of one component each, one place changed; kinds of change take turns."""
+    """Yield (lhs, rhs) of one component with one place changed; kinds of change alternate."""
     kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
     known = ring.values
     sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
@@ -134,7 +134,7 @@ def _changes(text: str, known: Mapping[Tree, Element]) -> Iterator[tuple[str, Ed
 
 
 def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
-    """Every text that differs from this one in one place: the kind of change, and how to get it."""
+    """Yield the kind of each change of one place of a text, and a function that makes it."""
     tree = ast.parse(text, mode="eval")
     for place, node in enumerate(islice(ast.walk(tree), PLACES)):
         for kind, changed in variants(node):
@@ -142,7 +142,7 @@ def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
 
 
 def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str, ast.expr]]:
-    """Slips of the pen at one node: sign, power, factor, term, index, function, derivative."""
+    """Yield slips at one node: sign, power, factor, term, index, function, derivative."""
     match node:
         case ast.BinOp(left=left, op=ast.Add(), right=right):
             yield "sign", ast.BinOp(left, ast.Sub(), right)
@@ -152,7 +152,8 @@ def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str
             yield "missing term", left
         case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
             yield "power", ast.BinOp(base, ast.Pow(), ast.Constant(exponent + 1))
-            yield "root", base if exponent == 2 else ast.BinOp(base, ast.Pow(), _less(exponent))
+            lower = ast.BinOp(base, ast.Pow(), ast.Constant(exponent - 1))
+            yield "root", base if exponent == 2 else lower
         case ast.BinOp(left=left, op=ast.Mult(), right=right):
             yield "missing factor", left
             yield "missing factor", right
@@ -169,12 +170,8 @@ def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str
             yield "no derivative", argument
 
 
-def _less(exponent: int) -> ast.Constant:
-    return ast.Constant(exponent - 1)
-
-
 def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
-    """The same quantity of the next axis, and the function that is easily taken for this one."""
+    """Yield known names that are easily mistaken: of the next axis, or of a similar function."""
     axis = re.fullmatch(r"(.*?)([123]|(?<=_)[abd])(_rate|_squared)?", name)
     candidates = [_PARTNERS.get(name, "")]
     if axis:
@@ -183,7 +180,7 @@ def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
 
 
 def _replaced(text: str, place: int, changed: ast.expr) -> str:
-    """The text with the node at one place of the walk changed."""
+    """Return the text with the node at one place of the walk changed."""
     tree = ast.parse(text, mode="eval")
     target = list(ast.walk(tree))[place]
 

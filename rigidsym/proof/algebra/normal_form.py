@@ -59,7 +59,7 @@ def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
-    """Cofactors and remainder by a context's relations; remainder 0 means that it vanishes there.
+    """Return cofactors and remainder by a context's relations; remainder 0 means that it vanishes.
 
     Where plain division leaves a remainder, each relation is first reduced by those before it: one
     that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
@@ -74,7 +74,7 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
 
 
 def nested(polynomial: PolyElement) -> str:
-    """A polynomial by powers of one generator after the other: half as long as all its terms.
+    """Return a polynomial as text, nested by its generators: half as long as all its terms.
 
     >>> from sympy import QQ, ring
     >>> _, x, y = ring("x, y", QQ)
@@ -106,7 +106,7 @@ def _product(powers: tuple[int, ...], number: Number, names: Sequence[str]) -> s
 
 @lru_cache(maxsize=128)
 def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement]]]:
-    """The relations, each reduced by those before it, and the cofactors that give them."""
+    """Return the relations, each reduced by those before it, and the cofactors that give them."""
     basis: list[PolyElement] = []
     origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
@@ -122,7 +122,7 @@ def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement
 def _combined(
     parts: list[PolyElement], rows: list[list[PolyElement]], like: list[PolyElement]
 ) -> list[PolyElement]:
-    """The sum of part * row, entry by entry; `like` gives the zeros where there is no row."""
+    """Return the sum of part * row, entry by entry; `like` gives the zeros if there is no row."""
     total = [0 * entry for entry in like]
     for part, row in zip(parts, rows, strict=True):
         total = [x + y for x, y in zip(total, map(mul, [part] * len(row), row), strict=True)]

@@ -1,7 +1,7 @@
-"""Parts that contexts are put together from: a rigid body, an angle, Jacobi's three functions.
+"""Parts of contexts: an angle, Jacobi's three functions, or what a chapter adds.
 
-A part is a context without a name.  `join` merges parts in order and names the whole; later
-parts may use what earlier ones introduced.
+A part is names with hypotheses about them: a context without a name of its own.  `join` merges
+parts in order and names the whole; later parts may use what earlier ones introduced.
 """
 
 from collections.abc import Iterable, Mapping
@@ -12,7 +12,7 @@ from rigidsym.proof.kernel import Context
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """The same fields as a `Context`; `witness` gives the generators and their order."""
+    """Part of a context, with its fields; `witness` gives the generators and their order."""
 
     witness: Mapping[str, str] = field(default_factory=dict)
     units: tuple[str, ...] = ()
@@ -26,7 +26,7 @@ class Part:
 
 
 def part_of(context: Context, *names: str) -> Part:
-    """What an earlier context says, or of its definitions and generators only these."""
+    """Return a context as a part, or only some of its definitions and generators."""
     chosen = set(names) or {*context.generators, *context.definitions}
 
     def among(table: Mapping[str, str] | None) -> dict[str, str]:
@@ -47,7 +47,7 @@ def part_of(context: Context, *names: str) -> Part:
 
 
 def join(name: str, *parts: Part, static: bool = False) -> Context:
-    """One context from parts; `static` leaves out the time derivative."""
+    """Join parts into one context; `static` leaves out the time derivative."""
     merged: dict[str, dict[str, str]] = {
         key: {name: text for part in parts for name, text in getattr(part, key).items()}
         for key in ("witness", "definitions", "rates", "thetas", "reading")
@@ -69,7 +69,7 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
 
 
 def extend(name: str, context: Context, *parts: Part) -> Context:
-    """A context with more to it, by another name; parts may define anew what it defines."""
+    """Extend a context by parts, under another name; they may redefine what it defines."""
     return join(name, part_of(context), *parts, static=context.rates is None)
 
 
@@ -78,17 +78,17 @@ def _once(texts: Iterable[str]) -> tuple[str, ...]:
 
 
 def sign(name: str, reading: str) -> Part:
-    """A constant that is +1 or -1."""
+    """Return a constant that is +1 or -1."""
     return Part({name: "1"}, relations=(f"{name}**2 - 1",), reading={name: reading})
 
 
 def half_angle(name: str, rate: str = "") -> Part:
-    """cos and sin of half an angle; `rate` is the angle's time derivative."""
+    """Return cos and sin of half an angle; `rate` is the angle's time derivative."""
     return _doubled(f"half_{name}", name, f"{name}/2", name, f"({rate})/2" if rate else "")
 
 
 def double_angle(name: str, rate: str = "") -> Part:
-    """cos and sin of an angle, and of its double; `rate` is the angle's time derivative."""
+    """Return cos and sin of an angle and of its double; `rate` is the angle's time derivative."""
     return _doubled(name, f"2{name}", name, f"2*{name}", rate)
 
 
@@ -112,7 +112,7 @@ def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
 
 
 def circle(cosine: str, sine: str, angle: str) -> Part:
-    """cos and sin of an angle at one instant, by themselves."""
+    """Return cos and sin of an angle at one instant."""
     return Part(
         witness={sine: "4/5", cosine: "3/5"},
         relations=(f"{cosine}**2 + {sine}**2 - 1",),
@@ -121,7 +121,7 @@ def circle(cosine: str, sine: str, angle: str) -> Part:
 
 
 def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) -> Part:
-    """sn, cn, dn of (argument | parameter), the argument growing at `rate` (DLMF 22.6, 22.13)."""
+    """Return sn, cn, dn of (argument | parameter); `rate` is the argument's (DLMF 22.6, 22.13)."""
     return Part(
         witness={sn: "0", cn: "1", dn: "1"},
         relations=(f"{cn}**2 + {sn}**2 - 1", f"{dn}**2 + ({parameter})*{sn}**2 - 1"),

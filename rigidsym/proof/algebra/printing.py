@@ -1,6 +1,6 @@
-"""SymPy's polynomials as texts of the kernel, in an order of one's own.
+"""SymPy's polynomials as texts of the kernel, with terms in a chosen order.
 
-SymPy sorts by the alphabet.  What is printed here may become a formula of the number wing, where
+SymPy sorts by the alphabet.  A text printed here may become a formula of the number wing, where
 the order of terms is the order of summation: names come as they are listed, terms by degree,
 positive ones first.
 """
@@ -13,7 +13,7 @@ Ranks: TypeAlias = dict[str, int]
 
 
 def printed(polynomial: Expr, names: str) -> str:
-    """The text of sums, products and natural powers of listed names; ValueError for others.
+    """Print sums, products and natural powers of listed names; ValueError for others.
 
     >>> from sympy import symbols
     >>> a, b, e = symbols("a b e")
@@ -30,7 +30,7 @@ def _sum(total: Expr, ranks: Ranks) -> str:
 
 
 def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
-    """Degree, sign, ranks of the factors, and the text without the sign."""
+    """Return degree, sign, ranks of the factors, and the text without the sign."""
     number, rest = term.as_coeff_Mul()
     factors = sorted(_factor(factor, ranks) for factor in Mul.make_args(rest) if factor != 1)
     texts = [text for _, text, _ in factors]
@@ -42,20 +42,16 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
 
 
 def _factor(factor: Expr, ranks: Ranks) -> tuple[int, str, int]:
-    """Rank, text and degree; sums come last."""
+    """Return rank, text and degree; sums come last."""
     base, exponent = factor.as_base_exp()
     if not (isinstance(exponent, Integer) and exponent > 0):
         raise ValueError(f"{factor}: not a natural power")
     if isinstance(base, Add):
         rank, text = len(ranks), f"({_sum(base, ranks)})"
         degree = max(_term(term, ranks)[0] for term in base.args)
+    elif str(base) not in ranks:
+        raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")
     else:
-        rank, text, degree = _rank(base, ranks), str(base), 1
+        rank, text, degree = ranks[str(base)], str(base), 1
     power = int(exponent)
     return rank, text if power == 1 else f"{text}**{power}", degree * power
-
-
-def _rank(base: Expr, ranks: Ranks) -> int:
-    if str(base) not in ranks:
-        raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")
-    return ranks[str(base)]

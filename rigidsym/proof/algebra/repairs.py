@@ -1,9 +1,9 @@
-"""Repairs: a refuted statement, mended by one small edit of what is printed.
+"""Repairs: small edits of a printed line that turn a refuted statement into an identity.
 
-The edits are those of `rigidsym.proof.algebra.mutants`, and more kinds: a sign, a derivative, a
-factor or divisor of the context or its square are put in.  Those that fail at a rational point of
-the context are dropped; the rest are decided by normal form.  What is left is a proved repair:
-it is an identity of the same hypotheses.
+The edits are those of `rigidsym.proof.algebra.mutants`, and insertions: of a sign, a derivative, or
+a constant of the context or its square as a factor or divisor.  Edits that fail at a rational point
+of the context are dropped, and the rest are decided by normal form.  So a repair is proved: it is
+an identity under the same hypotheses.
 """
 
 import ast
@@ -20,10 +20,10 @@ _SIDES = ("lhs", "rhs")
 
 
 def repairs(ledger: Ledger, fact_id: str, place: str, component: int = 0) -> list[tuple[str, str]]:
-    """The shortest proved repairs of a refuted fact, lhs and rhs; at most `MOST`, none the same.
+    """Return the shortest proved repairs of a refuted fact, lhs and rhs; at most `MOST`.
 
-    `place` is what the paper prints: a side of the statement, or a definition of its context.  Of
-    several components one is mended.
+    `place` is what the paper prints: a side of the statement, or a definition of its context.
+    `component` says which of several components to mend.
     """
     whole = ledger.facts[fact_id]
     fact = replace(whole, lhs=(whole.lhs[component],), rhs=(whole.rhs[component],))
@@ -40,7 +40,7 @@ def repairs(ledger: Ledger, fact_id: str, place: str, component: int = 0) -> lis
         mended = _ring(context, ring, changed)
         new = all(decide(ring, text, other) != "equivalent" for other in found)
         if new and mended and decide(mended, lhs, rhs) == "equivalent":
-            found[text] = _equation(fact, place, text)
+            found[text] = (lhs, rhs) if place in _SIDES else (place, text)
     return list(found.values())[:MOST]
 
 
@@ -55,7 +55,8 @@ def _edited(printed: str, context: Context, ring: Ring) -> Iterator[str]:
         if isinstance(node, ast.Name | ast.BinOp | ast.Constant):
             yield "sign", ast.UnaryOp(ast.USub(), node)
             for factor in factors:
-                yield "factor", factor if _is_one(node) else ast.BinOp(factor, ast.Mult(), node)
+                one = isinstance(node, ast.Constant) and node.value == 1
+                yield "factor", factor if one else ast.BinOp(factor, ast.Mult(), node)
                 yield "divisor", ast.BinOp(node, ast.Div(), factor)
             if context.rates is not None:
                 yield "derivative", ast.Call(ast.Name("D"), [node], [])
@@ -68,12 +69,8 @@ def _statement(fact: Fact, place: str, text: str) -> tuple[str, str]:
     return {"lhs": (text, rhs), "rhs": (lhs, text)}.get(place, (lhs, rhs))
 
 
-def _equation(fact: Fact, place: str, text: str) -> tuple[str, str]:
-    return (place, text) if place not in _SIDES else _statement(fact, place, text)
-
-
 def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | None:
-    """The ring of the context with a definition changed; None where it is not defined any more."""
+    """Return the context's ring with a definition changed; None where the kernel refuses it."""
     if not changed:
         return ring
     try:
@@ -82,12 +79,8 @@ def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | No
         return None
 
 
-def _is_one(node: ast.AST) -> bool:
-    return isinstance(node, ast.Constant) and node.value == 1
-
-
 def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
-    """The rational points that are known of a context: its witness and its counterexamples."""
+    """Yield the known rational points of a context: its example and its counterexamples."""
     yield context.witness
     for fact in ledger.facts.values():
         if fact.context == context.name and fact.kind == "unequal":
@@ -102,18 +95,18 @@ class Jet:
     rate: Fraction | None = Fraction(0)
 
     def plus(self, other: "Jet") -> "Jet":
-        """The sum."""
+        """Return the sum."""
         unknown = self.rate is None or other.rate is None
         return Jet(self.value + other.value, None if unknown else self.rate + other.rate)
 
     def times(self, other: "Jet") -> "Jet":
-        """The product."""
+        """Return the product."""
         unknown = self.rate is None or other.rate is None
         rate = None if unknown else self.rate * other.value + self.value * other.rate
         return Jet(self.value * other.value, rate)
 
     def power(self, exponent: int) -> "Jet":
-        """An integer power; ZeroDivisionError where it is not defined."""
+        """Return an integer power; ZeroDivisionError where it is not defined."""
         slope = exponent * self.value ** (exponent - 1)
         return Jet(self.value**exponent, None if self.rate is None else slope * self.rate)
 
@@ -131,14 +124,8 @@ class UnknownRateError(ValueError):
     """A rate that the context does not know, or the rate of a rate."""
 
 
-def _known(rate: Fraction | None) -> Fraction:
-    if rate is None:
-        raise UnknownRateError
-    return rate
-
-
 class Instant:
-    """A context at one rational point: its texts are numbers here, and so are their rates."""
+    """A context at one rational point, where its texts and their rates are numbers."""
 
     def __init__(self, context: Context, point: Mapping[str, str]) -> None:
         self.definitions, self.rates = context.definitions, context.rates or {}
@@ -146,7 +133,7 @@ class Instant:
         self.moving = self._moving({})
 
     def _moving(self, changed: Mapping[str, str]) -> dict[str, Jet]:
-        """The quantities with their rates, some definitions being changed."""
+        """Return the quantities with their rates, with some definitions changed."""
         known = {**self.still, **changed}
         rates = {
             name: None if text == "?" else self._value(text, dict(known)).value
@@ -155,7 +142,7 @@ class Instant:
         return {name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()}
 
     def agree(self, lhs: str, rhs: str, changed: Mapping[str, str]) -> bool:
-        """Whether both sides are the same number, as far as rates are known."""
+        """Say whether both sides are the same number; True where a rate is not known."""
         try:
             moving = self._moving(changed) if changed else self.moving
             known: dict[str, Jet | str] = {**moving, **changed}
@@ -181,7 +168,9 @@ class Instant:
             case ast.UnaryOp(operand=operand):
                 return _MINUS.times(self._jet(operand, known))
             case ast.Call(args=[argument]):
-                return Jet(_known(self._jet(argument, known).rate), None)
+                if (rate := self._jet(argument, known).rate) is None:
+                    raise UnknownRateError
+                return Jet(rate, None)
             case ast.BinOp(left=left, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
                 return self._jet(left, known).power(exponent)
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATIONS:

@@ -1,13 +1,13 @@
 """Forward steps of a derivation: SymPy finds what comes next, the kernel decides that it does.
 
-A `Desk` is a context to work in.  Its steps take SymPy expressions and matrices and return a
-`Step`: what was found, as an expression, a matrix or a mapping of solutions; what was done to what;
-what was divided by; and the fact that the kernel admitted for it.
+A `Scope` is a context as SymPy sees it.  A step takes it with SymPy expressions or matrices, and
+returns a `Step`: the value found, as an expression, a matrix or a mapping of solutions; the
+equations of the line; the divisors that must not vanish; and the fact that the kernel admitted.
 
     multiply      a product of named matrices, multiplied out
     coordinates   a matrix as a combination of named ones
     vary          the equations of motion from a Lagrangian (Euler and Poincare)
-    solve         linear equations, with what they leave free
+    solve         linear equations, with the unknowns they leave free
     roots         all roots of a polynomial
     eliminate     quantities by equations that hold
     differentiate by the rates of the context
@@ -15,7 +15,7 @@ what was divided by; and the fact that the kernel admitted for it.
     integrate     by a table of derivatives
     match         an ansatz, by its coefficients
     nonnegative   by a form that shows it
-    rewrite       in a form that reads better: the kernel alone decides
+    rewrite       in a form that is easier to read
 
 SymPy is never trusted: a wrong value is refused by `Ledger.add`, and a step that SymPy cannot do
 raises `StepError`, in one line that names the step.
@@ -34,15 +34,15 @@ from rigidsym.proof.steps.calculus import (
     rewrite,
     roots,
 )
-from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.linear import solve, solve_family
 from rigidsym.proof.steps.matrices import Rate, matrix
 from rigidsym.proof.steps.record import Step, StepError
+from rigidsym.proof.steps.scope import Scope
 from rigidsym.proof.steps.variation import Variation, vary
 
 __all__ = [
-    "Desk",
     "Rate",
+    "Scope",
     "Step",
     "StepError",
     "Variation",

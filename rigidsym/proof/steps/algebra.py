@@ -1,12 +1,10 @@
-"""Steps over named matrices: coordinates in a basis, and what a product multiplies out to."""
+"""Steps over named matrices: coordinates in a basis, products and determinants."""
 
 from collections.abc import Sequence
 
 import sympy
 from sympy import (
     Determinant,
-    Eq,
-    ImmutableMatrix,
     MatAdd,
     MatMul,
     MatrixExpr,
@@ -15,52 +13,49 @@ from sympy import (
     ZeroMatrix,
 )
 
-from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.record import Step, StepError
+from rigidsym.proof.steps.scope import Scope
 
 
 def coordinates(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     expression: MatrixExpr,
     basis: Sequence[MatrixExpr],
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """expression = sum x_k B_k: the x_k, by the traces of an orthogonal basis.
+    """Find the x_k of expression = sum x_k B_k by the traces of an orthogonal basis.
 
     The kernel multiplies the expression and decides the equation entry by entry.  Raises StepError
     where the expression is not in the span.
     """
-    whole = desk.explicit(expression)
-    found = tuple(tidy(desk, _coordinate(whole, desk.explicit(b))) for b in basis)
+    whole = scope.explicit(expression)
+    known = map(scope.explicit, basis)
+    # tr(B* X) / tr(B* B), which is real for X in the real span of an orthogonal basis
+    parts = (sympy.expand((b.H * whole).trace() / (b.H * b).trace()) for b in known)
+    found = tuple(tidy(scope, part) for part in parts)
     pairs = zip(found, basis, strict=True)
     terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
     right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
-    fact = desk.decide_matrices(fact_id, expression, right, source)
-    shown = Eq(expression, right, evaluate=False)
-    return desk.note(Step("coordinates", why, found, (shown,), fact, source=tuple(source)))
+    fact = scope.decide_matrices(fact_id, expression, right, source)
+    return scope.note("coordinates", why, found, [(expression, right)], fact)
 
 
-def _coordinate(value: ImmutableMatrix, direction: ImmutableMatrix) -> sympy.Expr:
-    """tr(B* X) / tr(B* B), which is real for what is in the real span of an orthogonal basis."""
-    return sympy.expand((direction.H * value).trace() / (direction.H * direction).trace())
-
-
-def tidy(desk: Desk, expression: sympy.Expr) -> sympy.Expr:
-    """The same in whole angles where it can be, modulo the relations, its factors collected."""
+def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
+    """Write an expression in whole angles if possible, modulo the relations, factors collected."""
     if not expression.is_real and expression.has(sympy.I):
         real = sympy.expand(expression)
         if real.coeff(sympy.I) != 0:
             raise StepError(f"coordinates: {real} is not real")
-    whole = double(desk, expression)
-    return desk.reduced(whole)
+    whole = double(scope, expression)
+    return scope.reduced(whole)
 
 
-def double(desk: Desk, expression: sympy.Expr) -> sympy.Expr:
-    """cos(x/2)^2 = (1 + cos x)/2 and so on, where every half angle comes twice."""
-    named = desk.dictionary.named(expression)
-    for cosine, sine, whole_cosine, whole_sine in _pairs(desk):
+def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
+    """Replace cos(x/2)^2 by (1 + cos x)/2 and so on, where every half angle occurs twice."""
+    named = scope.dictionary.named(expression)
+    for cosine, sine, whole_cosine, whole_sine in _pairs(scope):
         if not named.free_symbols & {cosine, sine}:
             continue
         terms = Poly(named, cosine, sine).terms()
@@ -73,12 +68,12 @@ def double(desk: Desk, expression: sympy.Expr) -> sympy.Expr:
             (1, 1): whole_sine / 2,
         }
         named = sympy.expand(sum(values[powers] * factor for powers, factor in terms))
-    return desk.dictionary.meant(named)
+    return scope.dictionary.meant(named)
 
 
-def _pairs(desk: Desk) -> list[tuple[sympy.Symbol, ...]]:
-    """The generators cos, sin of angles, with the names that have the doubled angle."""
-    names = desk.dictionary.names
+def _pairs(scope: Scope) -> list[tuple[sympy.Symbol, ...]]:
+    """Return the generators cos, sin of angles, and the names of those of the doubled angles."""
+    names = scope.dictionary.names
     found = []
     for function, cosine in names.items():
         angle = function.args[0]
@@ -89,27 +84,25 @@ def _pairs(desk: Desk) -> list[tuple[sympy.Symbol, ...]]:
 
 
 def multiply(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     left: MatrixExpr,
     right: MatrixExpr,
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """left = right, two expressions in named matrices: both multiplied out by the kernel."""
-    fact = desk.decide_matrices(fact_id, left, right, source)
-    shown = Eq(left, right, evaluate=False)
-    return desk.note(Step("multiply", why, right, (shown,), fact, source=tuple(source)))
+    """State left = right for two expressions in named matrices, which the kernel multiplies out."""
+    fact = scope.decide_matrices(fact_id, left, right, source)
+    return scope.note("multiply", why, right, [(left, right)], fact)
 
 
 def determinant(
-    desk: Desk, fact_id: str, name: MatrixSymbol, why: str, source: Sequence[str] = ()
+    scope: Scope, fact_id: str, name: MatrixSymbol, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """det of a named matrix, as a real expression."""
-    value = tidy(desk, desk.explicit(name).det(method="berkowitz"))
-    real, imaginary = desk.determinant(name)
+    """Compute the determinant of a named matrix as a real expression."""
+    value = tidy(scope, scope.explicit(name).det(method="berkowitz"))
+    real, imaginary = scope.determinant(name)
     parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]
     parts += [(imaginary, "0")] if imaginary else []
-    fact = desk.decide(fact_id, parts, source)
-    shown = Eq(Determinant(name), value, evaluate=False)
-    return desk.note(Step("multiply", why, value, (shown,), fact, source=tuple(source)))
+    fact = scope.decide(fact_id, parts, source)
+    return scope.note("multiply", why, value, [(Determinant(name), value)], fact)

@@ -4,33 +4,32 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy
-from sympy import Eq, Expr, Symbol
+from sympy import Expr, Symbol
 from sympy.solvers.solveset import NonlinearError
 
 from rigidsym.proof.kernel import KernelError
-from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.names import collected, symbol
 from rigidsym.proof.steps.record import Step, StepError
+from rigidsym.proof.steps.scope import Scope
 
 
 def differentiate(
-    desk: Desk, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
+    scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """The time derivative of an expression, by the rates of the context."""
-    value = min(map(desk.reduced, desk.rates(expression)), key=sympy.count_ops)
-    fact = desk.decide(fact_id, [(f"D({desk.text(expression)})", value)], source)
-    shown = Eq(rate_of(expression), value, evaluate=False)
-    return desk.note(Step("differentiate", why, value, (shown,), fact, source=tuple(source)))
+    """Differentiate an expression by time, by the rates of the context."""
+    value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
+    fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source)
+    return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
 
 
 def rate_of(expression: Expr) -> Expr:
-    """The derivative of an expression, not yet formed."""
+    """Return the unevaluated time derivative of an expression."""
     D: Any = sympy.Function("D")
     return D(expression)
 
 
 def rewrite(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     expression: Expr,
     value: Expr,
@@ -38,16 +37,15 @@ def rewrite(
     source: Sequence[str] = (),
     verb: str = "rewrite",
 ) -> Step:
-    """expression = value, which an earlier step or SymPy found: the kernel decides."""
-    conditions = desk.divisors(expression, value)
-    there = desk.at(fact_id, *conditions)
+    """State expression = value, where an earlier step or SymPy found the value."""
+    conditions = scope.divisors(expression, value)
+    there = scope.at(fact_id, *conditions)
     fact = there.decide(fact_id, [(expression, value)], source)
-    shown = Eq(expression, value, evaluate=False)
-    return there.note(Step(verb, why, value, (shown,), fact, conditions, source=tuple(source)))
+    return there.note(verb, why, value, [(expression, value)], fact, conditions)
 
 
 def eliminate(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     expression: Expr,
     equations: Sequence[Expr],
@@ -56,10 +54,10 @@ def eliminate(
     source: Sequence[str] = (),
     name: Expr | None = None,
 ) -> Step:
-    """Put the solution of equations = 0, linear in the unknowns, in the place of the unknowns.
+    """Eliminate unknowns by equations = 0 that are linear in them.
 
-    Unknowns are symbols or powers of symbols, such as Omega2**2.  `name` is what the expression
-    is the value of, if the result is to be stated of that.  Raises StepError where the equations
+    Unknowns are symbols or powers of symbols, such as Omega2**2.  If `name` is given, the result
+    is stated as its value, else as that of the expression.  Raises StepError where the equations
     do not determine the unknowns or some of them are left.
     """
     stand_ins = {x: sympy.Dummy() for x in unknowns}
@@ -71,17 +69,17 @@ def eliminate(
     found = dict(zip(stand_ins.values(), solution, strict=True))
     above, below = sympy.fraction(sympy.together(expression))
     parts = [sympy.expand(x).subs(stand_ins).subs(found) for x in (above, below)]
-    value = desk.reduced(parts[0] / parts[1])
+    value = scope.reduced(parts[0] / parts[1])
     if value.has(*unknowns):  # the relations of the context may bring them back
         value = collected(parts[0] / parts[1])
     if value.free_symbols & {*stand_ins.values()}:
         raise StepError(f"eliminate: {fact_id}: the equations leave an unknown free")
     left = expression if name is None else name
-    return rewrite(desk, fact_id, left, value, why, source, "eliminate")
+    return rewrite(scope, fact_id, left, value, why, source, "eliminate")
 
 
 def apart(expression: Expr, variable: Expr) -> Expr:
-    """Partial fractions in a variable, which may be a power, each as c/(1 - n x)."""
+    """Return partial fractions in a variable, which may be a power, each as c/(1 - n x)."""
     stand_in = sympy.Dummy()
     parts = [
         sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))
@@ -91,7 +89,7 @@ def apart(expression: Expr, variable: Expr) -> Expr:
 
 
 def _normalised(term: Expr, variable: Symbol) -> Expr:
-    """c/(a + b x) as (c/a)/(1 - (-b/a) x), the form that tables of integrals have."""
+    """Return c/(a + b x) as (c/a)/(1 - (-b/a) x), the form that tables of integrals have."""
     above, below = sympy.fraction(sympy.together(term))
     if not below.has(variable):
         return collected(term)
@@ -101,57 +99,55 @@ def _normalised(term: Expr, variable: Symbol) -> Expr:
 
 
 def integrate(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     rate: Expr,
     table: Mapping[Symbol, Expr],
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """An integral of a sum, term by term: each a constant times an entry of a table of rates.
+    """Integrate a sum of terms, each a constant times an entry of a table of rates.
 
-    Raises StepError for a term that the table has not.
+    Raises StepError for a term that is not in the table.
     """
     total = sympy.S.Zero
-    moving = {symbol(name) for name in desk.context.rates or {}}
+    moving = {symbol(name) for name in scope.context.rates or {}}
     for term in sympy.Add.make_args(rate):
         factors = {f: collected(sympy.cancel(term / slope)) for f, slope in table.items()}
         constant = {
-            f: x for f, x in factors.items() if not desk.dictionary.named(x).free_symbols & moving
+            f: x for f, x in factors.items() if not scope.dictionary.named(x).free_symbols & moving
         }
         if not constant:
             raise StepError(f"integrate: {fact_id}: {term} is not in the table")
         function, factor = next(iter(constant.items()))
         total += factor * function
-    fact = desk.decide(fact_id, [(f"D({desk.text(total)})", rate)], source)
-    shown = Eq(sympy.Integral(rate, symbol("t")), total, evaluate=False)
-    conditions = desk.divisors(total)
-    return desk.note(
-        Step("integrate", why, total, (shown,), fact, conditions, source=tuple(source))
+    fact = scope.decide(fact_id, [(f"D({scope.text(total)})", rate)], source)
+    conditions = scope.divisors(total)
+    return scope.note(
+        "integrate", why, total, [(sympy.Integral(rate, symbol("t")), total)], fact, conditions
     )
 
 
 def nonnegative(
-    desk: Desk, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
+    scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """expression = form, a form of sums and products that shows it not to be negative."""
+    """State that an expression is a sum or product whose form shows that it is nonnegative."""
     try:
-        fact = desk.book.sign(fact_id, {desk.text(expression): desk.text(form)}, source)
+        fact = scope.builder.sign(fact_id, {scope.text(expression): scope.text(form)}, source)
     except KernelError as error:
         raise StepError(str(error)) from None
-    shown = Eq(expression, form, evaluate=False)
-    return desk.note(Step("nonnegative", why, form, (shown,), fact, source=tuple(source)))
+    return scope.note("nonnegative", why, form, [(expression, form)], fact)
 
 
 def roots(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     polynomial: Expr,
     variable: Expr,
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """All roots of a polynomial that factors: it is its leading coefficient times their factors."""
+    """Find all roots of a polynomial, which has to factor into linear factors."""
     stand_in = sympy.Dummy()
     plain = sympy.expand(polynomial).subs(variable, stand_in)
     leading, factors = sympy.factor_list(sympy.numer(sympy.together(plain)), stand_in)
@@ -163,22 +159,21 @@ def roots(
     )
     leading = sympy.factor(sympy.Poly(plain, stand_in).LC())
     product = sympy.Mul(leading, *(variable - x for x in values), evaluate=False)
-    conditions = desk.divisors(*values)
-    there = desk.at(fact_id, *conditions)
+    conditions = scope.divisors(*values)
+    there = scope.at(fact_id, *conditions)
     fact = there.decide(fact_id, [(polynomial, product)], source)
-    shown = Eq(polynomial, product, evaluate=False)
-    return there.note(Step("roots", why, values, (shown,), fact, conditions, source=tuple(source)))
+    return there.note("roots", why, values, [(polynomial, product)], fact, conditions)
 
 
 def coefficients(expression: Expr, variable: Expr) -> tuple[Expr, ...]:
-    """Those of a polynomial, the highest power first, each collected."""
+    """Return the coefficients of a polynomial, the highest power first, each collected."""
     stand_in = sympy.Dummy()
     plain = sympy.expand(expression).subs(variable, stand_in)
     return tuple(map(collected, sympy.Poly(plain, stand_in).all_coeffs()))
 
 
 def match(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     ansatz: Expr,
     wanted: Expr,
@@ -187,7 +182,7 @@ def match(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """The unknowns for which two polynomials in a variable agree: their coefficients compared.
+    """Find unknowns for which two polynomials in a variable agree, by their coefficients.
 
     The kernel decides that each solution makes them agree.  Raises StepError where none does.
     """
@@ -200,7 +195,7 @@ def match(
         raise StepError(f"match: {fact_id}: no choice of {unknowns} makes them agree")
     found.sort(key=lambda solution: sympy.default_sort_key(solution[unknowns[0]]))
     pairs = [(ansatz.subs(solution), wanted.subs(solution)) for solution in found]
-    fact = desk.decide(fact_id, pairs, source)
-    shown = tuple(Eq(x, value, evaluate=False) for s in found for x, value in s.items())
-    conditions = desk.divisors(*(value for s in found for value in s.values()))
-    return desk.note(Step("match", why, found, shown, fact, conditions, source=tuple(source)))
+    fact = scope.decide(fact_id, pairs, source)
+    equations = [equation for solution in found for equation in solution.items()]
+    conditions = scope.divisors(*(value for _, value in equations))
+    return scope.note("match", why, found, equations, fact, conditions)

@@ -1,39 +1,39 @@
-"""Linear equations solved, with what they leave free, and decided in both directions."""
+"""Solutions of linear equations, one or a family, decided in both directions."""
 
 from collections.abc import Sequence
 from itertools import combinations
 from typing import Any
 
 import sympy
-from sympy import Eq, Matrix
+from sympy import Matrix
 from sympy.polys.matrices import DomainMatrix
 from sympy.solvers.solveset import NonlinearError
 
-from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.record import Step, StepError
+from rigidsym.proof.steps.scope import Scope
 
 
 def solve(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
     unknowns: Sequence[Any],
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """The one solution of linear equations left = right.
+    """Solve linear equations left = right that have one solution.
 
     With e = left - right, the kernel decides that each unknown minus its value is a combination of
     the e, so that nothing else is a solution, and that each e is one of these differences, so that
     it is a solution.  Raises StepError where there is none, or more than one.
     """
-    word = desk.dictionary.named
+    word = scope.dictionary.named
     named = [(word(left), word(right)) for left, right in equations]
     asked = [word(unknown) for unknown in unknowns]
     system, constants = _system(fact_id, named, asked)
-    inverse, rows = _inverse(desk, fact_id, system, asked)
-    value = (inverse * constants[rows, :]).applyfunc(desk.reduced)
-    there = desk.at(fact_id, *desk.divisors(*value, *inverse))
+    inverse, rows = _inverse(scope, fact_id, system, asked)
+    value = (inverse * constants[rows, :]).applyfunc(scope.reduced)
+    there = scope.at(fact_id, *scope.divisors(*value, *inverse))
     lefts = [f"({there.text(x)}) - ({there.text(y)})" for x, y in named]
     gaps = [f"({there.text(x)} - ({there.text(v)}))" for x, v in zip(asked, value, strict=True)]
     pairs = [
@@ -44,18 +44,15 @@ def solve(
         for k, left in enumerate(lefts)
     ]
     fact = there.decide(fact_id, pairs, source)
-    meant = [desk.dictionary.meant(v) for v in value]
-    found = dict(zip(map(desk.dictionary.meant, asked), meant, strict=True))
-    shown = tuple(Eq(x, v, evaluate=False) for x, v in found.items())
-    return there.note(
-        Step("solve", why, found, shown, fact, desk.divisors(*meant), source=tuple(source))
-    )
+    meant = [scope.dictionary.meant(v) for v in value]
+    found = dict(zip(map(scope.dictionary.meant, asked), meant, strict=True))
+    return there.note("solve", why, found, found.items(), fact, scope.divisors(*meant))
 
 
 def _system(
     fact_id: str, equations: Sequence[tuple[sympy.Expr, ...]], unknowns: Sequence[Any]
 ) -> tuple[Any, Any]:
-    """The matrix and the right side of equations left = right."""
+    """Return the matrix and the right side of equations left = right."""
     try:
         return sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
     except NonlinearError:
@@ -64,30 +61,30 @@ def _system(
 
 
 def _inverse(
-    desk: Desk, fact_id: str, system: Any, unknowns: Sequence[Any]
+    scope: Scope, fact_id: str, system: Any, unknowns: Sequence[Any]
 ) -> tuple[Any, list[int]]:
-    """The inverse of rows that determine the unknowns, its determinant modulo the relations."""
+    """Return the inverse of rows that determine the unknowns, and these rows."""
     rows = list(_pivots(system.T))
     if len(rows) < len(unknowns):
         pivots = _pivots(system)
         free = ", ".join(str(x) for k, x in enumerate(unknowns) if k not in pivots)
         raise StepError(f"solve: {fact_id}: the equations leave {free} free")
     square = system[rows, :]
-    determinant = desk.reduced(square.det(method="berkowitz"))
+    determinant = scope.reduced(square.det(method="berkowitz"))
     if determinant == 0:
-        raise StepError(f"solve: {fact_id}: the determinant is 0 by the relations of {desk.name}")
+        raise StepError(f"solve: {fact_id}: the determinant is 0 by the relations of {scope.name}")
     adjugate = square.adjugate(method="berkowitz")
-    return adjugate.applyfunc(lambda x: desk.reduced(x / determinant)), rows
+    return adjugate.applyfunc(lambda x: scope.reduced(x / determinant)), rows
 
 
 def _pivots(system: Any) -> tuple[int, ...]:
-    """The columns with a pivot, over the field of fractions of what is in the entries."""
+    """Return the columns with a pivot, over the field of fractions of the entries."""
     return DomainMatrix.from_Matrix(system).to_field().rref()[1]
 
 
-def _combination(desk: Desk, factors: Any, texts: Sequence[str], rows: Sequence[int]) -> str:
+def _combination(scope: Scope, factors: Any, texts: Sequence[str], rows: Sequence[int]) -> str:
     terms = [
-        f"({desk.text(factor)})*({texts[row]})"
+        f"({scope.text(factor)})*({texts[row]})"
         for factor, row in zip(factors, rows, strict=True)
         if factor != 0
     ]
@@ -95,7 +92,7 @@ def _combination(desk: Desk, factors: Any, texts: Sequence[str], rows: Sequence[
 
 
 def solve_family(
-    desk: Desk,
+    scope: Scope,
     fact_id: str,
     equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
     unknowns: Sequence[sympy.Symbol],
@@ -103,9 +100,9 @@ def solve_family(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """All solutions of linear equations that leave one direction free: found + parameter * free.
+    """Solve linear equations that leave one direction free: particular + parameter * direction.
 
-    Of all solutions the one without a denominator is found.  The kernel decides that each of them
+    The particular solution is the one without a denominator.  The kernel decides that each of them
     solves the equations, and that what solves them differs from it by a multiple of the direction.
     Raises StepError where not exactly one direction is free.
     """
@@ -113,29 +110,23 @@ def solve_family(
     free = system.nullspace()
     if len(free) != 1:
         raise StepError(f"solve: {fact_id}: {len(free)} directions are free, one was expected")
-    direction: Any = _primitive(free[0])
+    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in free[0]])
+    whole = free[0].applyfunc(lambda x: sympy.cancel(x * below))
+    direction: Any = whole / sympy.gcd_list(list(whole))  # without denominators or common factor
     particular: Any = _regular(system, constants, direction, unknowns)
     columns = zip(unknowns, particular, direction, strict=True)
     family: Any = {x: p + parameter * d for x, p, d in columns}
-    pairs = [(desk.text(x.subs(family)), desk.text(y)) for x, y in equations]
-    pairs += _parallel(desk, system, equations, unknowns, particular, direction)
-    fact = desk.decide(fact_id, pairs, source)
-    shown = tuple(Eq(x, value, evaluate=False) for x, value in family.items())
+    pairs = [(scope.text(x.subs(family)), scope.text(y)) for x, y in equations]
+    pairs += _parallel(scope, system, equations, unknowns, particular, direction)
+    fact = scope.decide(fact_id, pairs, source)
     choice = f"{parameter} is free"
-    return desk.note(Step("solve", why, family, shown, fact, (), choice, tuple(source)))
-
-
-def _primitive(vector: Any) -> Any:
-    """A multiple without denominators and without a common factor."""
-    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in vector])
-    whole = vector.applyfunc(lambda x: sympy.cancel(x * below))
-    return whole / sympy.gcd_list(list(whole))
+    return scope.note("solve", why, family, family.items(), fact, choice=choice)
 
 
 def _regular(
     system: Matrix, constants: Matrix, direction: Matrix, unknowns: Sequence[sympy.Symbol]
 ) -> Matrix:
-    """The solution without denominators: the free unknown is chosen so that they divide."""
+    """Return the solution without denominators, by a choice of the free unknown."""
     (solution,) = sympy.linsolve((system, constants), *unknowns)
     free = next(x for x, value in zip(unknowns, solution, strict=True) if x == value)
     below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
@@ -150,29 +141,29 @@ def _regular(
 
 
 def _parallel(
-    desk: Desk,
+    scope: Scope,
     system: Matrix,
     equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
     unknowns: Sequence[sympy.Symbol],
     particular: Matrix,
     direction: Matrix,
 ) -> list[tuple[str, str]]:
-    """The minors of (difference, direction) as combinations of the equations."""
+    """Return the minors of (difference, direction) as combinations of the equations."""
     size = len(unknowns)
-    lefts = [f"({desk.text(x)}) - ({desk.text(y)})" for x, y in equations]
+    lefts = [f"({scope.text(x)}) - ({scope.text(y)})" for x, y in equations]
     found = []
     for i, j in combinations(range(size), 2):
         row = sympy.zeros(1, size)
         row[j], row[i] = direction[i], -direction[j]
         factors = _factors(system, row)
-        one, two = (f"({desk.text(unknowns[k])} - ({desk.text(particular[k])}))" for k in (i, j))
-        minor = f"({desk.text(direction[i])})*{two} - ({desk.text(direction[j])})*{one}"
-        found.append((minor, _combination(desk, factors, lefts, range(len(lefts)))))
+        one, two = (f"({scope.text(unknowns[k])} - ({scope.text(particular[k])}))" for k in (i, j))
+        minor = f"({scope.text(direction[i])})*{two} - ({scope.text(direction[j])})*{one}"
+        found.append((minor, _combination(scope, factors, lefts, range(len(lefts)))))
     return found
 
 
 def _factors(system: Any, row: Any) -> Any:
-    """A row as a combination of those of the system, without denominators if one row will do."""
+    """Return a row as a combination of the system's rows, of one row if possible."""
     for k in range(system.rows):
         pairs = list(zip(row, system.row(k), strict=True))
         ratios = {sympy.cancel(x / y) for x, y in pairs if y != 0}

@@ -2,7 +2,7 @@
 
 A matrix R is up to eight definitions of its context, R_11_re to R_22_im; parts that are zero have
 none.  A product reaches the kernel as the sums of products of these, unexpanded: the kernel
-multiplies.  The inverse is written by the conjugate transpose: `Desk.decide_matrices` sees to it
+multiplies.  The inverse is written by the conjugate transpose: `Scope.decide_matrices` sees to it
 that what is inverted is unitary.
 """
 
@@ -37,11 +37,11 @@ Entries: TypeAlias = Mapping[tuple[int, int], Number]
 
 
 class Rate(MatrixExpr):
-    """The time derivative of a matrix expression."""
+    """Time derivative of a matrix expression."""
 
     @property
     def shape(self) -> Any:
-        """That of what is differentiated."""
+        """The shape of the matrix that is differentiated."""
         inner: Any = self.args[0]
         return inner.shape
 
@@ -55,19 +55,19 @@ class Rate(MatrixExpr):
 
 
 def matrix(name: str) -> MatrixSymbol:
-    """A two-by-two matrix by its name."""
+    """Return a two-by-two matrix by its name."""
     return MatrixSymbol(name, 2, 2)
 
 
 def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-    """Real and imaginary part of an expression in real symbols, a polynomial in i."""
+    """Return real and imaginary part of an expression in real symbols, a polynomial in i."""
     expanded = sympy.expand(value)
     imaginary = expanded.coeff(sympy.I)
     return expanded - sympy.expand(sympy.I * imaginary), imaginary
 
 
 def part_name(name: str, index: tuple[int, int], part: int) -> str:
-    """R_12_im for the imaginary part of the upper right entry of R."""
+    """Return R_12_im for the imaginary part of the upper right entry of R."""
     return f"{name}_{index[0]}{index[1]}_{('re', 'im')[part]}"
 
 
@@ -76,7 +76,7 @@ def explicit(
     values: Mapping[str, ImmutableMatrix],
     rate: Callable[[sympy.Expr], sympy.Expr],
 ) -> ImmutableMatrix:
-    """The matrix that an expression in named matrices is."""
+    """Multiply out an expression in named matrices."""
 
     def of(node: Any) -> ImmutableMatrix:
         match node:
@@ -96,7 +96,8 @@ def explicit(
             case MatPow() if node.exp.is_Integer and node.exp > 0:
                 return reduce(_product, [of(node.base)] * int(node.exp))
             case Rate():
-                return of(node.args[0]).applyfunc(lambda entry: _rate(entry, rate))
+                parts = [*map(split, of(node.args[0]).flat())]
+                return ImmutableMatrix(2, 2, [rate(x) + sympy.I * rate(y) for x, y in parts])
         raise StepError(f"{node}: no matrix expression of this vocabulary")
 
     return of(expression)
@@ -106,17 +107,12 @@ def _product(left: ImmutableMatrix, right: ImmutableMatrix) -> ImmutableMatrix:
     return (left * right).applyfunc(sympy.expand)
 
 
-def _rate(entry: sympy.Expr, rate: Callable[[sympy.Expr], sympy.Expr]) -> sympy.Expr:
-    real, imaginary = split(entry)
-    return rate(real) + sympy.I * rate(imaginary)
-
-
 def entries(
     expression: MatrixExpr,
     values: Mapping[str, ImmutableMatrix],
     scalar: Callable[[sympy.Expr], Expression],
 ) -> Entries:
-    """The trees of the entries of an expression in named matrices; `scalar` is for factors."""
+    """Return the trees of the entries of an expression; `scalar` makes those of factors."""
 
     def of(node: Any) -> Entries:
         match node:
@@ -146,7 +142,7 @@ def entries(
 
 
 def determinant(entry: Entries) -> Number:
-    """a d - b c, real and imaginary part."""
+    """Return real and imaginary part of a d - b c."""
     (a, b), (c, d) = ((entry[i, 1], entry[i, 2]) for i in (1, 2))
     first, second = _complex_product(a, d), _complex_product(b, c)
     return _minus(first[0], second[0]), _minus(first[1], second[1])
@@ -209,7 +205,7 @@ def _added(left: Entries, right: Entries) -> Entries:
 def _scaled(
     factor: sympy.Expr, scalar: Callable[[sympy.Expr], Expression], whole: Entries
 ) -> Entries:
-    """A factor of any sign in front of a matrix."""
+    """Multiply a matrix by a factor of any sign."""
     negative = factor.could_extract_minus_sign()
     tree = scalar(-factor if negative else factor)
     by = _negative(tree) if negative else tree

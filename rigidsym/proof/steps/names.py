@@ -20,29 +20,29 @@ from rigidsym.proof.steps.record import StepError
 
 
 def symbol(name: str) -> sympy.Symbol:
-    """The real symbol of a name."""
+    """Return the real symbol of a name."""
     return sympy.Symbol(name, real=True)
 
 
 def symbols(text: str) -> tuple[sympy.Symbol, ...]:
-    """The real symbols of several names: `symbols("c1 c2 c3")`."""
+    """Return the real symbols of several names: `symbols("c1 c2 c3")`."""
     return tuple(map(symbol, text.split()))
 
 
 def read(text: str) -> sympy.Expr:
-    """A text of the ledger, or the reading of a name, as SymPy's expression in real symbols."""
+    """Read a text of the ledger, or the meaning of a name, as an expression in real symbols."""
     return sympified(parse(text), symbol, BY_PARAMETER)
 
 
 class Dictionary:
-    """The names of a context for functions that its readings tell of."""
+    """The names of a context, and the functions that they mean."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
 
     @cached_property
     def names(self) -> Mapping[Any, sympy.Symbol]:
-        """cos(phi1/2) -> cos_half_phi1, and so on."""
+        """The name of each function: cos(phi1/2) -> cos_half_phi1."""
         found = {}
         for name, reading in self.context.reading.items():
             try:
@@ -55,19 +55,19 @@ class Dictionary:
 
     @cached_property
     def functions(self) -> Mapping[sympy.Symbol, sympy.Expr]:
-        """cos_half_phi1 -> cos(phi1/2), and so on."""
+        """The function of each name: cos_half_phi1 -> cos(phi1/2)."""
         return {name: function for function, name in self.names.items()}
 
     def named(self, expression: sympy.Expr) -> sympy.Expr:
-        """The expression in names alone."""
+        """Return the expression with names for functions."""
         return sympy.sympify(expression).xreplace(dict(self.names))
 
     def meant(self, expression: sympy.Expr) -> sympy.Expr:
-        """The expression with functions in the place of their names."""
+        """Return the expression with functions for their names."""
         return expression.xreplace(dict(self.functions))
 
     def text(self, expression: sympy.Expr | int) -> str:
-        """What the kernel reads; raises StepError where a part has no name here."""
+        """Return the text for the kernel; raises StepError where a part has no name here."""
         named = self.named(sympy.sympify(expression))
         strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
         if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
@@ -76,7 +76,7 @@ class Dictionary:
 
 
 class _Printer(StrPrinter):
-    """SymPy's own text, with quotients in the place of negative powers."""
+    """SymPy's own text, with quotients for negative powers."""
 
     def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
         base, exponent = expr.as_base_exp()
@@ -89,7 +89,7 @@ class _Printer(StrPrinter):
 
 
 def collected(expression: Expr) -> Expr:
-    """The expression as one fraction of factors, each of the sign and the form that is shorter."""
+    """Return the expression as one fraction of factors, each in its shorter form and sign."""
     above, below = sympy.fraction(sympy.factor(expression))
     sign_above, above = _side(above)
     sign_below, below = _side(below)
@@ -97,12 +97,12 @@ def collected(expression: Expr) -> Expr:
 
 
 def positive(expression: Expr) -> Expr:
-    """The expression or its negative: the one that begins with a plus."""
+    """Return the expression or its negative, whichever begins with a plus."""
     return -expression if str(expression).startswith("-") else expression
 
 
 def _side(side: Expr) -> tuple[int, Expr]:
-    """A product with factors that begin with a plus, multiplied out where that is shorter."""
+    """Return the sign, and a product of factors that begin with a plus, as short as it gets."""
     sign, factors = 1, []
     for factor in Mul.make_args(side):
         base, power = factor.as_base_exp()

@@ -1,6 +1,6 @@
-"""What a step leaves behind, and how it fails."""
+"""The record of a step, and the error of one that fails."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import sympy
@@ -14,10 +14,10 @@ class StepError(ValueError):
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Step:
-    """One line of a derivation: what was done, what came of it, and the fact that says so.
+    """One line of a derivation: its verb and reason, its value, and the fact that proves it.
 
     `shown` are the equations of the line as SymPy's `Eq`, unevaluated and with matrices by their
-    names; `conditions` are what must not be zero, `choice` says in words what was chosen.
+    names; `conditions` must not be zero, `choice` says in words what was chosen.
     """
 
     verb: str
@@ -27,10 +27,14 @@ class Step:
     fact: Fact
     conditions: tuple[sympy.Expr, ...] = ()
     choice: str = ""
-    source: tuple[str, ...] = field(default=())
+
+    @property
+    def source(self) -> tuple[str, ...]:
+        """Equations of the paper, or references, that the fact is from."""
+        return self.fact.source
 
     def __getitem__(self, key: Any) -> Any:
-        """An entry of the value: `step[Omega1]`, `step[0, 1]`."""
+        """Return an entry of the value: `step[Omega1]`, `step[0, 1]`."""
         return self.value[key]
 
     def __repr__(self) -> str:
@@ -48,7 +52,7 @@ class Step:
         return line_latex(self)
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
-        """What IPython shows in a terminal."""
+        """Print the line as IPython does in a terminal."""
         from rigidsym.view.article import line_text
 
         printer.text("..." if cycle else line_text(self))

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy
-from sympy import Eq
 
-from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps.desk import Desk
+from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps.names import symbol, symbols
 from rigidsym.proof.steps.record import Step, StepError
+from rigidsym.proof.steps.scope import Scope
 
 RATES, MOMENTA = symbols("Omega1 Omega2 Omega3"), symbols("M1 M2 M3")
 # f[i][j][k]: the coordinates of [A_i, A_j] = sum f_ijk A_k.
@@ -19,23 +18,23 @@ Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """What the variation of a Lagrangian gives: M' = moments, these in the rates and M1 to M3."""
+    """Result of a variation: M' = moments, which are in the rates and M1 to M3."""
 
     momenta: tuple[sympy.Expr, ...]
     moments: tuple[sympy.Expr, ...]
-    desk: Desk
+    scope: Scope
     step: Step
 
     @property
     def equations(self) -> list[tuple[Any, Any]]:
-        """M' = moment, with the rates' rates as unknowns."""
+        """Return M' = moment, with the rates' rates as unknowns."""
         known: Any = dict(zip(MOMENTA, self.momenta, strict=True))
         pairs = zip(self.momenta, self.moments, strict=True)
-        return [(self.desk.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
+        return [(self.scope.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
 
 
 def vary(
-    book: Book,
+    builder: LedgerBuilder,
     name: str,
     lagrangian: sympy.Expr,
     constants: Constants,
@@ -43,7 +42,7 @@ def vary(
     why: str,
     source: Sequence[str] = (),
 ) -> Variation:
-    """The equations of motion of a Lagrangian L(Omega), by the variation of Euler and Poincare.
+    """Derive the equations of motion of a Lagrangian L(Omega) by Euler and Poincare's variation.
 
     For R' = R Omega and delta R = R eta, delta Omega = eta' + [Omega, eta].  Then delta L is the
     rate of M eta less (M' - moment) eta, with M = dL/dOmega, for every eta.  The kernel decides it
@@ -60,20 +59,18 @@ def vary(
         raise StepError(f"vary: {name}: the Lagrangian has {min(map(str, strange))} in it")
     pairs = zip(RATES, turned, strict=True)
     small = {rate: rate + symbol("eps") * change for rate, change in pairs}
-    desk = Desk.open(book, name, parameters, _free_motion(lagrangian, small, momenta, moments))
+    scope = Scope.open(builder, name, parameters, _free_motion(lagrangian, small, momenta, moments))
     boundary = " + ".join(f"M{k}*eta{k}" for k in (1, 2, 3))
     rest = " + ".join(f"E{k}*eta{k}" for k in (1, 2, 3))
     change = [("L_varied - L", f"eps*(D({boundary}) - ({rest}))")]
-    fact = desk.decide(f"{name}.by_parts", change, source)
-    shown = tuple(
-        Eq(symbol(f"M{k}_rate"), moment, evaluate=False) for k, moment in enumerate(moments, 1)
-    )
-    step = Step("vary", why, moments, shown, fact, source=tuple(source))
-    return Variation(momenta, moments, desk, desk.note(step))
+    fact = scope.decide(f"{name}.by_parts", change, source)
+    equations = [(symbol(f"M{k}_rate"), moment) for k, moment in enumerate(moments, 1)]
+    step = scope.note("vary", why, moments, equations, fact)
+    return Variation(momenta, moments, scope, step)
 
 
 def _turned(constants: Constants, etas: Sequence[sympy.Symbol]) -> list[sympy.Expr]:
-    """delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j"""
+    """Return delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j."""
     triple = range(3)
     return [
         symbol(f"{etas[k]}_rate")
@@ -88,16 +85,16 @@ def _free_motion(
     momenta: Sequence[sympy.Expr],
     moments: Sequence[sympy.Expr],
 ) -> Part:
-    """Any motion and any variation of it: nothing is known of the rates' rates."""
+    """Return any motion and any variation of it: the rates' rates are unknown."""
     names = [f"{name}{k}" for name in ("Omega", "eta") for k in (1, 2, 3)]
     numbered = list(enumerate(zip(momenta, moments, strict=True), 1))
     return Part(
         witness={**dict.fromkeys([*names, *(f"{x}_rate" for x in names)], "1"), "eps": "0"},
         definitions={
-            "L": _text(lagrangian),
-            "L_varied": _text(lagrangian.subs(small, simultaneous=True)),
-            **{f"M{k}": _text(momentum) for k, (momentum, _) in numbered},
-            **{f"E{k}": f"D(M{k}) - ({_text(moment)})" for k, (_, moment) in numbered},
+            "L": str(lagrangian),
+            "L_varied": str(lagrangian.subs(small, simultaneous=True)),
+            **{f"M{k}": str(momentum) for k, (momentum, _) in numbered},
+            **{f"E{k}": f"D(M{k}) - ({moment!s})" for k, (_, moment) in numbered},
         },
         relations=("eps**2",),
         rates={**{x: f"{x}_rate" for x in names}, **{f"{x}_rate": "?" for x in names}},
@@ -107,7 +104,3 @@ def _free_motion(
             **{f"eta{k}": f"component {k} of R^-1 delta R" for k in (1, 2, 3)},
         },
     )
-
-
-def _text(expression: sympy.Expr) -> str:
-    return str(expression)

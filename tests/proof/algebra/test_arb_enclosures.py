@@ -8,7 +8,7 @@ import flint
 import pytest
 from mpmath import mp, workdps
 
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.enclosures import BITS, FUNCTIONS, Evaluation, encloses, rational
 from rigidsym.proof.algebra.enclosures import agrees as agrees_there
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
@@ -288,20 +288,20 @@ def test_the_precision_is_given_back(text):
 
 
 def test_an_assumption_is_graded_by_its_points_and_replays_with_the_same_balls():
-    book = Book()
+    builder = LedgerBuilder()
     part = Part({"u": "0", "s": "0"}, reading={"s": "jacobi_sn(u, 1/2)"})
-    book.open(join("c", part, static=True))
+    builder.open(join("c", part, static=True))
     points = [{"u": "3/2"}]
     right = "2*s*jacobi_cn(u, 1/2)"
     with pytest.raises(KernelError):
-        book.assume("c.function", {"s": right}, "nobody", points)
+        builder.assume("c.function", {"s": right}, "nobody", points)
     with pytest.raises(KernelError, match="agree"):
-        book.assume("c.wrong", {"s": "u"}, "nobody", points)
+        builder.assume("c.wrong", {"s": "u"}, "nobody", points)
     with pytest.raises(KernelError, match="reference"):
-        book.assume("c.orphan", {"s**2": "s*s"}, "", points)
-    assert book.assume("c.bare", {"s": "u"}, "somebody", []).grade == Grade.ASSUMED
-    assert book.assume("c.same", {"s**2": "s*s"}, "anybody", points).grade == Grade.ENCLOSED
-    sealed = book.ledger.to_text()
+        builder.assume("c.orphan", {"s**2": "s*s"}, "", points)
+    assert builder.assume("c.bare", {"s": "u"}, "somebody", []).grade == Grade.ASSUMED
+    assert builder.assume("c.same", {"s**2": "s*s"}, "anybody", points).grade == Grade.ENCLOSED
+    sealed = builder.ledger.to_text()
     assert replay(sealed, encloses).to_text() == sealed
     with pytest.raises(KernelError):
         replay(sealed)

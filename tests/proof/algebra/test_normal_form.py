@@ -5,7 +5,7 @@ from random import Random
 
 import pytest
 
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra.normal_form import divide, nested, quotients
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel.ring import at
@@ -88,9 +88,9 @@ def test_plain_division_misses_what_reduced_relations_find():
     cofactors, remainder = divide(ring, polynomial)
     assert not remainder
     assert multiplied_out(ring, cofactors) == polynomial
-    book = Book()
-    book.open(HIDDEN)
-    assert book.claim("hidden.found", {"w*x**2": "1"}).certificate["cofactors"] == [
+    builder = LedgerBuilder()
+    builder.open(HIDDEN)
+    assert builder.claim("hidden.found", {"w*x**2": "1"}).certificate["cofactors"] == [
         [str(cofactor) for cofactor in cofactors]
     ]
 
@@ -112,11 +112,11 @@ def test_what_is_not_zero_at_a_point_of_the_context_is_never_zero(name, seed):
     ("equation", "name"), [({"x": "y + 1"}, "hidden"), ({"x": "y"}, "single"), ({"x": "y"}, "free")]
 )
 def test_a_false_equation_is_refused(equation, name):
-    book = Book()
+    builder = LedgerBuilder()
     for context in (HIDDEN, SINGLE, FREE):
-        book.open(context)
+        builder.open(context)
     with pytest.raises(KernelError, match="undecided"):
-        book.claim(f"{name}.false", equation)
+        builder.claim(f"{name}.false", equation)
 
 
 def test_zero_is_zero_with_and_without_relations():
@@ -135,8 +135,8 @@ def test_rings_of_the_same_names_are_not_mixed_up():
 
 
 def test_redundant_relations_leave_a_false_claim_undecided():
-    book = Book()
+    builder = LedgerBuilder()
     relations = ("x**2 - 1", "x**2 - 1", "y - x")
-    book.open(Context("d", ("x", "y"), {"x": "1", "y": "1"}, relations=relations))
+    builder.open(Context("d", ("x", "y"), {"x": "1", "y": "1"}, relations=relations))
     with pytest.raises(KernelError, match="undecided"):
-        book.claim("d.f", {"x": "y + 1"})
+        builder.claim("d.f", {"x": "y + 1"})

@@ -2,7 +2,7 @@ from fractions import Fraction
 
 import pytest
 
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra.repairs import Instant, Jet, repairs
 
 CIRCLE = Part(
@@ -15,10 +15,10 @@ CIRCLE = Part(
 
 def mended(statement, place="rhs", definitions=None, point=None):
     """The repairs that are found, as equations."""
-    book = Book()
-    book.open(join("c", CIRCLE, Part(definitions=definitions or {})))
-    book.refute("c.wrong", statement, point or {})
-    return [f"{lhs} = {rhs}" for lhs, rhs in repairs(book.ledger, "c.wrong", place)]
+    builder = LedgerBuilder()
+    builder.open(join("c", CIRCLE, Part(definitions=definitions or {})))
+    builder.refute("c.wrong", statement, point or {})
+    return [f"{lhs} = {rhs}" for lhs, rhs in repairs(builder.ledger, "c.wrong", place)]
 
 
 @pytest.mark.parametrize(
@@ -51,16 +51,16 @@ def test_a_printed_definition_is_changed_wherever_it_is_used():
 
 
 def test_nothing_is_reported_twice_or_without_proof():
-    book = Book()
-    book.open(join("c", CIRCLE))
-    book.refute("c.wrong", {"D(s)**2": "w**2*(1 + s**2)"}, {})
-    found = repairs(book.ledger, "c.wrong", "rhs")
+    builder = LedgerBuilder()
+    builder.open(join("c", CIRCLE))
+    builder.refute("c.wrong", {"D(s)**2": "w**2*(1 + s**2)"}, {})
+    found = repairs(builder.ledger, "c.wrong", "rhs")
     sides = [rhs for _, rhs in found]
-    ring = book.ledger.rings["c"]
+    ring = builder.ledger.rings["c"]
     assert sides
     assert len({str(ring.remainder(ring.read(text).numerator)) for text in sides}) == len(sides)
     for k, text in enumerate(sides):
-        book.claim(f"c.found{k}", {"D(s)**2": text})
+        builder.claim(f"c.found{k}", {"D(s)**2": text})
 
 
 def test_the_shortest_come_first_and_are_few():
@@ -70,9 +70,9 @@ def test_the_shortest_come_first_and_are_few():
 
 
 def test_an_instant_knows_values_and_rates():
-    book = Book()
-    book.open(join("c", CIRCLE, Part(definitions={"t": "s/k1"})))
-    instant = Instant(book.ledger.contexts["c"], book.ledger.contexts["c"].witness)
+    builder = LedgerBuilder()
+    builder.open(join("c", CIRCLE, Part(definitions={"t": "s/k1"})))
+    instant = Instant(builder.ledger.contexts["c"], builder.ledger.contexts["c"].witness)
     assert instant.agree("D(s)", "w*c", {})
     assert instant.agree("D(t)", "w*c/k1", {})
     assert not instant.agree("D(t)", "w*c", {})
@@ -82,9 +82,9 @@ def test_an_instant_knows_values_and_rates():
 
 
 def test_what_cannot_be_evaluated_is_left_to_the_kernel():
-    book = Book()
-    book.open(join("c", CIRCLE))
-    instant = Instant(book.ledger.contexts["c"], book.ledger.contexts["c"].witness)
+    builder = LedgerBuilder()
+    builder.open(join("c", CIRCLE))
+    instant = Instant(builder.ledger.contexts["c"], builder.ledger.contexts["c"].witness)
     assert instant.agree("D(D(s))", "17", {})
 
 

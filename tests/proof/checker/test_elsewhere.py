@@ -9,7 +9,7 @@ import pytest
 from ledgers import unchecked
 
 from rigidsym.proof.algebra.enclosures import COUNT, encloses
-from rigidsym.proof.checker import Refused, check, elsewhere
+from rigidsym.proof.checker import Refused, check, enclosures
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
 
 NAMES = ("k_1", "rho", "a", "b", "K", "x", "n", "s")
@@ -123,7 +123,7 @@ def test_a_claim_has_to_say_something_at_enough_points(decide):
 
 
 def test_both_ask_for_forty():
-    assert min(COUNT, elsewhere.DUE) >= 40
+    assert min(COUNT, enclosures.DUE) >= 40
 
 
 @pytest.mark.parametrize("whole", [1, ["n", 1], {"n": "1"}])

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rigidsym.proof.kernel
-from rigidsym.proof.algebra.book import text as spelled
+from rigidsym.proof.algebra.builder import text as spelled
 from rigidsym.proof.kernel import Context
 
 RATES = {"x": "y/u", "y": "x**2 - u", "u": "-y"}

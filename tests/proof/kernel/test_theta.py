@@ -6,7 +6,7 @@ import mpmath as mp
 import pytest
 
 from derivations.theta_laws import ARGUMENTS, CIRCULAR, HYPERBOLIC, LAWS, RIEMANN, Family, prove
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.checker.theta import zero
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
@@ -314,13 +314,13 @@ def test_a_model_starts_where_the_other_does():
 
 
 @pytest.fixture(scope="module")
-def laws() -> Book:
+def laws() -> LedgerBuilder:
     """A context of one family, with its laws."""
     names = ("v", "b", "nome_m", *CIRCULAR.declared())
-    book = Book()
-    book.open(Context("laws", names, dict.fromkeys(names, "1"), thetas=CIRCULAR.declared()))
-    prove(book, "laws", CIRCULAR)
-    return book
+    builder = LedgerBuilder()
+    builder.open(Context("laws", names, dict.fromkeys(names, "1"), thetas=CIRCULAR.declared()))
+    prove(builder, "laws", CIRCULAR)
+    return builder
 
 
 @pytest.mark.parametrize("name", LAWS)

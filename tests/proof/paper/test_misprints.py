@@ -9,7 +9,7 @@ from house import imports
 from misprints import misprints
 
 from derivations import CHAPTERS, printed
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import KernelError, Ledger
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper.answers import Answers, asked, question
@@ -28,10 +28,10 @@ PLACES = ("latex", "repair")
 @pytest.fixture(scope="module")
 def forward():
     """The ledger as it is before the print is opened, and the same as data."""
-    book = Book()
+    builder = LedgerBuilder()
     for name in CHAPTERS[: CHAPTERS.index("printed")]:
-        import_module(f"derivations.{name}").derive(book)
-    ledger = book.ledger
+        import_module(f"derivations.{name}").derive(builder)
+    ledger = builder.ledger
     return ledger, _data(ledger, Ledger())
 
 
@@ -44,14 +44,14 @@ def _data(ledger, before):
 def fate(equation, forward):
     """What is decided about one line, the other lines being as they are printed."""
     before, data = forward
-    book = Book()
-    book.ledger.contexts, book.ledger.facts = dict(before.contexts), dict(before.facts)
-    book.ledger.rings = dict(before.rings)
+    builder = LedgerBuilder()
+    builder.ledger.contexts, builder.ledger.facts = dict(before.contexts), dict(before.facts)
+    builder.ledger.rings = dict(before.rings)
     every = [equation if e.number == equation.number else e for e in EQUATIONS]
     by_number = {e.number: e for e in every}
     for latex, sense in asked(equation):
-        printed.ask(book, equation.number, question(latex, sense, by_number))
-    new = _data(book.ledger, before)
+        printed.ask(builder, equation.number, question(latex, sense, by_number))
+    new = _data(builder.ledger, before)
     ledger = {key: [*data[key], *new[key]] for key in data}
     found = verdict(equation, Answers(ledger, every), {})
     return found.ruling, [read.holds for read in found.readings], found.right_with

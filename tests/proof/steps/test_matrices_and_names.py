@@ -1,4 +1,4 @@
-"""Named matrices entry by entry, the two ways of a dictionary, and what a desk knows."""
+"""Named matrices entry by entry, the two ways of a dictionary, and what a scope knows."""
 
 import random
 
@@ -8,8 +8,8 @@ from sympy import I, Identity, ImmutableMatrix, MatAdd, MatMul, ZeroMatrix
 
 from rigidsym.language.expression import parse
 from rigidsym.language.functions.jacobi import jacobi_sn
-from rigidsym.proof.algebra import Book, Part, circle, half_angle, jacobi
-from rigidsym.proof.steps import Desk, Rate, StepError, matrix
+from rigidsym.proof.algebra import LedgerBuilder, Part, circle, half_angle, jacobi
+from rigidsym.proof.steps import Rate, Scope, StepError, matrix
 from rigidsym.proof.steps.matrices import part_name, split
 from rigidsym.proof.steps.names import collected, positive, read, symbol, symbols
 
@@ -42,51 +42,57 @@ def test_entries_are_those_of_explicit_multiplication(seed):
     values = {name: drawn(draw) for name in NAMES}
     witness = dict.fromkeys("xya", "1")
     rates = {"x": "a*y", "y": "x - a"}
-    desk = Desk.open(Book(), "named", Part(witness=witness, rates=rates), matrices=values)
+    scope = Scope.open(
+        LedgerBuilder(), "named", Part(witness=witness, rates=rates), matrices=values
+    )
     whole = expression(draw, 3)
     if seed % 2:
         whole = Rate(whole)
-    explicit = desk.explicit(whole)
-    for (i, j), texts in desk.entries(whole).items():
+    explicit = scope.explicit(whole)
+    for (i, j), texts in scope.entries(whole).items():
         parts = split(explicit[i - 1, j - 1])
         for text, part in zip(texts, parts, strict=True):
-            said = desk.ring.read(text or "0")
-            assert not (said - desk.ring.read(desk.text(part))).numerator
+            said = scope.ring.read(text or "0")
+            assert not (said - scope.ring.read(scope.text(part))).numerator
 
 
 def test_an_entry_is_sums_of_products_of_names_unexpanded():
     values = {"P": ImmutableMatrix(((x, I * y), (I * y, x)))}
-    desk = Desk.open(Book(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values)
+    scope = Scope.open(
+        LedgerBuilder(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values
+    )
     P = matrix("P")
-    assert desk.entries(P * P)[1, 1] == ("P_11_re * P_11_re - P_12_im * P_21_im", None)
+    assert scope.entries(P * P)[1, 1] == ("P_11_re * P_11_re - P_12_im * P_21_im", None)
     assert part_name("P", (1, 2), 1) == "P_12_im"
 
 
 def test_a_matrix_by_those_before_it():
     values = {"P": ImmutableMatrix(((x, 0), (0, y))), "Q": matrix("P") * matrix("P")}
-    desk = Desk.open(Book(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values)
-    assert desk.context.definitions["Q_11_re"] == "P_11_re * P_11_re"
-    assert desk.explicit(matrix("Q")) == ImmutableMatrix(((x**2, 0), (0, y**2)))
+    scope = Scope.open(
+        LedgerBuilder(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values
+    )
+    assert scope.context.definitions["Q_11_re"] == "P_11_re * P_11_re"
+    assert scope.explicit(matrix("Q")) == ImmutableMatrix(((x**2, 0), (0, y**2)))
 
 
 @pytest.fixture
-def desk():
+def scope():
     parts = (
         Part(witness={"a": "2", "w": "1", "xi": "1", "mu": "9/16"}),
         half_angle("phi1", "w"),
         jacobi("sn", "cn", "dn", "xi*t", "mu", "xi"),
     )
-    return Desk.open(Book(), "words", *parts)
+    return Scope.open(LedgerBuilder(), "words", *parts)
 
 
-def test_a_dictionary_goes_both_ways(desk):
+def test_a_dictionary_goes_both_ways(scope):
     sn = jacobi_sn(symbol("xi") * symbol("t"), symbol("mu"))
     meant = a * sympy.cos(symbol("phi1") / 2) + sn**2
-    named = desk.dictionary.named(meant)
+    named = scope.dictionary.named(meant)
     assert {str(name) for name in named.free_symbols} >= {"a", "sn"}
     assert not named.atoms(sympy.Function)
-    assert desk.dictionary.meant(named) == meant
-    assert desk.read(desk.text(meant)) == meant
+    assert scope.dictionary.meant(named) == meant
+    assert scope.read(scope.text(meant)) == meant
 
 
 @pytest.mark.parametrize(
@@ -102,10 +108,12 @@ def test_a_dictionary_goes_both_ways(desk):
     ],
 )
 def test_negative_powers_are_quotients(expression, text):
-    desk = Desk.open(Book(), "plain", Part({"x": "1", "y": "1"}, units=("x", "x + y")), static=True)
-    assert desk.text(expression) == text
+    scope = Scope.open(
+        LedgerBuilder(), "plain", Part({"x": "1", "y": "1"}, units=("x", "x + y")), static=True
+    )
+    assert scope.text(expression) == text
     assert sympy.cancel(read(text) - expression) == 0
-    desk.ring.read(text)
+    scope.ring.read(text)
 
 
 @pytest.mark.parametrize(
@@ -117,13 +125,13 @@ def test_negative_powers_are_quotients(expression, text):
         (x**y, "the kernel knows whole powers only"),
     ],
 )
-def test_what_the_kernel_has_no_word_for_is_one_line(desk, expression, message):
+def test_what_the_kernel_has_no_word_for_is_one_line(scope, expression, message):
     with pytest.raises(StepError, match=message):
-        desk.text(expression)
+        scope.text(expression)
 
 
-def test_a_reading_that_is_words_is_no_function(desk):
-    assert all(isinstance(f, sympy.Function) for f in desk.dictionary.names)
+def test_a_reading_that_is_words_is_no_function(scope):
+    assert all(isinstance(f, sympy.Function) for f in scope.dictionary.names)
     with pytest.raises((ValueError, SyntaxError)):
         read("a moment of inertia, kg m^2")
     with pytest.raises(ValueError, match="not a function that SymPy is told of"):
@@ -131,45 +139,47 @@ def test_a_reading_that_is_words_is_no_function(desk):
     assert parse("x") is not None
 
 
-# A desk.
+# A scope.
 
 
 def test_at_a_context_of_its_own_and_the_same_again():
-    book = Book()
-    desk = Desk.open(book, "whole", Part({"x": "2", "y": "1"}), static=True)
-    there = desk.at("part.fact", x - y)
+    builder = LedgerBuilder()
+    scope = Scope.open(builder, "whole", Part({"x": "2", "y": "1"}), static=True)
+    there = scope.at("part.fact", x - y)
     assert there.name == "part"
-    assert book.ledger.contexts["part"].units == ("x - y",)
-    assert desk.at("whole.fact", x) is desk
-    assert desk.at("part.other", x).context == there.context
+    assert builder.ledger.contexts["part"].units == ("x - y",)
+    assert scope.at("whole.fact", x) is scope
+    assert scope.at("part.other", x).context == there.context
 
 
 def test_where_what_is_not_zero_is_zero_at_the_witness():
-    desk = Desk.open(Book(), "whole", Part({"x": "1", "y": "1"}), static=True)
+    scope = Scope.open(LedgerBuilder(), "whole", Part({"x": "1", "y": "1"}), static=True)
     with pytest.raises(ValueError, match="part"):
-        desk.where("part", x - y)
+        scope.where("part", x - y)
 
 
 def test_divisors_are_factors_but_what_is_never_zero():
     part = Part({"x": "2", "y": "1", "c1": "1", "K": "1"}, definitions={"d": "x**2 - y**2"})
-    desk = Desk.open(Book(), "whole", part, static=True)
+    scope = Scope.open(LedgerBuilder(), "whole", part, static=True)
     c1, K, d = symbols("c1 K d")
-    assert desk.divisors(1 / (c1 * K * 3)) == ()
-    assert set(desk.divisors(1 / d, a / (x - y))) == {x - y, x + y}
-    assert desk.divisors(x, y**2) == ()
+    assert scope.divisors(1 / (c1 * K * 3)) == ()
+    assert set(scope.divisors(1 / d, a / (x - y))) == {x - y, x + y}
+    assert scope.divisors(x, y**2) == ()
 
 
 def test_reduced_by_the_relations():
-    desk = Desk.open(Book(), "circle", circle("C", "S", "theta"), Part({"x": "1"}), static=True)
+    scope = Scope.open(
+        LedgerBuilder(), "circle", circle("C", "S", "theta"), Part({"x": "1"}), static=True
+    )
     C, S = (f(symbol("theta")) for f in (sympy.cos, sympy.sin))
-    assert desk.reduced(x * C**2 + x * S**2) == x
-    assert desk.reduced(x / (C**2 + S**2)) == x
+    assert scope.reduced(x * C**2 + x * S**2) == x
+    assert scope.reduced(x / (C**2 + S**2)) == x
 
 
 def test_rates_with_definitions_written_out():
     moving = Part({"x": "1", "y": "1"}, rates={"x": "w"}, definitions={"w": "x*y"})
-    desk = Desk.open(Book(), "moving", moving)
-    assert desk.rates(x**2) == (2 * symbol("w") * x, 2 * x**2 * y)
+    scope = Scope.open(LedgerBuilder(), "moving", moving)
+    assert scope.rates(x**2) == (2 * symbol("w") * x, 2 * x**2 * y)
 
 
 def test_collected_is_the_same_and_begins_with_a_plus():

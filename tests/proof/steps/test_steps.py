@@ -4,11 +4,11 @@ import pytest
 import sympy
 from sympy import I, ImmutableMatrix, MatAdd
 
-from rigidsym.proof.algebra import Book, Part, circle, half_angle, jacobi
+from rigidsym.proof.algebra import LedgerBuilder, Part, circle, half_angle, jacobi
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.steps import (
-    Desk,
     Rate,
+    Scope,
     StepError,
     apart,
     calculus,
@@ -45,133 +45,133 @@ for one, two, three in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
 
 
 @pytest.fixture
-def book():
-    return Book()
+def builder():
+    return LedgerBuilder()
 
 
 @pytest.fixture
-def desk(book):
-    return Desk.open(book, "free", FREE, matrices=BASIS, static=True)
+def scope(builder):
+    return Scope.open(builder, "free", FREE, matrices=BASIS, static=True)
 
 
 @pytest.fixture
-def turning(book):
+def turning(builder):
     parts = (half_angle("phi1", "w"), Part(witness={"w": "1"}))
     turn = sympy.cos(symbol("phi1") / 2) * sympy.eye(2) + 2 * HALF * sympy.sin(symbol("phi1") / 2)
     matrices = {**BASIS, "E": ImmutableMatrix(turn)}
-    return Desk.open(book, "turning", *parts, matrices=matrices)
+    return Scope.open(builder, "turning", *parts, matrices=matrices)
 
 
-def admitted(book, step, kind="equal"):
-    """The fact of a step is in the ledger, proved, and its step in the book."""
-    assert book.ledger.facts[step.fact.id] is step.fact
+def admitted(builder, step, kind="equal"):
+    """The fact of a step is in the ledger, proved, and its step in the builder."""
+    assert builder.ledger.facts[step.fact.id] is step.fact
     assert (step.fact.grade, step.fact.kind) == (Grade.PROVED, kind)
-    assert book.steps[-1] is step
+    assert builder.steps[-1] is step
     assert step.why == "why"
 
 
-def refused(book, message, step, *arguments):
+def refused(builder, message, step, *arguments):
     """A step fails in one line, and leaves neither a fact nor a line behind."""
-    facts, lines = dict(book.ledger.facts), list(book.steps)
+    facts, lines = dict(builder.ledger.facts), list(builder.steps)
     with pytest.raises(StepError, match=message) as error:
         step(*arguments)
     assert len(str(error.value).splitlines()) == 1
-    assert (book.ledger.facts, book.steps) == (facts, lines)
+    assert (builder.ledger.facts, builder.steps) == (facts, lines)
 
 
 # Matrices.
 
 
-def test_multiply_shows_the_matrices_by_their_names(book, turning):
+def test_multiply_shows_the_matrices_by_their_names(builder, turning):
     step = multiply(turning, "turning.rate", Rate(E), symbol("w") * A1 * E, "why", ["25"])
-    admitted(book, step)
+    admitted(builder, step)
     assert step.shown == (sympy.Eq(Rate(E), symbol("w") * A1 * E, evaluate=False),)
     assert step.source == step.fact.source == ("25",)
     assert any("E_11_re" in text for text in step.fact.lhs)
 
 
-def test_multiply_refuses_a_false_product(book, turning):
+def test_multiply_refuses_a_false_product(builder, turning):
     message = r"fact turning\.rate: undecided"
     wrong = -symbol("w") * A1 * E
-    refused(book, message, multiply, turning, "turning.rate", Rate(E), wrong, "why")
+    refused(builder, message, multiply, turning, "turning.rate", Rate(E), wrong, "why")
 
 
-def test_the_inverse_is_of_unitary_matrices(book, turning):
-    admitted(book, multiply(turning, "turning.turned", E.I * A1 * E, A1, "why"))
+def test_the_inverse_is_of_unitary_matrices(builder, turning):
+    admitted(builder, multiply(turning, "turning.turned", E.I * A1 * E, A1, "why"))
     message = r"^fact turning\.half: A1 is not unitary"
-    refused(book, message, multiply, turning, "turning.half", A1.I, -A1, "why")
-    refused(book, message, multiply, turning, "turning.half", A2 * A1.I, A3, "why")
+    refused(builder, message, multiply, turning, "turning.half", A1.I, -A1, "why")
+    refused(builder, message, multiply, turning, "turning.half", A2 * A1.I, A3, "why")
 
 
-def test_both_sides_alike_are_no_fact(book, turning):
+def test_both_sides_alike_are_no_fact(builder, turning):
     message = r"^fact turning\.same: both sides are the same: I"
-    refused(book, message, multiply, turning, "turning.same", E.I * E, sympy.Identity(2), "why")
+    refused(builder, message, multiply, turning, "turning.same", E.I * E, sympy.Identity(2), "why")
 
 
-def test_a_square_is_a_product(book, desk):
-    admitted(book, multiply(desk, "free.square", A1 * A1, A2**2, "why"))
+def test_a_square_is_a_product(builder, scope):
+    admitted(builder, multiply(scope, "free.square", A1 * A1, A2**2, "why"))
 
 
-def test_coordinates_of_a_commutator(book, desk):
+def test_coordinates_of_a_commutator(builder, scope):
     bracket = MatAdd(A1 * A2, -A2 * A1, evaluate=False)
-    step = coordinates(desk, "free.bracket", bracket, (A1, A2, A3), "why")
-    admitted(book, step)
+    step = coordinates(scope, "free.bracket", bracket, (A1, A2, A3), "why")
+    admitted(builder, step)
     assert step.value == (0, 0, 1)
     assert step[2] == 1
 
 
-def test_coordinates_of_nothing(book, desk):
+def test_coordinates_of_nothing(builder, scope):
     nothing = MatAdd(A1, -A1, evaluate=False)
-    step = coordinates(desk, "free.nothing", nothing, (A1, A2), "why")
+    step = coordinates(scope, "free.nothing", nothing, (A1, A2), "why")
     assert step.value == (0, 0)
 
 
-def test_coordinates_refuse_what_is_not_in_the_span(book, desk):
-    refused(book, "undecided", coordinates, desk, "free.outside", A1 + A2, (A1,), "why")
+def test_coordinates_refuse_what_is_not_in_the_span(builder, scope):
+    refused(builder, "undecided", coordinates, scope, "free.outside", A1 + A2, (A1,), "why")
 
 
-def test_coordinates_refuse_what_is_not_real(book):
+def test_coordinates_refuse_what_is_not_real(builder):
     matrices = {**BASIS, "X": ImmutableMatrix(((1, 0), (0, -1)))}
-    desk = Desk.open(book, "complex", FREE, matrices=matrices, static=True)
-    refused(book, "is not real", coordinates, desk, "complex.x", X, (A1, A2, A3), "why")
+    scope = Scope.open(builder, "complex", FREE, matrices=matrices, static=True)
+    refused(builder, "is not real", coordinates, scope, "complex.x", X, (A1, A2, A3), "why")
 
 
-def test_coordinates_are_in_whole_angles_where_they_can_be(book):
+def test_coordinates_are_in_whole_angles_where_they_can_be(builder):
     parts = (half_angle("phi1", "w"), Part(witness={"w": "1"}))
     parts += (circle("cos_phi1", "sin_phi1", "phi1"),)
     turn = sympy.cos(symbol("phi1") / 2) * sympy.eye(2) + 2 * HALF * sympy.sin(symbol("phi1") / 2)
     known = {name for part in parts for name in part.witness}
     assert {"cos_phi1", "sin_phi1"} <= known
     matrices = {**BASIS, "E": ImmutableMatrix(turn)}
-    desk = Desk.open(book, "turned", *parts[:2], matrices=matrices)
-    step = coordinates(desk, "turned.seen", E.I * A2 * E, (A1, A2, A3), "why")
+    scope = Scope.open(builder, "turned", *parts[:2], matrices=matrices)
+    step = coordinates(scope, "turned.seen", E.I * A2 * E, (A1, A2, A3), "why")
     assert step.value == (0, sympy.cos(symbol("phi1")), -sympy.sin(symbol("phi1")))
 
 
-def test_a_determinant(book, turning):
+def test_a_determinant(builder, turning):
     step = determinant(turning, "turning.determinant", E, "why")
-    admitted(book, step)
+    admitted(builder, step)
     assert step.value == 1
 
 
-def test_an_unknown_form_of_matrix_is_refused(book, desk):
-    refused(book, "no matrix expression", multiply, desk, "free.t", A1.T, A1, "why")
+def test_an_unknown_form_of_matrix_is_refused(builder, scope):
+    refused(builder, "no matrix expression", multiply, scope, "free.t", A1.T, A1, "why")
 
 
 # Linear equations.
 
 
-def test_solve_states_both_directions_and_its_conditions(book, desk):
-    step = solve(desk, "solved.xy", [(a * x + y, z), (x - y, 1)], (x, y), "why")
-    admitted(book, step)
+def test_solve_states_both_directions_and_its_conditions(builder, scope):
+    step = solve(scope, "solved.xy", [(a * x + y, z), (x - y, 1)], (x, y), "why")
+    admitted(builder, step)
     assert sympy.cancel(step[x] - (z + 1) / (a + 1)) == 0
     assert step.conditions == (a + 1,)
     assert len(step.fact.lhs) == 4
-    assert book.ledger.contexts["solved"].units == (*FREE.units, "a + 1")
+    assert builder.ledger.contexts["solved"].units == (*FREE.units, "a + 1")
 
 
-def test_solve_takes_the_rows_that_determine(book, desk):
-    step = solve(desk, "free.more", [(2 * x, 4 * a), (x, 2 * a)], (x,), "why")
+def test_solve_takes_the_rows_that_determine(builder, scope):
+    step = solve(scope, "free.more", [(2 * x, 4 * a), (x, 2 * a)], (x,), "why")
     assert step[x] == 2 * a
 
 
@@ -185,98 +185,100 @@ def test_solve_takes_the_rows_that_determine(book, desk):
     ],
     ids=["too few", "dependent", "no solution", "not linear"],
 )
-def test_solve_refuses(book, desk, equations, message):
-    refused(book, message, solve, desk, "free.wrong", equations, (x, y), "why")
+def test_solve_refuses(builder, scope, equations, message):
+    refused(builder, message, solve, scope, "free.wrong", equations, (x, y), "why")
 
 
-def test_solve_refuses_what_the_relations_make_singular(book):
-    desk = Desk.open(book, "circle", circle("C", "S", "theta"), FREE, static=True)
+def test_solve_refuses_what_the_relations_make_singular(builder):
+    scope = Scope.open(builder, "circle", circle("C", "S", "theta"), FREE, static=True)
     C, S = symbols("C S")
     equations = [(C * x - S * y, 1), (S * x + C * y, a), ((C**2 + S**2 - 1) * z, 0)]
     message = r"^solve: circle\.wrong: the determinant is 0 by the relations of circle"
-    refused(book, message, solve, desk, "circle.wrong", equations, (x, y, z), "why")
+    refused(builder, message, solve, scope, "circle.wrong", equations, (x, y, z), "why")
 
 
-def test_solve_divides_modulo_the_relations(book):
-    desk = Desk.open(book, "circle", circle("C", "S", "theta"), FREE, static=True)
+def test_solve_divides_modulo_the_relations(builder):
+    scope = Scope.open(builder, "circle", circle("C", "S", "theta"), FREE, static=True)
     C, S = (f(symbol("theta")) for f in (sympy.cos, sympy.sin))
-    step = solve(desk, "circle.turned", [(C * x - S * y, a), (S * x + C * y, b)], (x, y), "why")
+    step = solve(scope, "circle.turned", [(C * x - S * y, a), (S * x + C * y, b)], (x, y), "why")
     assert step.conditions == ()
     assert sympy.expand(step[x] - (a * C + b * S)) == 0
 
 
-def test_a_family_has_what_is_free(book, desk):
+def test_a_family_has_what_is_free(builder, scope):
     equations = [(a * y - b * x, a * z - b * v)]  # (x, y) along (a, b), through (v, z)
-    step = solve_family(desk, "free.family", equations, (x, y), symbol("z"), "why")
-    admitted(book, step)
+    step = solve_family(scope, "free.family", equations, (x, y), symbol("z"), "why")
+    admitted(builder, step)
     assert step.choice == "z is free"
     assert len(step.fact.lhs) == 2
 
 
 @pytest.mark.parametrize("equations", [[(x, a), (y, b)], [(x - x, 0)]], ids=["none", "all"])
-def test_a_family_refuses_other_freedom(book, desk, equations):
+def test_a_family_refuses_other_freedom(builder, scope, equations):
     message = r"^solve: free\.family: [02] directions are free, one was expected"
-    refused(book, message, solve_family, desk, "free.family", equations, (x, y), z, "why")
+    refused(builder, message, solve_family, scope, "free.family", equations, (x, y), z, "why")
 
 
-def test_what_sympy_solves_wrong_is_refused(book, desk, monkeypatch):
+def test_what_sympy_solves_wrong_is_refused(builder, scope, monkeypatch):
     honest = linear._inverse
     monkeypatch.setattr(linear, "_inverse", lambda *k: (-honest(*k)[0], honest(*k)[1]))
-    refused(book, "undecided", solve, desk, "free.xy", [(x, y)], (x,), "why")
+    refused(builder, "undecided", solve, scope, "free.xy", [(x, y)], (x,), "why")
 
 
 # One expression.
 
 
-def test_differentiate_by_the_rates(book):
+def test_differentiate_by_the_rates(builder):
     moving = Part(witness={"x": "1", "y": "1"}, rates={"x": "y", "y": "-x"},
                   definitions={"E": "(x**2 + y**2)/2"})  # fmt: skip
-    desk = Desk.open(book, "moving", moving)
-    step = differentiate(desk, "moving.E", symbol("E"), "why")
-    admitted(book, step)
+    scope = Scope.open(builder, "moving", moving)
+    step = differentiate(scope, "moving.E", symbol("E"), "why")
+    admitted(builder, step)
     assert step.value == 0
     assert step.shown[0].lhs == rate_of(symbol("E"))
-    product = differentiate(desk, "moving.product", x * y, "why")
+    product = differentiate(scope, "moving.product", x * y, "why")
     assert sympy.expand(product.value - (y**2 - x**2)) == 0
 
 
-def test_differentiate_refuses_without_rates_and_with_unknown_ones(book, desk):
-    refused(book, "^D: free has no time derivative", differentiate, desk, "free.x", x, "why")
-    unknown = Desk.open(book, "unknown", Part(witness={"x": "1"}, rates={"x": "?"}))
+def test_differentiate_refuses_without_rates_and_with_unknown_ones(builder, scope):
+    refused(builder, "^D: free has no time derivative", differentiate, scope, "free.x", x, "why")
+    unknown = Scope.open(builder, "unknown", Part(witness={"x": "1"}, rates={"x": "?"}))
     message = r"^D\(x\) is not known in unknown"
-    refused(book, message, differentiate, unknown, "unknown.x", x, "why")
+    refused(builder, message, differentiate, unknown, "unknown.x", x, "why")
 
 
-def test_differentiate_does_not_pass_on_a_wrong_rate(book, monkeypatch):
-    desk = Desk.open(book, "moving", Part(witness={"x": "1", "y": "1"}, rates={"x": "y"}))
-    monkeypatch.setattr(Desk, "rates", lambda self, expression: (x, x))
-    refused(book, r"^fact moving\.x: undecided", differentiate, desk, "moving.x", x, "why")
+def test_differentiate_does_not_pass_on_a_wrong_rate(builder, monkeypatch):
+    scope = Scope.open(builder, "moving", Part(witness={"x": "1", "y": "1"}, rates={"x": "y"}))
+    monkeypatch.setattr(Scope, "rates", lambda self, expression: (x, x))
+    refused(builder, r"^fact moving\.x: undecided", differentiate, scope, "moving.x", x, "why")
 
 
-def test_rewrite_states_what_it_divides_by(book, desk):
-    step = rewrite(desk, "cancelled.x", (x**2 - y**2) / (x - y), x + y, "why")
-    admitted(book, step)
+def test_rewrite_states_what_it_divides_by(builder, scope):
+    step = rewrite(scope, "cancelled.x", (x**2 - y**2) / (x - y), x + y, "why")
+    admitted(builder, step)
     assert step.conditions == (x - y,)
-    assert book.ledger.contexts["cancelled"].units == (*FREE.units, "x - y")
-    refused(book, "undecided", rewrite, desk, "cancelled.y", x / (x - y), x + y, "why")
+    assert builder.ledger.contexts["cancelled"].units == (*FREE.units, "x - y")
+    refused(builder, "undecided", rewrite, scope, "cancelled.y", x / (x - y), x + y, "why")
 
 
-def test_rewrite_refuses_what_has_no_name(book, desk):
-    refused(book, r"sin\(x\) has no name in free", rewrite, desk, "free.s", sympy.sin(x), x, "why")
+def test_rewrite_refuses_what_has_no_name(builder, scope):
+    refused(
+        builder, r"sin\(x\) has no name in free", rewrite, scope, "free.s", sympy.sin(x), x, "why"
+    )
 
 
-def test_rewrite_names_a_symbol_that_is_unknown(book, desk):
+def test_rewrite_names_a_symbol_that_is_unknown(builder, scope):
     stranger = symbol("stranger")
-    refused(book, "'stranger' has no meaning", rewrite, desk, "free.s", x, stranger, "why")
+    refused(builder, "'stranger' has no meaning", rewrite, scope, "free.s", x, stranger, "why")
 
 
-def test_eliminate_powers(book):
+def test_eliminate_powers(builder):
     equations = [x**2 + y**2 - a, x**2 - y**2 - b]
     circles = Part(relations=("x**2 + y**2 - a", "x**2 - y**2 - b"))
     there = Part(witness=dict(zip("xyabv", "21532", strict=True)))
-    desk = Desk.open(book, "circles", there, circles, static=True)
-    step = eliminate(desk, "circles.x", 3 * x**2 + v, equations, [x**2, y**2], "why")
-    admitted(book, step)
+    scope = Scope.open(builder, "circles", there, circles, static=True)
+    step = eliminate(scope, "circles.x", 3 * x**2 + v, equations, [x**2, y**2], "why")
+    admitted(builder, step)
     assert sympy.expand(step.value - (3 * (a + b) / 2 + v)) == 0
 
 
@@ -285,18 +287,18 @@ def test_eliminate_powers(book):
     [([x + y - 1, x + y - 2], [x, y]), ([x * y - 1], [x, y])],
     ids=["no solution", "not linear"],
 )
-def test_eliminate_refuses_equations_without_one_solution(book, desk, equations, unknowns):
+def test_eliminate_refuses_equations_without_one_solution(builder, scope, equations, unknowns):
     message = r"^eliminate: free\.e: no one solution"
-    refused(book, message, eliminate, desk, "free.e", x, equations, unknowns, "why")
+    refused(builder, message, eliminate, scope, "free.e", x, equations, unknowns, "why")
 
 
-def test_eliminate_refuses_what_stays_free(book, desk):
+def test_eliminate_refuses_what_stays_free(builder, scope):
     message = r"^eliminate: free\.e: the equations leave an unknown free"
-    refused(book, message, eliminate, desk, "free.e", x, [x + y - 1], [x, y], "why")
+    refused(builder, message, eliminate, scope, "free.e", x, [x + y - 1], [x, y], "why")
 
 
-def test_eliminate_does_not_pass_on_an_equation_that_does_not_hold(book, desk):
-    refused(book, "undecided", eliminate, desk, "free.e", x, [x - y], [x], "why")
+def test_eliminate_does_not_pass_on_an_equation_that_does_not_hold(builder, scope):
+    refused(builder, "undecided", eliminate, scope, "free.e", x, [x - y], [x], "why")
 
 
 def test_partial_fractions_are_of_the_form_of_the_table():
@@ -308,7 +310,7 @@ def test_partial_fractions_are_of_the_form_of_the_table():
 
 
 @pytest.fixture
-def table(book):
+def table(builder):
     third = Part(
         witness={"a": "1", "b": "2", "Pi": "0", "t": "0"},
         rates={"t": "1", "Pi": "xi/(1 - a*sn**2)"},
@@ -316,50 +318,50 @@ def table(book):
     )
     functions = jacobi("sn", "cn", "dn", "xi*t", "mu", "xi")
     constants = Part(witness={"xi": "1", "mu": "9/16"})
-    return Desk.open(book, "table", constants, functions, third)
+    return Scope.open(builder, "table", constants, functions, third)
 
 
-def entries_of(desk):
-    sn, t, Pi, xi = desk.read("sn"), symbol("t"), symbol("Pi"), symbol("xi")
+def entries_of(scope):
+    sn, t, Pi, xi = scope.read("sn"), symbol("t"), symbol("Pi"), symbol("xi")
     return sn, {t: sympy.S.One, Pi: xi / (1 - a * sn**2)}
 
 
-def test_integrate_by_the_table(book, table):
+def test_integrate_by_the_table(builder, table):
     sn, known = entries_of(table)
     step = integrate(table, "table.phi", b + 3 / (b * (1 - a * sn**2)), known, "why")
-    admitted(book, step)
+    admitted(builder, step)
     expected = b * symbol("t") + 3 * symbol("Pi") / (b * symbol("xi"))
     assert sympy.expand(step.value - expected) == 0
 
 
-def test_integrate_refuses_what_is_not_in_the_table(book, table):
+def test_integrate_refuses_what_is_not_in_the_table(builder, table):
     sn, known = entries_of(table)
     message = r"^integrate: table\.phi: .* is not in the table"
-    refused(book, message, integrate, table, "table.phi", b + sn, known, "why")
+    refused(builder, message, integrate, table, "table.phi", b + sn, known, "why")
 
 
-def test_a_wrong_table_is_refused(book, table):
+def test_a_wrong_table_is_refused(builder, table):
     sn, known = entries_of(table)
     wrong = {**known, symbol("Pi"): 1 / (1 - a * sn**2)}
     rate = 1 / (1 - a * sn**2)
-    refused(book, "undecided", integrate, table, "table.phi", rate, wrong, "why")
+    refused(builder, "undecided", integrate, table, "table.phi", rate, wrong, "why")
 
 
-def test_roots_with_their_multiplicity(book, desk):
+def test_roots_with_their_multiplicity(builder, scope):
     polynomial = a * (x - y) * (x - 2 * y) ** 2
-    step = roots(desk, "free.roots", sympy.expand(polynomial), x, "why")
-    admitted(book, step)
+    step = roots(scope, "free.roots", sympy.expand(polynomial), x, "why")
+    admitted(builder, step)
     assert sorted(step.value, key=str) == [2 * y, 2 * y, y]
-    fourth = roots(desk, "other.roots", (a - b) * x**4 - y * x**2, x**2, "why")
+    fourth = roots(scope, "other.roots", (a - b) * x**4 - y * x**2, x**2, "why")
     assert set(fourth.value) == {0, y / (a - b)}
 
 
-def test_roots_refuse_what_does_not_factor(book, desk):
+def test_roots_refuse_what_does_not_factor(builder, scope):
     message = r"^roots: free\.roots: a factor is not linear"
-    refused(book, message, roots, desk, "free.roots", x**2 - a, x, "why")
+    refused(builder, message, roots, scope, "free.roots", x**2 - a, x, "why")
 
 
-def test_a_wrong_root_is_refused(book, desk, monkeypatch):
+def test_a_wrong_root_is_refused(builder, scope, monkeypatch):
     honest = sympy.factor_list
 
     def wrong(polynomial, *symbols):
@@ -368,63 +370,63 @@ def test_a_wrong_root_is_refused(book, desk, monkeypatch):
 
     monkeypatch.setattr(calculus.sympy, "factor_list", wrong)
     polynomial = sympy.expand((x - 1) * (x - 2))
-    refused(book, "undecided", roots, desk, "free.roots", polynomial, x, "why")
+    refused(builder, "undecided", roots, scope, "free.roots", polynomial, x, "why")
 
 
 def test_coefficients_have_the_highest_power_first():
     assert coefficients((a * x**2 + b) ** 2, x**2) == (a**2, 2 * a * b, b**2)
 
 
-def test_match_finds_all_choices_without_a_zero(book):
-    desk = Desk.open(book, "free", FREE, static=True)
-    step = match(desk, "free.match", y * (1 - z * v), a - b * v, v, (y, z), "why")
-    admitted(book, step)
+def test_match_finds_all_choices_without_a_zero(builder):
+    scope = Scope.open(builder, "free", FREE, static=True)
+    step = match(scope, "free.match", y * (1 - z * v), a - b * v, v, (y, z), "why")
+    admitted(builder, step)
     assert step.value == [{y: a, z: b / a}]
     assert step.conditions in ((), (a,))
 
 
 @pytest.mark.parametrize("wanted", [a + b * v**2, b * v], ids=["no power", "zero alone"])
-def test_match_refuses_what_no_choice_makes_agree(book, desk, wanted):
+def test_match_refuses_what_no_choice_makes_agree(builder, scope, wanted):
     message = r"^match: free\.match: no choice of"
-    refused(book, message, match, desk, "free.match", y * (1 - z * v), wanted, v, (y, z), "why")
+    refused(builder, message, match, scope, "free.match", y * (1 - z * v), wanted, v, (y, z), "why")
 
 
-def test_a_wrong_match_is_refused(book, desk, monkeypatch):
+def test_a_wrong_match_is_refused(builder, scope, monkeypatch):
     monkeypatch.setattr(calculus.sympy, "solve", lambda *_, **__: [{y: -a, z: b / a}])
     arguments = (y * (1 - z * v), a - b * v, v, (y, z), "why")
-    refused(book, r"^fact free\.match: undecided", match, desk, "free.match", *arguments)
+    refused(builder, r"^fact free\.match: undecided", match, scope, "free.match", *arguments)
 
 
-def test_a_form_shows_what_is_not_negative(book):
+def test_a_form_shows_what_is_not_negative(builder):
     positive = Part(witness={"x": "2", "a": "1"}, nonnegative=("a",))
-    desk = Desk.open(book, "signs", positive, static=True)
-    step = nonnegative(desk, "signs.sum", a * x**2 + a, a * (x**2 + 1), "why")
-    admitted(book, step, "nonnegative")
+    scope = Scope.open(builder, "signs", positive, static=True)
+    step = nonnegative(scope, "signs.sum", a * x**2 + a, a * (x**2 + 1), "why")
+    admitted(builder, step, "nonnegative")
 
 
 @pytest.mark.parametrize("form", [x * a, -a, x**2], ids=["no sign", "negative", "another"])
-def test_a_form_that_shows_nothing_is_one_line(book, form):
+def test_a_form_that_shows_nothing_is_one_line(builder, form):
     positive = Part(witness={"x": "2", "a": "1"}, nonnegative=("a",))
-    desk = Desk.open(book, "signs", positive, static=True)
+    scope = Scope.open(builder, "signs", positive, static=True)
     expression = a if form == x**2 else form
-    refused(book, "signs.form", nonnegative, desk, "signs.form", expression, form, "why")
+    refused(builder, "signs.form", nonnegative, scope, "signs.form", expression, form, "why")
 
 
 # The variation.
 
 
-def test_vary_gives_momenta_and_moments(book):
+def test_vary_gives_momenta_and_moments(builder):
     rates = symbols("Omega1 Omega2 Omega3")
     energy = sum(c * w**2 for c, w in zip((a, b, 1), rates, strict=True)) / 2
     given = Part(witness={"a": "1", "b": "2"})
-    found = vary(book, "variation", energy, CONSTANTS, given, "why")
-    admitted(book, found.step)
+    found = vary(builder, "variation", energy, CONSTANTS, given, "why")
+    admitted(builder, found.step)
     assert found.momenta == (a * rates[0], b * rates[1], rates[2])
     M2, M3 = symbols("M2 M3")
     assert sympy.expand(found.moments[0] - (M2 * rates[2] - M3 * rates[1])) == 0
 
 
-def test_vary_refuses_a_stranger_in_the_lagrangian(book):
+def test_vary_refuses_a_stranger_in_the_lagrangian(builder):
     message = "^vary: variation: the Lagrangian has q in it"
     energy = symbol("Omega1") ** 2 + symbol("q")
-    refused(book, message, vary, book, "variation", energy, CONSTANTS, Part(), "why")
+    refused(builder, message, vary, builder, "variation", energy, CONSTANTS, Part(), "why")

@@ -15,7 +15,7 @@ from derivations.setting import Setting
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_text
-from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.claims import Claim, claims, load_ipython_extension
 from rigidsym.proof.derivation import Chapter, Derivation
 from rigidsym.proof.kernel import Grade
@@ -94,15 +94,15 @@ def test_facts_are_listed_and_chosen():
         FACTS["no.such"]
 
 
-def book():
-    written = Book()
+def builder():
+    written = LedgerBuilder()
     written.keep(Setting())
     lie_algebra.derive(written)
     return written
 
 
 def test_a_ledger_of_the_kernel_shows_the_same_as_its_text():
-    ledger = book().ledger
+    ledger = builder().ledger
     for found in (claims(ledger), claims(ledger.to_text())):
         for name, claim in found.items():
             assert claim._repr_html_() == FACTS[name]._repr_html_()
@@ -112,14 +112,14 @@ def test_ipython_shows_bare_facts_and_ledgers():
     formatters = pytest.importorskip("IPython.core.formatters")
     formatter = formatters.DisplayFormatter()
     load_ipython_extension(SimpleNamespace(display_formatter=formatter))
-    ledger = book().ledger
+    ledger = builder().ledger
     for value in (ledger.facts["SU2.unitary"], ledger):
         data, _ = formatter.format(value)
         assert "SU2.unitary" in well_formed(data["text/html"])
 
 
 def test_derivations_show_chapters_without_times():
-    facts = tuple(book().ledger.facts.values())
+    facts = tuple(builder().ledger.facts.values())
     chapters = [Chapter("lie_algebra", "SU(2) < all", facts, seconds) for seconds in (1.0, 2.0)]
     first, second = (Derivation((chapter,), "")._repr_html_() for chapter in chapters)
     assert first == second

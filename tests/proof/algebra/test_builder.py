@@ -1,7 +1,7 @@
 import pytest
 
-from rigidsym.proof.algebra import Book, Part, half_angle, jacobi, join, sign
-from rigidsym.proof.algebra.book import definitions, facts, readings
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join, sign
+from rigidsym.proof.algebra.builder import definitions, facts, readings
 from rigidsym.proof.kernel import Grade, KernelError
 
 A = Part(
@@ -35,23 +35,23 @@ def test_later_parts_override_values_but_keep_the_order():
 
 
 def test_static_contexts_have_no_time():
-    book = Book()
-    book.open(join("still", A, static=True))
+    builder = LedgerBuilder()
+    builder.open(join("still", A, static=True))
     with pytest.raises(KernelError, match="no time derivative"):
-        book.claim("still.rate", {"D(x)": "y"})
+        builder.claim("still.rate", {"D(x)": "y"})
 
 
 def test_later_parts_may_use_earlier_names_and_not_conversely():
-    Book().open(join("ordered", A, B))
+    LedgerBuilder().open(join("ordered", A, B))
     with pytest.raises(KernelError):
-        Book().open(join("alone", B))
+        LedgerBuilder().open(join("alone", B))
 
 
 def test_sign_squares_to_one_and_need_not_be_one():
-    book = Book()
-    book.open(join("s", sign("epsilon", "a sign")))
-    book.claim("s.square", {"epsilon**2": "1"})
-    book.refute("s.one", {"epsilon": "1"}, {"epsilon": "-1"})
+    builder = LedgerBuilder()
+    builder.open(join("s", sign("epsilon", "a sign")))
+    builder.claim("s.square", {"epsilon**2": "1"})
+    builder.refute("s.one", {"epsilon": "1"}, {"epsilon": "-1"})
 
 
 @pytest.mark.parametrize(
@@ -63,11 +63,11 @@ def test_sign_squares_to_one_and_need_not_be_one():
     ],
 )
 def test_half_angle_moves_like_an_angle(name, right, wrong):
-    book = Book()
-    book.open(join("turn", Part({"w": "1"}, rates={"w": "?"}), half_angle("a", "w")))
-    book.claim(f"turn.{name}", right)
+    builder = LedgerBuilder()
+    builder.open(join("turn", Part({"w": "1"}, rates={"w": "?"}), half_angle("a", "w")))
+    builder.claim(f"turn.{name}", right)
     with pytest.raises(KernelError, match="undecided"):
-        book.claim(f"turn.no_{name}", wrong)
+        builder.claim(f"turn.no_{name}", wrong)
 
 
 @pytest.mark.parametrize(
@@ -78,22 +78,22 @@ def test_half_angle_moves_like_an_angle(name, right, wrong):
     ],
 )
 def test_jacobi_sn_solves_its_differential_equation(right, wrong):
-    book = Book()
+    builder = LedgerBuilder()
     functions = jacobi("sn", "cn", "dn", "u", "m", "1")
-    book.open(join("elliptic", Part({"m": "1/2"}), functions))
-    book.claim("elliptic.square", {"D(sn)**2": right})
+    builder.open(join("elliptic", Part({"m": "1/2"}), functions))
+    builder.claim("elliptic.square", {"D(sn)**2": right})
     with pytest.raises(KernelError, match="undecided"):
-        book.claim("elliptic.wrong", {"D(sn)**2": wrong})
+        builder.claim("elliptic.wrong", {"D(sn)**2": wrong})
 
 
 def test_carry_keeps_the_statement_and_its_weakest_grade():
-    book = Book()
-    book.open(join("general", Part({"x": "1", "y": "1"})))
-    book.open(join("special", Part({"x": "1"}, definitions={"y": "x"})))
-    book.claim("general.square", {"(x + y)**2": "x**2 + 2*x*y + y**2"})
-    book.model("special", "general")
-    book.carry("special", ["general.square"])
-    carried = book.ledger.facts["special.square"]
+    builder = LedgerBuilder()
+    builder.open(join("general", Part({"x": "1", "y": "1"})))
+    builder.open(join("special", Part({"x": "1"}, definitions={"y": "x"})))
+    builder.claim("general.square", {"(x + y)**2": "x**2 + 2*x*y + y**2"})
+    builder.model("special", "general")
+    builder.carry("special", ["general.square"])
+    carried = builder.ledger.facts["special.square"]
     assert carried.lhs == ("(x + y)**2",)
     assert carried.grade == Grade.PROVED
 
@@ -110,17 +110,17 @@ def test_carry_keeps_the_statement_and_its_weakest_grade():
     ids=str,
 )
 def test_only_proved_facts_definitions_and_readings_are_published(entry):
-    book = Book()
-    book.open(join("c", Part({"x": "1"}, definitions={"d": "2*x"}, reading={"x": "sin(1)"})))
-    book.claim("c.one", {"x - x": "0"})
-    book.refute("c.refuted", {"x": "2"}, {})
+    builder = LedgerBuilder()
+    builder.open(join("c", Part({"x": "1"}, definitions={"d": "2*x"}, reading={"x": "sin(1)"})))
+    builder.claim("c.one", {"x - x": "0"})
+    builder.refute("c.refuted", {"x": "2"}, {})
     good = [*facts("c", "one"), *definitions("c", "d", "2", "3"), *readings("c", "x", "1")]
     assert good == [
         {"fact": "c.one"},
         {"context": "c", "definition": "d", "source": ["2", "3"]},
         {"context": "c", "reading": "x", "source": ["1"]},
     ]
-    book.publish("good", good)
-    assert book.ledger.published == {"sequences": {"good": good}}
+    builder.publish("good", good)
+    assert builder.ledger.published == {"sequences": {"good": good}}
     with pytest.raises(KernelError, match="is no proved fact"):
-        book.publish("bad", [entry])
+        builder.publish("bad", [entry])

@@ -1,9 +1,9 @@
-"""The book a derivation writes: short ways to open contexts and state claims in a ledger.
+"""The builder of a ledger: short ways to open contexts and to state claims.
 
 Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any, TypeAlias, TypeVar
 
@@ -15,45 +15,45 @@ from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Le
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
 
-Found = TypeVar("Found")
-# What the kernel reads, or what `text` makes into that.
+Result = TypeVar("Result")
+# An expression for the kernel, as text or as what `text` makes into one.
 Side: TypeAlias = str | int | Element | Expr
 Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
-# A context's name, and what its witness has that its parent's has not.
+# A context's name, and where its example differs from that of the context it is a case of.
 Case: TypeAlias = tuple[str, Point]
 # {"fact": id}, or what a context defines a name as, or reads it as:
 # {"context": name, "definition" or "reading": name, "source": equations of the paper}.
 Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
-class Book:
-    """A ledger being written, with the ring of each context at hand.
+class LedgerBuilder:
+    """A ledger that is being written, with the steps of its derivation and results of chapters.
 
-    Fates of mutants that the text `sealed`, a written ledger, has for the same facts are not
-    counted again; `recounted` are the facts whose mutants were.
+    Counts of mutants that the text `sealed`, a written ledger, has for the same facts are kept;
+    `recounted` is the number of facts whose mutants were counted again.
     """
 
     def __init__(self, sealed: str = "") -> None:
         self.ledger = Ledger(encloses)
         self.sealed, self.recounted = sealed, 0
-        # What the steps of a derivation did, in order; nothing rests on it.
+        # The steps of the derivation, in order, for readers; no fact rests on them.
         self.steps: list[Any] = []
-        self._found: dict[type, Any] = {}
+        self._results: dict[type, Any] = {}
 
     def keep(self, result: Any) -> None:
-        """Hand what a chapter found to the chapters after it."""
-        self._found[type(result)] = result
+        """Keep the result of a chapter for the chapters after it."""
+        self._results[type(result)] = result
 
     def __contains__(self, kind: type) -> bool:
-        """Whether a chapter has found this."""
-        return kind in self._found
+        """Say whether a chapter has kept a result of this type."""
+        return kind in self._results
 
-    def found(self, kind: type[Found]) -> Found:
-        """What an earlier chapter found, by its type."""
-        if kind not in self._found:
+    def result(self, kind: type[Result]) -> Result:
+        """Return the result that an earlier chapter kept, by its type."""
+        if kind not in self._results:
             raise LookupError(f"no chapter has found {kind.__name__} yet")
-        return self._found[kind]
+        return self._results[kind]
 
     def open(self, context: Context) -> Ring:
         """Admit a context and return its ring; raises KernelError where the kernel refuses it."""
@@ -70,10 +70,11 @@ class Book:
         points: Iterable[Point] = (),
         source: Iterable[str] = (),
     ) -> Fact | None:
-        """Find out whether equations hold: admit that they do, or a point where they do not.
+        """Decide whether equations hold: admit that they do, or a point where they do not.
 
-        None where the kernel decides neither: the normal form is not zero, and the sides agree at
-        all points that are known.
+        The points tried are those given, the example of the context, and points near it, where
+        one name at a time has another value.  Return None where the kernel decides neither: the
+        normal form is not zero, and the sides agree at all these points.
         """
         fact = _fact(fact_id, "equal", equations, "identity", source)
         try:
@@ -82,7 +83,9 @@ class Book:
             if "undecided" not in str(error):
                 raise
         refuted = replace(fact, kind="unequal", rule="counterexample")
-        for point in (*points, {}, *self._points(fact.context)):
+        names = self.ledger.contexts[fact.context].witness
+        near = ({name: value} for value in ("2", "1/2", "-1", "3") for name in names)
+        for point in (*points, {}, *near):
             try:
                 return self._refute(refuted, point)
             except KernelError:
@@ -94,7 +97,7 @@ class Book:
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove that quantities are nonnegative, by forms of theirs that show it."""
+        """Prove that quantities are nonnegative, by equal expressions whose form shows it."""
         return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
@@ -110,12 +113,6 @@ class Book:
     def _refute(self, fact: Fact, point: Point) -> Fact:
         witness = self.ledger.contexts[fact.context].witness
         return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
-
-    def _points(self, context: str) -> Iterator[Point]:
-        """Points of a context, near its witness: what no relation ties is moved, one by one."""
-        witness = self.ledger.contexts[context].witness
-        for value in ("2", "1/2", "-1", "3"):
-            yield from ({name: value} for name in witness)
 
     def theta(
         self,
@@ -149,7 +146,7 @@ class Book:
     ) -> Fact:
         """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
 
-        They also look at points drawn by a hash, where names are `whole` numbers, or any.
+        It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
         """
         fact = _fact(fact_id, "equal", equations, "assumption", [reference])
         certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
@@ -165,7 +162,7 @@ class Book:
             self.open(replace(part, name=case, witness={**whole.witness, **witness}))
 
     def partition(self, context: str, name: str, *cases: str) -> Fact:
-        """Every point of a context is in exactly one case of `split`, or of its own cases."""
+        """Prove that each point of a context is in exactly one of its cases, or of their cases."""
         found = (fact for fact in self.ledger.facts.values() if fact.kind == "partition")
         finer = {fact.context: fact for fact in found if fact.context in cases}
         leaves = [finer[case].rhs if case in finer else (case,) for case in cases]
@@ -182,19 +179,24 @@ class Book:
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
     def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
-        """Offer formulas to the number wing, in order of evaluation, in a group of them.
+        """Publish formulas for the number wing, in order of evaluation, in a group of sequences.
 
-        Each is a proved fact, or what a context defines or reads a name as.
+        Each is a proved fact, or the definition or meaning of a name in a context.
         """
         listed = list(entries)
         for entry in listed:
-            if not (self._is_proved(entry) if "fact" in entry else self._is_said(entry)):
+            if not self._is_known(entry):
                 raise KernelError(
                     f"{sequence}: {entry} is no proved fact, definition or reading of a name"
                 )
         self.ledger.published.setdefault(group, {})[sequence] = listed
 
-    def _is_said(self, entry: Entry) -> bool:
+    def _is_known(self, entry: Entry) -> bool:
+        """Say whether an entry is a proved formula, or the definition or meaning of a name."""
+        if "fact" in entry:
+            fact = self.ledger.facts.get(str(entry["fact"]))
+            kinds = ("equal", "root")
+            return fact is not None and fact.grade == Grade.PROVED and fact.kind in kinds
         context = self.ledger.contexts.get(str(entry["context"]))
         if context is None:
             return False
@@ -202,12 +204,8 @@ class Book:
             return entry["definition"] in context.definitions
         return entry["reading"] in context.reading
 
-    def _is_proved(self, entry: Entry) -> bool:
-        fact = self.ledger.facts.get(str(entry["fact"]))
-        return fact is not None and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
-
     def decide(self, fact: Fact) -> Fact:
-        """Admit an identity with the cofactors of its normal form; KernelError if it is none."""
+        """Admit an identity with its cofactors; KernelError if its normal form is not zero."""
         ring = self.ledger.rings[fact.context]
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
@@ -229,17 +227,17 @@ def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iter
 
 
 def facts(context: str, names: str) -> list[Entry]:
-    """Entries for facts of one context: `facts("regular", "H E_a")`."""
+    """Return entries for facts of one context: `facts("regular", "H E_a")`."""
     return [{"fact": f"{context}.{name}"} for name in names.split()]
 
 
 def definitions(context: str, names: str, *source: str) -> list[Entry]:
-    """Entries for what a context defines names as, used where these equations do."""
+    """Return entries for definitions of a context, used where these equations use them."""
     return _said("definition", context, names, source)
 
 
 def readings(context: str, names: str, *source: str) -> list[Entry]:
-    """Entries for the readings of names: standard functions, used where these equations do."""
+    """Return entries for meanings of names: standard functions, used where these equations are."""
     return _said("reading", context, names, source)
 
 
@@ -248,7 +246,7 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
 
 
 def text(side: Side) -> str:
-    """What the kernel reads back as this: a text or a number itself, an expression, an element."""
+    """Return the text from which the kernel reads an expression, a number or an element."""
     if not isinstance(side, Element):
         return str(side)
     below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
@@ -256,5 +254,5 @@ def text(side: Side) -> str:
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
-    """Componentwise equations between two vectors or matrices, without those that say nothing."""
+    """Return the equations between two vectors or matrices, without those of equal texts."""
     return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]

@@ -1,14 +1,15 @@
-"""A context to work in: SymPy's expressions in its names, its matrices, its time derivative."""
+"""A scope: one context as SymPy sees it, with its names, its matrices and its time derivative."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import sympy
-from sympy import Identity, ImmutableMatrix, Inverse, MatrixExpr
+from sympy import Eq, Identity, ImmutableMatrix, Inverse, MatrixExpr
 
 from rigidsym.language.expression import parse, to_text
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.steps.matrices import (
     INDICES,
@@ -23,40 +24,44 @@ from rigidsym.proof.steps.names import Dictionary, collected, positive, read, sy
 from rigidsym.proof.steps.record import Step, StepError
 
 ONE = Identity(2)
-# What a body that moves has: none of these is ever zero.
+# Quantities that never vanish for a moving body.
 STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
 
-class Desk:
-    """One context of a book, its matrices, and what SymPy calls its quantities."""
+class Scope:
+    """A context of a ledger, its named matrices, and SymPy's expressions for its names."""
 
     def __init__(
-        self, book: Book, context: Context, matrices: Mapping[str, ImmutableMatrix]
+        self, builder: LedgerBuilder, context: Context, matrices: Mapping[str, ImmutableMatrix]
     ) -> None:
-        self.book, self.context, self.matrices = book, context, dict(matrices)
+        self.builder, self.context, self.matrices = builder, context, dict(matrices)
         self.dictionary = Dictionary(context)
 
     @classmethod
     def open(
         cls,
-        book: Book,
+        builder: LedgerBuilder,
         name: str,
         *parts: Part,
         matrices: Mapping[str, ImmutableMatrix | MatrixExpr] | None = None,
         static: bool = False,
-    ) -> "Desk":
+    ) -> "Scope":
         """Open a context of these parts and of named matrices, each explicit or by those before."""
-        desk = cls(book, join(name, *parts, static=static), {})
+        scope = cls(builder, join(name, *parts, static=static), {})
         for matrix, value in (matrices or {}).items():
-            desk._define(matrix, value)
-        book.open(desk.context)
-        return desk
+            scope._define(matrix, value)
+        builder.open(scope.context)
+        return scope
 
     def _define(self, name: str, value: ImmutableMatrix | MatrixExpr) -> None:
         if isinstance(value, MatrixExpr) and not isinstance(value, ImmutableMatrix):
             found, known = self.entries(value), self.explicit(value)
         else:
-            found, known = self._written(value), value
+            found = {
+                (i, j): tuple(self.text(x) if x else None for x in split(value[i - 1, j - 1]))
+                for i, j in INDICES
+            }
+            known = value
         texts = {
             part_name(name, index, k): text
             for index in INDICES
@@ -67,52 +72,44 @@ class Desk:
         self.context = replace(self.context, definitions=definitions)
         self.matrices[name] = known
 
-    def where(self, name: str, *nonzero: sympy.Expr) -> "Desk":
-        """The same context where some quantities are not zero."""
+    def where(self, name: str, *nonzero: sympy.Expr) -> "Scope":
+        """Open the same context under another name, where some quantities are not zero."""
         units = tuple(map(self.text, nonzero))
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
-        self.book.open(narrower)
-        return Desk(self.book, narrower, self.matrices)
+        self.builder.open(narrower)
+        return Scope(self.builder, narrower, self.matrices)
 
     @property
     def name(self) -> str:
-        """That of the context."""
+        """The name of the context."""
         return self.context.name
 
     @property
     def ring(self) -> Ring:
-        """The kernel's."""
-        return self.book.ledger.rings[self.name]
+        """The kernel's ring of the context."""
+        return self.builder.ledger.rings[self.name]
 
     def text(self, expression: sympy.Expr | int | str) -> str:
-        """What the kernel reads; a text is left as it is."""
+        """Return the text for the kernel; a text is left as it is."""
         return expression if isinstance(expression, str) else self.dictionary.text(expression)
 
     def read(self, text: str) -> sympy.Expr:
-        """What SymPy reads: functions in the place of their names."""
+        """Return SymPy's expression of a text, with functions for their names."""
         return self.dictionary.meant(read(text))
 
     def entries(self, expression: MatrixExpr) -> dict[tuple[int, int], tuple[str | None, ...]]:
-        """Real and imaginary parts of the entries, as texts that the kernel multiplies out."""
+        """Return real and imaginary parts of the entries as texts, products not multiplied out."""
         trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
         return {index: tuple(map(_printed, parts)) for index, parts in trees.items()}
 
     def determinant(self, expression: MatrixExpr) -> tuple[str, str | None]:
-        """Real and imaginary part of the determinant, as texts."""
+        """Return real and imaginary part of the determinant, as texts."""
         trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
         real, imaginary = determinant(trees)
         return _printed(real) or "0", _printed(imaginary)
 
-    def _written(self, value: ImmutableMatrix) -> dict[tuple[int, int], tuple[str | None, ...]]:
-        """The same for a matrix as it is."""
-        found = {}
-        for i, j in INDICES:
-            parts = split(value[i - 1, j - 1])
-            found[i, j] = tuple(self.text(part) if part else None for part in parts)
-        return found
-
     def explicit(self, expression: MatrixExpr) -> ImmutableMatrix:
-        """An expression in named matrices, multiplied out by SymPy."""
+        """Multiply out an expression in named matrices by SymPy."""
         return explicit(expression, self.matrices, self.rate)
 
     @cached_property
@@ -123,7 +120,7 @@ class Desk:
         return {symbol(name): read(text) for name, text in rates.items() if text != "?"}
 
     def rate(self, expression: sympy.Expr) -> sympy.Expr:
-        """The time derivative by the rates of the context."""
+        """Return the time derivative by the rates of the context."""
         named = self.dictionary.named(sympy.sympify(expression))
         return sympy.expand(self.dictionary.meant(self._named_rate(named)))
 
@@ -143,7 +140,7 @@ class Desk:
         return sympy.S.Zero
 
     def rates(self, expression: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-        """The time derivative, and the same with definitions written out."""
+        """Return the time derivative, and the same with definitions written out."""
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
@@ -154,7 +151,7 @@ class Desk:
         return rate, sympy.expand(written)
 
     def reduced(self, expression: sympy.Expr) -> sympy.Expr:
-        """A quotient in generators, above and below modulo the relations, collected."""
+        """Reduce numerator and denominator of a quotient modulo the relations, and collect it."""
         named = self.dictionary.named(expression)
         parts = sympy.fraction(sympy.together(named))
         if self.context.relations and {*map(str, named.free_symbols)} <= {*self.context.generators}:
@@ -162,15 +159,15 @@ class Desk:
         return collected(self.dictionary.meant(sympy.cancel(parts[0] / parts[1])))
 
     def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
-        """A polynomial modulo the relations, or as it is where that is no longer."""
+        """Reduce a polynomial modulo the relations, unless it is shorter as it is."""
         numerator = self.ring.read(self.text(sympy.expand(polynomial))).numerator
         rest = read(str(self.ring.remainder(numerator)))
         return min(polynomial, rest, key=lambda x: sympy.count_ops(sympy.expand(x)))
 
     def divisors(self, *expressions: sympy.Expr) -> tuple[sympy.Expr, ...]:
-        """What expressions divide by, in the generators and factor by factor; nothing twice.
+        """Return the divisors in expressions, in the generators and factor by factor, each once.
 
-        What is never zero, such as a moment of inertia, is left out.
+        Quantities that never vanish, such as a moment of inertia, are left out.
         """
         found: dict[sympy.Expr, None] = {}
         for expression in expressions:
@@ -189,22 +186,24 @@ class Desk:
         pairs: Iterable[tuple[sympy.Expr | str, sympy.Expr | str]],
         source: Sequence[str],
     ) -> Fact:
-        """The kernel's decision on equations; StepError names what it could not decide."""
+        """Prove equations by the kernel; StepError names what it could not decide."""
         texts = [(self.text(left), self.text(right)) for left, right in pairs]
         try:
-            return self.book.claim(fact_id, texts, source)
+            return self.builder.claim(fact_id, texts, source)
         except KernelError as error:
             raise StepError(str(error)) from None
 
     def decide_matrices(
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
-        """The kernel's decision on left = right, entry by entry.
+        """Prove left = right by the kernel, entry by entry.
 
-        Raises StepError where both are the same, or have the inverse of what is not unitary.
+        Raises StepError where both are the same, or an inverted matrix is not unitary.
         """
         for inverse in sorted(left.atoms(Inverse) | right.atoms(Inverse), key=str):
-            if any(map(self._differs, self.entrywise(inverse.arg * inverse.arg.adjoint(), ONE))):
+            product = self.entrywise(inverse.arg * inverse.arg.adjoint(), ONE)
+            gaps = (self.ring.read(x) - self.ring.read(y) for x, y in product)
+            if any(self.ring.remainder(gap.numerator) for gap in gaps):
                 raise StepError(f"fact {fact_id}: {inverse.arg} is not unitary: no inverse of it")
         pairs = self.entrywise(left, right)
         if not pairs:
@@ -212,7 +211,7 @@ class Desk:
         return self.decide(fact_id, pairs, source)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
-        """The entries of both, without those that are the same."""
+        """Return the entries of both sides, without those that are the same."""
         x, y = self.entries(left), self.entries(right)
         return [
             (a or "0", b or "0")
@@ -221,23 +220,29 @@ class Desk:
             if a != b
         ]
 
-    def _differs(self, pair: tuple[str, str]) -> bool:
-        """Whether two texts have different normal forms."""
-        left, right = map(self.ring.read, pair)
-        return bool(self.ring.remainder((left - right).numerator))
-
-    def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
-        """Where a fact is stated: here, or in a context of its own where these are not zero."""
+    def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Scope":
+        """Return the scope to state a fact in: this, or one where these quantities are not zero."""
         name = fact_id.split(".")[0]
         if name == self.name:
             return self
-        if name in self.book.ledger.contexts:
-            return Desk(self.book, self.book.ledger.contexts[name], self.matrices)
+        if name in self.builder.ledger.contexts:
+            return Scope(self.builder, self.builder.ledger.contexts[name], self.matrices)
         return self.where(name, *nonzero)
 
-    def note(self, step: Step) -> Step:
-        """Keep a step in the book, for those who read the derivation."""
-        self.book.steps.append(step)
+    def note(
+        self,
+        verb: str,
+        why: str,
+        value: Any,
+        equations: Iterable[tuple[sympy.Basic, sympy.Basic]],
+        fact: Fact,
+        conditions: tuple[sympy.Expr, ...] = (),
+        choice: str = "",
+    ) -> Step:
+        """Record a step in the builder, for readers of the derivation, and return it."""
+        shown = tuple(Eq(left, right, evaluate=False) for left, right in equations)
+        step = Step(verb, why, value, shown, fact, conditions, choice)
+        self.builder.steps.append(step)
         return step
 
 
