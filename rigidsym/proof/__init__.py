@@ -1,1 +1,1 @@
-"""What is true: the kernel, what derivations are written with, the second checker, the paper."""
+"""The proof wing: the kernel, tools for derivations, the second checker, Coq, the paper."""

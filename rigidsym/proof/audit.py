@@ -1,4 +1,4 @@
-"""What is trusted and not decided under each theorem of the specification, listed and counted."""
+"""Lists and counts of everything that each theorem of the specification takes on trust."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from rigidsym.language.specification import Theorem, sequences, theorems
 
 @dataclass(frozen=True, slots=True)
 class Audit:
-    """One theorem: kinds of trusted things, each with what there is of it, as text."""
+    """One theorem, and what it takes on trust, by kind, as text."""
 
     theorem: str
     title: str
@@ -17,12 +17,12 @@ class Audit:
 
 
 def audit(specification: str, ledger: Mapping[str, Any]) -> list[Audit]:
-    """Everything that a reader of a proved ledger takes on trust, theorem by theorem."""
+    """List everything that a reader of a proved ledger takes on trust, theorem by theorem."""
     return [_audit(theorem, ledger) for theorem in theorems(specification).values()]
 
 
 def totals(audits: Iterable[Audit]) -> dict[str, int]:
-    """How many different things of each kind there are in all."""
+    """Count the different trusted things of each kind."""
     found: dict[str, set[str]] = {}
     for one in audits:
         for kind, things in one.trusted.items():
@@ -31,7 +31,7 @@ def totals(audits: Iterable[Audit]) -> dict[str, int]:
 
 
 def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
-    """Hypotheses, rates and definitions as the theorem has them; the rest as the ledger has it."""
+    """List hypotheses, rates and definitions of a theorem, and the rest from the ledger."""
     contexts = {context["name"]: context for context in ledger["contexts"]}
     rates = tuple(f"{name}' = {text}" for name, text in sorted((theorem.moving or {}).items()))
     trusted = {
@@ -51,7 +51,7 @@ def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
 def _readings(
     theorem: Theorem, ledger: Mapping[str, Any], contexts: Mapping[str, Any]
 ) -> list[str]:
-    """The standard functions that numbers take published names for."""
+    """List the standard functions that published names mean."""
     found = []
     for sequence, names in theorem.formulas:
         for entry in sequences(ledger)[sequence]:
@@ -61,7 +61,7 @@ def _readings(
 
 
 def _suppositions(name: str, ledger: Mapping[str, Any]) -> list[str]:
-    """Others' results by which functions, as they are read, meet a theorem's hypotheses."""
+    """List others' results by which standard functions satisfy a theorem's hypotheses."""
     facts = ledger["facts"]
     resting = {
         fact["context"]

@@ -1,4 +1,4 @@
-"""Facts with the hypotheses they rest on, as notebooks show them: hypotheses |- statement."""
+"""Facts with the hypotheses they rest on, for notebooks: hypotheses |- statement."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -51,14 +51,17 @@ class Claim:
 
     @property
     def grade(self) -> str:
-        """How the statement is known."""
+        """The grade of the fact: PROVED, ENCLOSED or ASSUMED."""
         return str(self.fact["grade"])
 
     @property
     def latex(self) -> str:
-        """hypotheses |- statement, the hypotheses by their context's name where they are many."""
+        """LaTeX of hypotheses |- statement; many hypotheses go by the name of their context."""
         kind = self.fact["kind"]
-        return f"{self._assumed()} {turnstile(kind)} {listed(statements(self.fact))}"
+        parts = [*chain(*hypotheses(self.context).values())] if self.context else []
+        by_name = not 0 < len(parts) <= FEW or kind in ("model", "partition")
+        assumed = word(self.fact["context"]) if by_name else listed(parts)
+        return f"{assumed} {turnstile(kind)} {listed(statements(self.fact))}"
 
     def _repr_latex_(self) -> str:
         return f"${self.latex}$"
@@ -69,13 +72,10 @@ class Claim:
         more = [formula(rf"\qquad {text}") for text in shown[1:]]
         rest = [folded(muted(counted(len(more) - FEW + 1, "more component")), *more[FEW - 1 :])]
         lines = [formula(first), *more[: FEW - 1], *(rest if len(more) >= FEW else [])]
-        title = head(code(self.id), badge(self.grade), muted(_source(self.fact)))
+        source = [f"({x})" if x[:1].isdigit() else x for x in self.fact["source"]]
+        origin = ", ".join((*source, self.fact["rule"]))
+        title = head(code(self.id), badge(self.grade), muted(origin))
         return card(title, *lines, *self._remarks(shown), *self._folds())
-
-    def _assumed(self) -> str:
-        parts = [*chain(*hypotheses(self.context).values())] if self.context else []
-        by_name = not 0 < len(parts) <= FEW or self.fact["kind"] in ("model", "partition")
-        return word(self.fact["context"]) if by_name else listed(parts)
 
     def _remarks(self, shown: list[str]) -> Iterator[Markup]:
         left_out = len(self.fact["lhs"]) - len(shown)
@@ -92,9 +92,10 @@ class Claim:
         parts = {kind: lines for kind, lines in hypotheses(self.context).items() if lines}
         counts = ", ".join(counted(len(lines), kind) for kind, lines in parts.items())
         summary = join("hypotheses of ", code(self.fact["context"]), muted(f" {counts or 'none'}"))
-        yield folded(summary, entries(_fold_row(*part) for part in parts.items()))
+        rows = ((muted(f"{k}s"), join(*map(formula, lines))) for k, lines in parts.items())
+        yield folded(summary, entries(rows))
         if self.context["reading"]:
-            named = ((math(_name(k)), text) for k, text in self.context["reading"].items())
+            named = ((math(symbol(k).latex), x) for k, x in self.context["reading"].items())
             yield folded("what the names stand for", entries(named))
 
 
@@ -117,22 +118,26 @@ class Claims(Mapping[str, Claim]):
         return f"<Claims: {counted(len(self), 'fact')}>"
 
     def citing(self, equation: str) -> "Claims":
-        """Those that name an equation of the paper as their source."""
+        """Return the facts that cite an equation of the paper as their source."""
         return Claims(c for c in self.values() if equation in c.fact["source"])
 
     def behind(self, verdict: Any) -> "Claims":
-        """Those that a verdict rests on: what proves, refutes and repairs a printed equation."""
+        """Return the facts that a verdict on a printed equation rests on."""
         return Claims(self[name] for name in verdict.facts())
 
     def _repr_html_(self) -> str:
-        rows = [_row(claim) for claim in list(self.values())[:MOST_ROWS]]
+        rows = []
+        for claim in list(self.values())[:MOST_ROWS]:
+            first, *others = statements(claim.fact)
+            note = [muted(f" and {len(others)} more")] if others else []
+            rows.append((code(claim.id), badge(claim.grade), join(math(first), *note)))
         rest = len(self) - len(rows)
         more = [muted(f"and {rest} more")] if rest else []
         return card(head(counted(len(self), "fact")), table(("fact", "", "statement"), rows), *more)
 
 
 def claims(ledger: Any = None) -> Claims:
-    """The facts of a ledger: of the sealed one, of the kernel's, or of one as text or data."""
+    """Return the facts of a ledger: the sealed one, the kernel's, or one as text or data."""
     data = _data(ledger)
     contexts = {context["name"]: context for context in data["contexts"]}
     return Claims(Claim(fact, contexts[fact["context"]]) for fact in data["facts"])
@@ -153,31 +158,12 @@ def _data(ledger: Any) -> Mapping[str, Any]:
 
 
 def fact_html(fact: Any) -> str:
-    """A fact of the kernel by itself, its hypotheses by the name of the context."""
+    """Return a card of a fact of the kernel, its hypotheses by the name of the context."""
     return Claim(asdict(fact))._repr_html_()
 
 
-def _row(claim: Claim) -> tuple[Any, ...]:
-    shown = statements(claim.fact)
-    rest = [muted(f" and {len(shown) - 1} more")] if len(shown) > 1 else []
-    return code(claim.id), badge(claim.grade), join(math(shown[0]), *rest)
-
-
-def _fold_row(kind: str, lines: list[str]) -> tuple[Markup, Markup]:
-    return muted(f"{kind}s"), join(*(formula(line) for line in lines))
-
-
-def _name(name: str) -> str:
-    return symbol(name).latex
-
-
-def _source(fact: Mapping[str, Any]) -> str:
-    numbers = [f"({x})" if x[:1].isdigit() else x for x in fact["source"]]
-    return ", ".join((*numbers, fact["rule"]))
-
-
 def load_ipython_extension(ipython: Any) -> None:
-    """Let IPython show bare facts and ledgers of the kernel, which knows nothing of showing."""
+    """Register cards for facts and ledgers of the kernel, which have no display of their own."""
     html = ipython.display_formatter.formatters["text/html"]
     html.for_type_by_name("rigidsym.proof.kernel.statement", "Fact", fact_html)
     html.for_type_by_name(

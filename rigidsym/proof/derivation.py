@@ -1,4 +1,4 @@
-"""Running the derivation: chapters into a builder, and the builder into the sealed ledger."""
+"""Running the derivation: all chapters in order, into the ledger."""
 
 import json
 import re
@@ -28,7 +28,7 @@ class DerivationError(RuntimeError):
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """What one chapter proved, and how long it took."""
+    """The facts that one chapter proved, its steps, and the seconds it took."""
 
     name: str
     title: str
@@ -39,7 +39,7 @@ class Chapter:
 
     @property
     def computed(self) -> int:
-        """How many facts a step computed; the others were guessed, and decided by the kernel."""
+        """The number of facts that a step computed; the kernel decided the others as guesses."""
         found = {step.fact.id for step in self.steps}
         return sum(fact.id in found for fact in self.facts)
 
@@ -61,11 +61,11 @@ class Derivation:
 
     @property
     def mutants(self) -> Mapping[str, Mapping[str, int]]:
-        """The fates of the mutants of each fact; those of `recounted` facts were counted anew."""
+        """The fates of the mutants of each fact; those of `recounted` facts were counted again."""
         return json.loads(self.ledger)["published"].get("mutants", {})
 
     def to_json(self) -> str:
-        """The schema rigidsym.derive/2: every claim with its grade and source."""
+        """Return JSON of schema rigidsym.derive/2: every claim with its grade and source."""
         chapters = [
             {
                 "chapter": chapter.name,
@@ -90,7 +90,7 @@ class Derivation:
 
 
 def sealed_path() -> Path:
-    """Where the sealed ledger of this installation lies."""
+    """Return the path of the sealed ledger of this installation."""
     return Path(str(resources.files("derivations").joinpath("ledger.json")))
 
 
@@ -100,12 +100,32 @@ def derive(
     setting: Setting | None = None,
     sealed: str = "",
 ) -> Derivation:
-    """Run all chapters, or those up to the last one wanted and report the wanted ones.
+    """Run the derivation.
 
-    With a setting, another derivation: the chapters up to Theorem 1, for its sequence of turns, its
-    basis and its Lagrangian.  Mutants of facts that the ledger with the text `sealed` has, word for
-    word, are not counted again: their counts are taken from there.  Raises InputError for an
-    unknown chapter and DerivationError where a step cannot be done or a claim is not proved.
+    Parameters
+    ----------
+    wanted
+        Chapters to report; the chapters before the last of them run too.  All if empty.
+    progress
+        Called with the number of chapters done and to do.
+    setting
+        Derive for this sequence of turns, basis and Lagrangian instead of the paper's: only the
+        chapters up to Theorem 1.
+    sealed
+        Text of a ledger from which counts of mutants are taken for unchanged facts.
+
+    Returns
+    -------
+    Derivation
+        The chapters, and the ledger as text.
+
+    Raises
+    ------
+    InputError
+        If a chapter is unknown.
+    DerivationError
+        If a step cannot be done, a claim is not proved, or a theorem of the specification is
+        missing.
     """
     chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
     for name in chosen:
@@ -124,25 +144,20 @@ def derive(
         progress(last + 1, last + 1)
     text = builder.ledger.to_text()
     if setting is None and last == len(known) - 1:
-        _require_specified(text)
+        try:
+            require(specification_text(), json.loads(text))
+        except Unproved as error:
+            raise DerivationError(str(error)) from None
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
     return Derivation(reported, text, builder.recounted)
 
 
 def sealed_counts() -> str:
-    """Return the sealed ledger as text, for `derive`; nothing where there is none as sealed."""
+    """Return the sealed ledger as text, for `derive`; empty where there is none."""
     try:
         return sealed_text()
     except LedgerError:
         return ""
-
-
-def _require_specified(ledger: str) -> None:
-    """Raise DerivationError where a ledger does not prove all of the specification."""
-    try:
-        require(specification_text(), json.loads(ledger))
-    except Unproved as error:
-        raise DerivationError(str(error)) from None
 
 
 def _run(builder: LedgerBuilder, name: str) -> Chapter:
@@ -154,20 +169,16 @@ def _run(builder: LedgerBuilder, name: str) -> Chapter:
         raise DerivationError(f"chapter {name}: {error}") from None
     except Exception as error:
         raise DerivationError(f"chapter {name}: {type(error).__name__}: {error}") from error
-    title, opening = _words(module.__doc__ or name)
+    head, _, opening = (module.__doc__ or name).strip().partition("\n\n")
+    # The title of a chapter ends at the first colon or full stop of its docstring.
+    title = " ".join(re.split(r"[:.](?:\s|$)", head)[0].split())
     found = tuple(builder.ledger.facts.values())[facts:]
     seconds = perf_counter() - start
     return Chapter(name, title, found, seconds, tuple(builder.steps[steps:]), opening)
 
 
-def _words(docstring: str) -> tuple[str, str]:
-    """The title of a chapter, which ends at the first colon or full stop, and its opening."""
-    head, _, rest = docstring.strip().partition("\n\n")
-    return " ".join(re.split(r"[:.](?:\s|$)", head)[0].split()), rest
-
-
 def statement(fact: Fact) -> str:
-    """A fact's statement in one line of text."""
+    """Return the statement of a fact in one line of text."""
     form = {
         "equal": "{} = {}",
         "unequal": "{} != {}",

@@ -21,14 +21,14 @@ EVALUATIONS = 20_000
 
 
 def jacobi(u: acb, m: acb) -> tuple[acb, acb, acb]:
-    """sn, cn and dn of (u | m), |Im u| < K', 0 < m < 1."""
+    """Return sn, cn and dn of (u | m), |Im u| < K', 0 < m < 1."""
     phi, turns = _amplitude(u, m)
     _, s, c, d = _first(phi, m)
     return (-s, -c, d) if turns % 2 else (s, c, d)
 
 
 def epsilon(u: acb, m: acb) -> acb:
-    """The integral of dn**2 from 0 to u: E(phi), since dn is Delta and du is dphi/Delta."""
+    """Integrate dn**2 from 0 to u: E(phi), since dn is Delta and du is dphi/Delta."""
     phi, turns = _amplitude(u, m)
     first, s, c, d = _first(phi, m)
     carlson = acb.elliptic_rd(*_doubled(c, d)) / 4 + 3 / ((1 + c) * (1 + d))
@@ -36,30 +36,30 @@ def epsilon(u: acb, m: acb) -> acb:
 
 
 def inverse_sc(x: acb, m: acb) -> acb:
-    """The real u with sc(u | m) = x: F(arctan(x))."""
+    """Return the real u with sc(u | m) = x: F(arctan(x))."""
     return _first(acb(real(x).atan()), between(arb(0), m, arb(1)))[0]
 
 
 def third_kind_of_argument(u: acb, n: acb, m: acb) -> acb:
-    """The integral of sn**2/(1 - n*sn**2) from 0 to a real u, taken over phi."""
+    """Integrate sn**2/(1 - n*sn**2) from 0 to a real u, over phi."""
     phi, turns = _amplitude(acb(real(u)), m)
     return _third(lambda square: square, n, phi + turns * acb.pi(), m)
 
 
 def third_kind(n: acb, phi: acb, m: acb) -> acb:
-    """Legendre's integral of the third kind from 0 to any real phi, taken as it stands."""
+    """Return Legendre's integral of the third kind from 0 to any real phi, by its definition."""
     return _third(lambda square: acb(1), n, acb(real(phi)), m)
 
 
 def real(value: acb) -> arb:
-    """A value that is real for sure, as such."""
+    """Return a value that is certainly real as a real ball."""
     if not (value.imag == 0 and value.is_finite()):
         raise Refused("a function of real numbers gets another value")
     return value.real
 
 
 def between(low: arb | None, value: acb, high: arb) -> acb:
-    """The value, real and strictly between the bounds for sure."""
+    """Return a value that is certainly real and strictly between the bounds."""
     number = real(value)
     if not number < high or not (low is None or low < number):
         raise Refused("a function gets a value out of its range")
@@ -67,7 +67,7 @@ def between(low: arb | None, value: acb, high: arb) -> acb:
 
 
 def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
-    """phi and k with am(u) = phi + k*pi and phi on the branch of `_first`."""
+    """Return phi and k with am(u) = phi + k*pi and phi on the branch of `_first`."""
     m = between(arb(0), m, arb(1))
     if not u.is_finite() or not abs(u.imag) < acb.elliptic_k(1 - m).real:
         raise Refused("an argument of Jacobi's functions is not below the pole i*K'")
@@ -77,7 +77,7 @@ def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
 
 
 def _inverse(u: acb, m: acb) -> acb:
-    """A ball with the zero phi of F(phi) - u, for each u of a ball: Newton's method on intervals.
+    """Enclose the zero phi of F(phi) - u for each u of a ball: Newton's method on intervals.
 
     Where Newton's operator maps a ball into its interior, it holds exactly one zero.  If the ball
     meets the strip |Re phi| < pi/2, `_first` has continued F from 0 to there: phi is am(u).
@@ -104,7 +104,7 @@ def _inverse(u: acb, m: acb) -> acb:
 
 
 def _guess(u: complex, m: float) -> complex:
-    """phi of u by Runge and Kutta's steps for phi' = Delta; nothing is claimed of it."""
+    """Approximate phi of u by Runge-Kutta steps for phi' = Delta."""
 
     def slope(phi: complex) -> complex:
         return cmath.sqrt(1 - m * cmath.sin(phi) ** 2)
@@ -119,7 +119,7 @@ def _guess(u: complex, m: float) -> complex:
 
 
 def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
-    """F, sin, cos and Delta of phi, continued from 0 over the strip |Re phi| < pi/2 and beyond.
+    """Return F, sin, cos, Delta of phi, continued from 0 over the strip |Re phi| < pi/2 and beyond.
 
     F = s*R_F(c**2, Delta**2, 1).  Doubling its arguments once by hand, with the roots c and Delta,
     takes it across the cut that c**2 runs into at the sides of the strip: the doubled ones are
@@ -135,12 +135,12 @@ def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
 
 
 def _doubled(c: acb, d: acb) -> tuple[acb, acb, acb]:
-    """(x + y)/4 for x = c**2, d**2, 1, where y = c*d + d + c."""
+    """Return (x + y)/4 for x = c**2, d**2, 1, where y = c*d + d + c."""
     return (c + d) * (c + 1) / 4, (d + c) * (d + 1) / 4, (1 + c) * (1 + d) / 4
 
 
 def _third(above: Callable[[acb], acb], n: acb, phi: acb, m: acb) -> acb:
-    """The integral of above(sin**2)/((1 - n*sin**2)*Delta) from 0 to a real phi."""
+    """Integrate above(sin**2)/((1 - n*sin**2)*Delta) from 0 to a real phi."""
     n, m = between(None, n, arb(1)), between(None, m, arb(1))
 
     def integrand(theta: acb, analytic: bool) -> acb:

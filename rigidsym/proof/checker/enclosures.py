@@ -34,22 +34,16 @@ def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
 
 
 def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
-    """The numbers of a point, which gives them to generators whose reading does not."""
+    """Return the values of a point, for generators whose meaning is not a formula."""
     if taken := point.keys() - {*given.generators}:
         raise Refused(f"a point gives {min(taken)!a}, which is no generator")
     if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
-        raise Refused(f"a point gives {forced[0]}, which its reading gives")
+        raise Refused(f"a point gives {forced[0]}, which its meaning gives")
     return {name: acb(arb(rational(text))) for name, text in point.items()}
 
 
-def _agree(left: acb, right: acb, tolerance: str) -> bool:
-    gap, bound = left - right, arb(tolerance) * (1 + left.abs_lower())
-    narrow = gap.real.rad() <= bound and gap.imag.rad() <= bound
-    return gap.is_finite() and narrow and gap.contains(0)
-
-
 class Values(Language[acb]):
-    """The values of texts at a point; those of names are found when they are asked for."""
+    """The values of texts at a point; those of names are computed on demand."""
 
     def __init__(self, given: Hypotheses, point: dict[str, acb]) -> None:
         self._given, self._unread = given, {**given.reading, **given.definitions}
@@ -59,10 +53,15 @@ class Values(Language[acb]):
         self._values |= point
 
     def confirm(self, fact: Claim, tolerance: str) -> bool:
-        """Whether both sides agree; Refused where they have no value, or it is no point."""
+        """Say whether both sides agree; Refused where they have no value, or it is no point."""
         sides = [(self.read(x), self.read(y)) for x, y in zip(fact.lhs, fact.rhs, strict=True)]
         self.check()
-        return all(_agree(left, right, tolerance) for left, right in sides)
+        for left, right in sides:
+            gap, bound = left - right, arb(tolerance) * (1 + left.abs_lower())
+            narrow = gap.real.rad() <= bound and gap.imag.rad() <= bound
+            if not (gap.is_finite() and narrow and gap.contains(0)):
+                return False
+        return True
 
     def check(self) -> None:
         """Refuse the point if a hypothesis about nothing but the names met so far is broken."""
@@ -77,11 +76,11 @@ class Values(Language[acb]):
                     raise Refused(f"the point does not satisfy what is assumed of {text}")
 
     def number(self, number: int) -> acb:
-        """A natural number."""
+        """Return a natural number."""
         return acb(number)
 
     def name(self, name: str) -> acb:
-        """The value of a name.  While it is being found, the name means nothing."""
+        """Return the value of a name; while it is being computed, the name is unknown."""
         if name not in self._values:
             if name not in self._unread:
                 raise Refused(f"{name!r} has no value at the point")
@@ -93,7 +92,7 @@ class Values(Language[acb]):
         return self._values[name]
 
     def call(self, function: str, arguments: list[acb]) -> acb:
-        """The value of a function, real where its arguments are."""
+        """Return the value of a function, real where its arguments are."""
         key = function, len(arguments)
         if key not in FUNCTIONS:
             raise Refused(f"{function} of {len(arguments)} is no function here")
@@ -103,20 +102,20 @@ class Values(Language[acb]):
         return acb(value.real) if all(x.imag == 0 for x in arguments) else value
 
     def combine(self, operator: str, left: acb, right: acb) -> acb:
-        """Arithmetic of balls."""
+        """Return the result of one operation."""
         return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
 
     def negative(self, operand: acb) -> acb:
-        """The opposite."""
+        """Return the opposite."""
         return -operand
 
     def power(self, base: acb, exponent: int) -> acb:
-        """A power."""
+        """Return a power."""
         return base**exponent
 
 
 def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """theta_index(z, q) of DLMF 20.2(i), or its derivative in z; FLINT has them of z/pi."""
+    """Return theta_index(z, q) of DLMF 20.2(i) or its z-derivative; FLINT takes z/pi."""
 
     def function(z: acb, q: acb) -> acb:
         tau = between(arb(0), q, arb(1)).log() / acb(0, arb.pi())
@@ -126,14 +125,14 @@ def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _root(x: acb) -> acb:
-    """The root of a real number that is 0 or positive for sure."""
+    """Return the root of a real number that is certainly not negative."""
     if not elliptic.real(x) >= 0:
         raise Refused("the root of a number that may be negative")
     return x.sqrt()
 
 
 def _nome(m: acb) -> acb:
-    """exp(-pi K'/K)."""
+    """Return exp(-pi K'/K)."""
     m = between(arb(0), m, arb(1))
     return (-acb.pi() * acb.elliptic_k(1 - m) / acb.elliptic_k(m)).exp()
 
@@ -160,12 +159,12 @@ FUNCTIONS: dict[tuple[str, int], Callable[..., acb]] = {
 
 
 DUE, MOST = 40, 400
-# The sides agree as far as a draw can show; no claim knows its draws.
+# Precision and tolerance at drawn points.
 BITS, ALIKE = 128, "1e-18"
 
 
 def look_elsewhere(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
-    """Refuse an equation that fails where it was not chosen to be looked at."""
+    """Refuse an equation that fails at a drawn point."""
     free = [name for name in given.generators if name in free]
     seen = 0
     with ctx.workprec(BITS):
@@ -200,7 +199,7 @@ def _draw(
 
 
 def _number(seed: bytes, whole: bool, positive: bool) -> acb:
-    """A number between 0 and 1, near them, or between -8 and 8."""
+    """Return a number between 0 and 1, near them, or between -8 and 8."""
     part, choice = fmpq(int.from_bytes(seed[:8], "little"), 2**64), seed[8] % 10
     if whole:
         return acb(seed[9] % 9 - 4)
@@ -214,7 +213,7 @@ def _number(seed: bytes, whole: bool, positive: bool) -> acb:
 
 
 def _solve(given: Hypotheses, known: dict[str, acb], name: str, relation: str) -> acb:
-    """The name from a relation without its odd, or without its even powers but a constant."""
+    """Solve a relation for a name that is in it linearly or by its square alone."""
     at = [Values(given, {**known, name: acb(x)}).read(relation) for x in (-1, 0, 1)]
     if (at[0] - at[2]).contains(0):
         square = at[1] / (at[1] - at[2])

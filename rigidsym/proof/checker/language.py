@@ -1,9 +1,9 @@
-"""The language of ledgers.  It is read in one way; what its words mean is up to who reads.
+"""The language of ledgers: one grammar, and one reader for each kind of meaning.
 
 Text is made of natural numbers, names, ``+ - * /``, powers whose exponents are natural numbers, and
 calls ``f(x, y)``, with spaces between them at most.  Names are not Python's keywords; numbers have
 up to 1000 digits, texts up to 20,000 characters, and up to 50 brackets and signs are open at once.
-Nothing is kept of a text: each part is given its meaning as soon as it is read.
+No tree is built: each part is given its meaning as soon as it is read.
 """
 
 import keyword
@@ -25,39 +25,39 @@ Form: TypeAlias = int | str | tuple["Form", ...]
 
 
 def is_name(text: object) -> bool:
-    """Whether this is the name of a quantity or of a context."""
+    """Say whether a text is a name, of a quantity or of a context."""
     return isinstance(text, str) and bool(NAME.fullmatch(text)) and not keyword.iskeyword(text)
 
 
 class Language(ABC, Generic[Meaning]):
-    """A reader: it knows the grammar, and a subclass says what numbers, names and signs mean."""
+    """Reader of the grammar, whose subclasses give numbers, names and operators a meaning."""
 
     @abstractmethod
     def number(self, number: int) -> Meaning:
-        """What a natural number means."""
+        """Return the meaning of a natural number."""
 
     @abstractmethod
     def name(self, name: str) -> Meaning:
-        """What a name means, or Refused."""
+        """Return the meaning of a name, or raise Refused."""
 
     @abstractmethod
     def call(self, function: str, arguments: list[Meaning]) -> Meaning:
-        """What ``function(*arguments)`` means, or Refused."""
+        """Return the meaning of ``function(*arguments)``, or raise Refused."""
 
     @abstractmethod
     def combine(self, operator: str, left: Meaning, right: Meaning) -> Meaning:
-        """What two things with one of ``+ - * /`` between them mean."""
+        """Return the meaning of two operands with one of ``+ - * /`` between them."""
 
     @abstractmethod
     def negative(self, operand: Meaning) -> Meaning:
-        """What ``-operand`` means."""
+        """Return the meaning of ``-operand``."""
 
     @abstractmethod
     def power(self, base: Meaning, exponent: int) -> Meaning:
-        """What ``base**exponent`` means."""
+        """Return the meaning of ``base**exponent``."""
 
     def read(self, text: str) -> Meaning:
-        """The meaning of an expression, all of it."""
+        """Return the meaning of a text that is one expression."""
         if len(text) > _LENGTH:
             raise Refused(f"an expression of {len(text)} characters")
         if text != text.strip(" ") or _TOKEN.sub("", text):
@@ -73,7 +73,9 @@ class Language(ABC, Generic[Meaning]):
         while _BINDS.get(tokens[-1], 0) > binding:
             operator = tokens.pop()
             if operator == "**":
-                value = self.power(value, _exponent(tokens))
+                if not tokens[-1].isdigit() or tokens[-2] == "**":
+                    raise Refused("an exponent is not one natural number")
+                value = self.power(value, int(tokens.pop()))
             else:
                 value = self.combine(operator, value, self._read(tokens, _BINDS[operator], depth))
         return value
@@ -107,46 +109,40 @@ class Language(ABC, Generic[Meaning]):
 
 
 class Forms(Language[Form]):
-    """An expression means its own form."""
+    """Reader that gives each expression its form: a tree of tuples."""
 
     def number(self, number: int) -> Form:
-        """The number."""
+        """Return the number."""
         return number
 
     def name(self, name: str) -> Form:
-        """The name."""
+        """Return the name."""
         return name
 
     def call(self, function: str, arguments: list[Form]) -> Form:
-        """A call of a function."""
+        """Return a call of a function."""
         return ("call", function, *arguments)
 
     def combine(self, operator: str, left: Form, right: Form) -> Form:
-        """An operator and its two sides."""
+        """Return an operator and its two sides."""
         return operator, left, right
 
     def negative(self, operand: Form) -> Form:
-        """A sign and what it is before."""
+        """Return a sign and its operand."""
         return "-", operand
 
     def power(self, base: Form, exponent: int) -> Form:
-        """A power."""
+        """Return a power."""
         return "**", base, exponent
 
 
 def is_formula(text: str) -> bool:
-    """Whether a text is an expression, whatever its names mean."""
+    """Say whether a text is an expression, whatever its names mean."""
     try:
         Forms().read(text)
     except Refused:
         return False
     return True
-
-
-def _exponent(tokens: list[str]) -> int:
-    if not tokens[-1].isdigit() or tokens[-2] == "**":
-        raise Refused("an exponent is not one natural number")
-    return int(tokens.pop())
 
 
 def _expect(tokens: list[str], due: str) -> None:

@@ -1,4 +1,4 @@
-"""What a ledger file is before it means anything: JSON of one exact shape and spelling."""
+"""Ledger files as records: JSON of one exact shape and spelling."""
 
 import json
 from dataclasses import dataclass, fields
@@ -49,7 +49,7 @@ Record = TypeVar("Record", Hypotheses, Claim)
 
 
 def fits(value: object, kind: object) -> bool:
-    """Whether a JSON value has the type of a field above."""
+    """Say whether a JSON value has the type of a field above."""
     if kind == list[str]:
         return isinstance(value, list) and all(isinstance(item, str) for item in value)
     if kind == dict[str, str]:
@@ -60,7 +60,7 @@ def fits(value: object, kind: object) -> bool:
 
 
 def fill(kind: type[Record], entry: object) -> Record:
-    """The entry as a record: exactly its fields, in order, each of exactly its type."""
+    """Return an entry as a record: exactly its fields, in order, each of exactly its type."""
     if not isinstance(entry, dict) or [*entry] != [field.name for field in fields(kind)]:
         raise Refused("not the fields that the schema gives it")
     if wrong := [field.name for field in fields(kind) if not fits(entry[field.name], field.type)]:
@@ -69,7 +69,7 @@ def fill(kind: type[Record], entry: object) -> Record:
 
 
 def load(text: str) -> tuple[list[object], list[object], dict[str, Any]]:
-    """Contexts and facts, still unread, and what is published, of a file spelled as ledgers are."""
+    """Return contexts and facts, still unread, and the published index of a ledger file."""
     data = json.loads(text, object_pairs_hook=_once)
     if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != SCHEMA:
         raise Refused(f"not a ledger of schema {SCHEMA}")

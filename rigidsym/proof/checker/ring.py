@@ -58,35 +58,35 @@ class Ring(Language[Quotient]):
         self.rates: dict[str, Quotient | None] | None = None
 
     def over_one(self, polynomial: fmpq_mpoly) -> Quotient:
-        """A polynomial as a quotient."""
+        """Return a polynomial as a quotient."""
         return Quotient(polynomial, self.one)
 
     def number(self, number: int) -> Quotient:
-        """A natural number."""
+        """Return a natural number."""
         return self.over_one(self.polynomials.constant(number))
 
     def call(self, function: str, arguments: list[Quotient]) -> Quotient:
-        """D(x), the only function."""
+        """Return D(x); there is no other function."""
         if function != "D" or len(arguments) != 1:
             raise Refused(f"{function} of {len(arguments)} is no function here")
         return self.rate(arguments[0])
 
     def combine(self, operator: str, left: Quotient, right: Quotient) -> Quotient:
-        """Arithmetic; only what is invertible divides."""
+        """Return the result of one operation; a divisor has to be invertible."""
         if operator == "/":
             return left * self.inverse(right)
         return {"+": add, "-": sub, "*": mul}[operator](left, right)
 
     def negative(self, operand: Quotient) -> Quotient:
-        """The opposite."""
+        """Return the opposite."""
         return -operand
 
     def power(self, base: Quotient, exponent: int) -> Quotient:
-        """A power, if it is positive and not too large."""
+        """Return a power that is positive and not too large."""
         return base**exponent
 
     def name(self, name: str) -> Quotient:
-        """What a name means.  A definition is read once; inside itself it means nothing."""
+        """Return the value of a name; inside its own definition a name is unknown."""
         if name not in self.values:
             if name not in self.unread:
                 raise Refused(f"{name!r} has no meaning here")
@@ -94,14 +94,14 @@ class Ring(Language[Quotient]):
         return self.values[name]
 
     def inverse(self, quotient: Quotient) -> Quotient:
-        """1/quotient, if its numerator, as it is or modulo the relations, is invertible."""
+        """Return 1/quotient, if its numerator, as it is or modulo the relations, is invertible."""
         for above in (quotient.above, self.remainder(quotient.above)):
             if scale := self.scale(above):
                 return Quotient(quotient.below / scale, above / scale)
         raise Refused("a division by what is not a product of units")
 
     def scale(self, polynomial: fmpq_mpoly) -> fmpq:
-        """The number c if the polynomial is c times a product of units, else 0."""
+        """Return c if the polynomial is c times a product of units, else 0."""
         for unit in self.units:
             while not polynomial.is_constant() and not unit.is_constant():
                 quotient, rest = divmod(polynomial, unit)
@@ -112,17 +112,17 @@ class Ring(Language[Quotient]):
         return polynomial.leading_coefficient() if constant else fmpq(0)
 
     def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
-        """The polynomial divided by what vanishes, in turn, until nothing changes it.
+        """Divide a polynomial by those that vanish, in turn, until nothing changes.
 
-        It ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
-        What is left depends on whose turn it is, so they take turns both ways.
+        This ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
+        The remainder depends on the order of the divisors, so both orders are used.
         """
         divisors = [*filter(None, self.relations), *filter(None, given)]
         rest = _divided(polynomial, divisors)
         return rest and _divided(_divided(polynomial, divisors[::-1]), divisors)
 
     def rate(self, quotient: Quotient) -> Quotient:
-        """D(a/b): the sum over the generators x of (a_x b - a b_x)/b**2 D(x)."""
+        """Return D(a/b): the sum over the generators x of (a_x b - a b_x)/b**2 D(x)."""
         if self.rates is None:
             raise Refused("this context has no time derivative")
         (above, below), total = (quotient.above, quotient.below), self.over_one(self.one * 0)

@@ -23,17 +23,17 @@ Right = TypeVar("Right")
 
 @dataclass(slots=True)
 class Accepted:
-    """What has been accepted so far; a fact may rest on nothing else."""
+    """The contexts and facts accepted so far, which alone a fact may rest on."""
 
     theories: dict[str, Theory] = field(default_factory=dict)
     facts: dict[str, Claim] = field(default_factory=dict)
 
 
 def identity(so_far: Accepted, fact: Claim) -> str:
-    """lhs = rhs, since (lhs - rhs) * units = sum of cofactor * relation, for each component.
+    """Check (lhs - rhs) * units = sum of cofactor * relation, for each component.
 
-    It is a root if lhs**2 is in the place of lhs, which is seen to be nonnegative, and a sign if
-    the right sides are seen to be nonnegative.
+    For a root, lhs**2 is in the place of lhs, which has to be visibly nonnegative; for a sign the
+    right sides have to be.
     """
     seen = so_far.theories[fact.context].seen
     for text in {"root": fact.lhs, "nonnegative": fact.rhs}.get(fact.kind, []):
@@ -50,7 +50,7 @@ def identity(so_far: Accepted, fact: Claim) -> str:
 
 
 def counterexample(so_far: Accepted, fact: Claim) -> str:
-    """lhs = rhs does not follow, since both sides differ at a point of the context."""
+    """Check that both sides differ at a point of the context, so that lhs = rhs does not follow."""
     values: Any = fact.certificate.get("point")
     if not fits(values, dict[str, str]):
         raise Refused("the certificate holds no point")
@@ -64,7 +64,7 @@ def counterexample(so_far: Accepted, fact: Claim) -> str:
 
 
 def model(so_far: Accepted, fact: Claim) -> str:
-    """By its premises, each hypothesis of the context in rhs holds here, where D reads the same."""
+    """Check that the hypotheses and rates of the context in rhs hold here, by the premises."""
     if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
         raise Refused("a model is of exactly one context")
     here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
@@ -85,7 +85,7 @@ def model(so_far: Accepted, fact: Claim) -> str:
 
 
 def transfer(so_far: Accepted, fact: Claim) -> str:
-    """What holds in a context holds, word for word, in each model of it."""
+    """Check that a statement, unchanged, is that of a fact of which this context is a model."""
     there, bridge = (so_far.facts[premise] for premise in fact.premises)
     if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
         raise Refused("the second premise does not make this context a model of the first's")
@@ -95,7 +95,7 @@ def transfer(so_far: Accepted, fact: Claim) -> str:
 
 
 def partition(so_far: Accepted, fact: Claim) -> str:
-    """A name x is zero, positive or, unless it is seen to be nonnegative, negative.
+    """Check that the cases are: x zero, positive and, unless visibly nonnegative, negative.
 
     In time it stays so: the case x = 0 is closed under d/dt, so that D(x) is a multiple of x, and
     no motion crosses x = 0.  A case may be split further by one premise about it.
@@ -116,7 +116,7 @@ def partition(so_far: Accepted, fact: Claim) -> str:
 
 
 def theta(so_far: Accepted, fact: Claim) -> str:
-    """Each lhs - rhs is, up to sign, a part of an identity of theta functions at certain forms."""
+    """Check that each lhs - rhs is, up to sign, a part of an identity of theta functions."""
     theory = so_far.theories[fact.context]
     identity: Any = fact.certificate.get("identity")
     forms: Any = fact.certificate.get("forms")
@@ -130,7 +130,7 @@ def theta(so_far: Accepted, fact: Claim) -> str:
 
 
 def start(so_far: Accepted, fact: Claim) -> str:
-    """lhs = rhs holds at the start, and where all these hold they go on to: so they do always.
+    """Check that lhs = rhs holds at the start, and that D(lhs - rhs) vanishes with lhs - rhs.
 
     The gaps f satisfy f' = A f, whose only solution that is 0 once is 0.
     """
@@ -145,7 +145,7 @@ def start(so_far: Accepted, fact: Claim) -> str:
 
 
 def assumption(so_far: Accepted, fact: Claim) -> str:
-    """Somebody else's result: it can be read here, says where it is from, and may be enclosed."""
+    """Check that somebody else's result has a reference and, at any points, that balls agree."""
     reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
     if not isinstance(reference, str) or not reference:
         raise Refused("an assumption needs a reference")
@@ -176,20 +176,20 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
 
 
 def check_news(so_far: Accepted, fact: Claim) -> None:
-    """A fact has to say more than its context: in each component, and not of a thing itself."""
+    """Refuse a fact with a component that its context states, or whose sides are the same."""
     for lhs, rhs in _pairs(fact.lhs, fact.rhs):
         if so_far.theories[fact.context].says(lhs, rhs):
             raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
 
 
 def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
-    """lhs - rhs, or lhs**2 - rhs for a root, component by component."""
+    """Return lhs - rhs, or lhs**2 - rhs for a root, of each component."""
     read, power = so_far.theories[fact.context].ring.read, 2 if fact.kind == "root" else 1
     return [read(lhs) ** power - read(rhs) for lhs, rhs in _pairs(fact.lhs, fact.rhs)]
 
 
 def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
-    """The sum of cofactor * relation."""
+    """Return the sum of cofactor * relation."""
     total = ring.one * 0
     for text, relation in _pairs(row, ring.relations):
         cofactor = ring.read(text)
@@ -200,7 +200,7 @@ def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
 
 
 def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
-    """Whether combination = gap * (a product of units), so that the gap vanishes with it."""
+    """Say whether combination = gap * (a product of units), so that the gap vanishes with it."""
     if combination == gap.above or not combination or not gap.above:
         return combination == gap.above  # the product is gap.below
     factor, rest = divmod(combination * gap.below, gap.above)
@@ -208,7 +208,7 @@ def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
 
 
 def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
-    """The premises of a model, if they are equations of its own context."""
+    """Return the premises of a model, which have to be equations of its own context."""
     premises = [so_far.facts[premise] for premise in fact.premises]
     if any((p.kind, p.context) != ("equal", fact.context) for p in premises):
         raise Refused("a premise is not an equation of this context")
@@ -216,7 +216,7 @@ def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
 
 
 def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
-    """What vanishes in a context, with both readings of its definitions and rates."""
+    """Return the relations of a context, and its definitions and rates less their values here."""
     read, name, rate = ring.read, ring.name, ring.rate
     zeros = [name(generator) - name(generator) for generator in there.generators]
     zeros += [*map(read, there.relations)]
@@ -228,7 +228,7 @@ def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
 
 
 def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
-    """Whether the case is the whole with one hypothesis more; its name and witness are its own."""
+    """Say whether a case is the whole with one hypothesis more, name and example aside."""
     more = replace(whole, name=case.name, witness=case.witness)
     if sign == "0":
         return case == replace(more, relations=[*whole.relations, x])
@@ -237,7 +237,7 @@ def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
 
 
 def _leaves(cases: list[str], premises: list[Claim]) -> list[str]:
-    """The cases, or what a premise splits them into."""
+    """Return the cases, or the cases that a premise splits them into."""
     finer = {premise.context: premise.rhs for premise in premises if premise.kind == "partition"}
     if len(finer) < len(premises) or not finer.keys() <= {*cases}:
         raise Refused("a premise is not a partition of a case, or not the only one")
@@ -254,12 +254,12 @@ WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
 
 
 def check(text: str, specification: str = "") -> int:
-    """The number of facts of a ledger, all of them accepted; Refused if anything is amiss."""
+    """Check a ledger and return its number of facts; Refused if anything is wrong."""
     return sum(grades(text, specification).values())
 
 
 def grades(text: str, specification: str = "") -> dict[str, int]:
-    """How many facts of a ledger have each grade; Refused if one is amiss, or a theorem missing."""
+    """Check a ledger and count its facts by grade; Refused if a fact is wrong or missing."""
     with _blaming("ledger"):
         contexts, claims, published = load(text)
     judge = Judge()
@@ -277,7 +277,7 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
 
 
 class Judge(Accepted):
-    """Who accepts contexts and facts, one after the other."""
+    """Checker that accepts contexts and facts, one after the other."""
 
     def open(self, given: Hypotheses) -> None:
         """Accept a context of a new name."""
@@ -306,7 +306,7 @@ class Judge(Accepted):
 
 @contextmanager
 def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
-    """Whatever goes wrong inside is a refusal, told in one line that names the culprit."""
+    """Turn any error inside into a Refused of one line that names the entry."""
     try:
         yield
     except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:

@@ -19,7 +19,7 @@ KINDS = {"equal": "=", "root": "root", "nonnegative": "sign"}
 
 @dataclass(slots=True)
 class Block:
-    """What a block assumes and states; only theorems have to be in a ledger."""
+    """The assumptions and statements of a block; only theorems have to be in a ledger."""
 
     assumed: dict[str, set[Form]] = field(default_factory=dict)
     rates: dict[str, Form] | None = None
@@ -29,11 +29,11 @@ class Block:
     cases: list[str] = field(default_factory=list)
 
     def assume(self, clause: str, items: list[str]) -> None:
-        """More names, or expressions that are zero, nonzero, or nonnegative."""
+        """Add names, or expressions that are zero, nonzero, or nonnegative."""
         self.assumed.setdefault(clause, set()).update(map(read, items))
 
     def take(self, other: "Block") -> None:
-        """All that another block says."""
+        """Add everything in another block."""
         for clause, forms in other.assumed.items():
             self.assumed.setdefault(clause, set()).update(forms)
         if other.rates is not None:
@@ -45,12 +45,12 @@ class Block:
 
 @cache
 def read(text: str) -> Form:
-    """The form of an expression, read once for all theorems; "?" is itself."""
+    """Return the form of an expression, read once for all theorems; "?" is itself."""
     return "?" if text.strip() == "?" else Forms().read(text.strip())
 
 
 def blocks(text: str) -> dict[str, tuple[bool, Block]]:
-    """Each block by its name, and whether it is a theorem."""
+    """Return each block by its name, and whether it is a theorem."""
     found: dict[str, tuple[bool, Block]] = {}
     block = Block()
     for line in _lines(text):
@@ -121,7 +121,7 @@ def _said(item: str) -> Said:
 
 
 class Catalogue:
-    """What accepted facts of the best grade state, and where it holds."""
+    """The statements of accepted facts of the best grade, by context."""
 
     def __init__(
         self, contexts: dict[str, Hypotheses], facts: dict[str, Claim], published: dict[str, Any]
@@ -138,7 +138,9 @@ class Catalogue:
     def _theorem(self, name: str, block: Block) -> None:
         context = self.contexts.get(name)
         declares = context is not None and (context.start or context.thetas)
-        if context is None or declares or _hypotheses(context) != _assumptions(block):
+        clauses = ("names", "zero", "nonzero", "nonnegative")
+        due = [*(block.assumed.get(clause, set()) for clause in clauses), block.rates]
+        if context is None or declares or _hypotheses(context) != due:
             raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
         places = self._places(name)
         holds = {said for fact in self.best if fact.context in places for said in _sayings(fact)}
@@ -180,15 +182,15 @@ class Catalogue:
     def _entries(self, sequence: str, wanted: list[str]) -> list[dict[str, Any]]:
         groups = (self.published.get(group, {}) for group in ("sequences", "forms"))
         (entries,) = [group[sequence] for group in groups if sequence in group] or [[]]
-        named = {self._name(entry): entry for entry in entries}
+        named = {
+            entry.get("definition") or entry.get("reading") or str(self._formula(entry)[1]): entry
+            for entry in entries
+        }
         if missing := {*wanted} - named.keys():
             raise Refused(f"the sequence {sequence} has no formula for {min(missing)}")
         if not entries:
             raise Refused(f"the sequence {sequence} is not published")
         return [named[name] for name in wanted] if wanted else entries
-
-    def _name(self, entry: dict[str, Any]) -> str:
-        return entry.get("definition") or entry.get("reading") or str(self._formula(entry)[1])
 
     def _formula(self, entry: dict[str, Any]) -> Said:
         if "definition" in entry:
@@ -201,18 +203,14 @@ class Catalogue:
 
 
 def _hypotheses(context: Hypotheses) -> list[Any]:
+    """Return names, zeros, nonzeros, nonnegatives and rates, as a theorem lists them."""
     rates = None if context.rates is None else {k: read(text) for k, text in context.rates.items()}
     columns = (context.relations, context.units, context.nonnegative)
     return [{*context.generators}, *({*map(read, column)} for column in columns), rates]
 
 
-def _assumptions(block: Block) -> list[Any]:
-    clauses = ("names", "zero", "nonzero", "nonnegative")
-    return [*(block.assumed.get(clause, set()) for clause in clauses), block.rates]
-
-
 def _same_names(name: str, block: Block, context: Hypotheses, proved: set[str]) -> None:
-    """What names stand for is said by the theorem, or follows from its formulas."""
+    """Refuse definitions that the theorem does not have and its formulas do not imply."""
     defined = dict(_pairs(context.definitions))
     for word, form in block.named.items():
         if defined.get(word) != form:

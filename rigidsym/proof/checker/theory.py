@@ -4,12 +4,15 @@ from flint import fmpq
 
 from rigidsym.proof.checker.language import Form, Forms, is_name
 from rigidsym.proof.checker.records import Hypotheses, Refused
-from rigidsym.proof.checker.ring import Quotient, Ring
+from rigidsym.proof.checker.ring import Ring
 from rigidsym.proof.checker.theta import Functions
 
 
 class Signs:
-    """What a context lets see: sums, products, quotients of what is seen, and even powers."""
+    """Quantities that are visibly nonnegative in a context, all names being real.
+
+    These are its nonnegative quantities, their sums, products and quotients, and even powers.
+    """
 
     def __init__(self, given: Hypotheses) -> None:
         self._read = Forms().read
@@ -17,7 +20,7 @@ class Signs:
         self._seen = {self._read(text) for text in given.nonnegative}
 
     def show(self, text: str) -> bool:
-        """Whether the quantity is seen to be nonnegative, wherever it is defined."""
+        """Say whether a quantity is visibly nonnegative, wherever it is defined."""
         return self._shown(self._read(text))
 
     def _shown(self, form: Form) -> bool:
@@ -40,7 +43,7 @@ class Signs:
 
 
 class Theory:
-    """Hypotheses that hold somewhere and, where time flows, go on holding."""
+    """An opened context: its hypotheses hold at some point and, if it moves, keep holding."""
 
     def __init__(self, given: Hypotheses) -> None:
         _check_names(given)
@@ -63,7 +66,7 @@ class Theory:
             raise Refused("it does not start at its witness, or has no time to start at")
 
     def point(self, values: dict[str, str]) -> list[fmpq]:
-        """The rational point with these coordinates, seen to satisfy every hypothesis."""
+        """Return the rational point with these values, after checking every hypothesis there."""
         if values.keys() != {*self.given.generators}:
             raise Refused("a point gives other names than the generators")
         at = [rational(values[name]) for name in self.ring.polynomials.names()]
@@ -73,19 +76,14 @@ class Theory:
             raise Refused("a relation does not hold at the point")
         if any(sign.above(*at) / sign.below(*at) < 0 for sign in self.signs):
             raise Refused("a sign is wrong at the point")
-        if self.ring.rates is not None and any(map(self._moves, self._zeros(at))):
+        zeros = [sign for sign in self.signs if not sign.above(*at)]
+        rates = map(self.ring.rate, zeros if self.ring.rates is not None else ())
+        if any(self.ring.remainder(rate.above) for rate in rates):
             raise Refused("a sign is about to be wrong: 0 at the point, and it moves")
         return at
 
-    def _zeros(self, at: list[fmpq]) -> list[Quotient]:
-        return [sign for sign in self.signs if not sign.above(*at)]
-
-    def _moves(self, quotient: Quotient) -> bool:
-        """Whether what is 0 now is not seen to stay so."""
-        return bool(self.ring.remainder(self.ring.rate(quotient).above))
-
     def says(self, lhs: str, rhs: str) -> bool:
-        """Whether sides are alike, or one is what the context has for the name or rate opposite."""
+        """Say whether sides are alike, or one is the context's definition or rate of the other."""
         left, right = map(Forms().read, (lhs, rhs))
         return left == right or self._has_for(left) == right or self._has_for(right) == left
 
@@ -99,7 +97,7 @@ class Theory:
         return None if text == "?" else Forms().read(text)
 
     def _check_closed(self) -> None:
-        """A relation whose derivative does not vanish with it would hold at one instant only."""
+        """Refuse a relation whose derivative does not vanish: it could hold at one instant only."""
         ring = self.ring
         for relation in ring.relations if ring.rates is not None else ():
             if ring.remainder(ring.rate(ring.over_one(relation)).above):
@@ -107,7 +105,7 @@ class Theory:
 
 
 def _check_names(given: Hypotheses) -> None:
-    """Each name is a name and means one thing, and only generators have rates of their own."""
+    """Refuse names that are none or mean two things, and rates of other names than generators."""
     names = [*given.generators, *given.definitions]
     if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
         raise Refused("a name is no name, or means two things")
@@ -116,5 +114,5 @@ def _check_names(given: Hypotheses) -> None:
 
 
 def rational(text: str) -> fmpq:
-    """The number that a text without names means."""
+    """Return the value of a text without names."""
     return Ring([], {}).read(text).above.leading_coefficient()

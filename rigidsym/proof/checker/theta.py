@@ -35,7 +35,7 @@ class Theta(NamedTuple):
 
     @property
     def odd(self) -> bool:
-        """Whether the function is odd."""
+        """True if the function is odd."""
         return (self.order + (self.index == 1)) % 2 == 1
 
 
@@ -44,18 +44,18 @@ Sum: TypeAlias = dict[tuple[Leaf, ...], fmpq]
 
 
 class Sums(Language[Sum]):
-    """An expression means its terms: products of names and of theta functions, with numbers."""
+    """Reader that gives an expression its terms: products of names and theta functions."""
 
     def number(self, number: int) -> Sum:
-        """A natural number."""
+        """Return a natural number."""
         return {(): fmpq(number)} if number else {}
 
     def name(self, name: str) -> Sum:
-        """A name, of which nothing is known."""
+        """Return a name, of which nothing is known."""
         return {(name,): fmpq(1)}
 
     def call(self, function: str, arguments: list[Sum]) -> Sum:
-        """A theta function."""
+        """Return a theta function."""
         kind = _FUNCTION.fullmatch(function)
         if not kind or len(arguments) != 2 or len(arguments[1]) != 1:
             raise Refused(f"{function} of {len(arguments)} is no theta function")
@@ -66,7 +66,7 @@ class Sums(Language[Sum]):
         return {(value,): fmpq(1)}
 
     def combine(self, operator: str, left: Sum, right: Sum) -> Sum:
-        """Arithmetic; only numbers divide."""
+        """Return the result of one operation; only numbers divide."""
         if operator in "+-":
             right = self.negative(right) if operator == "-" else right
             return _sum([*left.items(), *right.items()])
@@ -80,11 +80,11 @@ class Sums(Language[Sum]):
         return _sum([(tuple(sorted(x + y, key=repr)), k * m) for (x, k), (y, m) in pairs])
 
     def negative(self, operand: Sum) -> Sum:
-        """The opposite."""
+        """Return the opposite."""
         return {leaves: -factor for leaves, factor in operand.items()}
 
     def power(self, base: Sum, exponent: int) -> Sum:
-        """A power."""
+        """Return a power."""
         if not 1 <= exponent <= 9:
             raise Refused(f"a power {exponent}")
         total = base
@@ -101,7 +101,7 @@ def _sum(terms: list[tuple[tuple[Leaf, ...], fmpq]]) -> Sum:
 
 
 def form(terms: Sum) -> Form:
-    """Terms that are linear in names other than I, and have I at most once."""
+    """Return terms as a form: linear in names other than I, and with I at most once."""
     found = []
     for leaves, factor in terms.items():
         names = [leaf for leaf in leaves if leaf != "I"]
@@ -113,7 +113,7 @@ def form(terms: Sum) -> Form:
 
 @lru_cache(maxsize=64)
 def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
-    """The terms of an identity that holds for all values of its names, or Refused.
+    """Return the terms of an identity that holds for all values of its names, or raise Refused.
 
     With z = F x, and F invertible, a product is the sum over n, or over a = F^T n, of its factor
     times chi(n_1) (2 i n_1)**d_1 ... q**(a.E a) exp(2 i a.x).  Where two products have one E, terms
@@ -151,7 +151,7 @@ def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
 
 
 def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
-    """F and its inverse."""
+    """Return F and its inverse."""
     tables = [{name: factor for name, _, factor in theta.form} for theta in leaves]
     size = len(names)
     if len(leaves) != size or not 1 <= size <= 6:
@@ -163,7 +163,7 @@ def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
 
 
 def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
-    """E = F^-1 diag(powers) F^-T."""
+    """Return E = F^-1 diag(powers) F^-T."""
     size = len(leaves)
     powers = fmpq_mat(size, size, [fmpq(0)] * size**2)
     for k, theta in enumerate(leaves):
@@ -172,7 +172,7 @@ def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
 
 
 def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmpq_mpoly, bool]:
-    """The product of (2 i n)**d, and of -i for theta_1, as a polynomial in a; i apart."""
+    """Return the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a; i apart."""
     polynomials = fmpq_mpoly_ctx.get(names, "lex")
     weight, turns = polynomials.constant(1), 0
     for k, theta in enumerate(leaves):
@@ -187,7 +187,7 @@ def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmp
 def _classes(
     leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int, unit: int
 ) -> Iterator[tuple[tuple[object, ...], int]]:
-    """Each class of the a of a product modulo the period, once, by a*unit, and its sign.
+    """Yield each class of the a of a product modulo the period, once, by a*unit, and its sign.
 
     The a, but for a first one, are the lattice of the rows of F.  In a triangular basis of it (the
     Hermite normal form) the diagonal h divides the period, and the coefficients from 0 to period/h
@@ -212,7 +212,7 @@ def _classes(
 
 
 class Functions:
-    """What names of a context are declared to be, and values that follow from that."""
+    """The functions that names of a context are declared to be, and values that follow."""
 
     def __init__(self, ring: Ring, declared: dict[str, str]) -> None:
         self.ring = ring
@@ -252,7 +252,7 @@ class Functions:
                 raise Refused(f"{name} does not move as it is declared")
 
     def values(self, identity: str, forms: dict[str, str]) -> list[fmpq_mpoly]:
-        """Real and imaginary part of an identity with forms for its names: both vanish."""
+        """Return real and imaginary part of an identity with forms for its names: both vanish."""
         places = {name: form(Sums().read(text)) for name, text in forms.items()}
         total = [self._number(0), self._number(0)]
         for leaves, factor in zero(identity):
@@ -274,7 +274,7 @@ class Functions:
         return sum(parts, self._number(0))
 
     def _part(self, part: str, theta: Theta) -> Quotient:
-        """A part of a value: real where z is, and where it is i y real if even, else imaginary."""
+        """Return a part of a value, real for real z; at z = i y, real if even, else imaginary."""
         kinds = {imaginary for _, imaginary, _ in theta.form}
         if part == "im" and True not in kinds:
             return self._number(0)
@@ -287,7 +287,7 @@ class Functions:
 
 
 def _least(theta: Theta) -> tuple[Theta, int, int]:
-    """The function at the least of z, -z, and their conjugates; signs of its parts against those.
+    """Return the function at the least of z, -z, and their conjugates, and the signs of its parts.
 
     f(-z) is f(z) or -f(z), and f at the conjugate of z is the conjugate of f(z).
     """
@@ -302,7 +302,7 @@ def _least(theta: Theta) -> tuple[Theta, int, int]:
 
 
 def _placed(terms: Form, places: dict[str, Form]) -> Form:
-    """A form of the names of an identity, as one of the names of a context."""
+    """Return a form in the names of an identity as one in the names of a context."""
     found: dict[tuple[str, bool], fmpq] = {}
     for name, _, factor in terms:
         for inner, imaginary, k in places[name]:

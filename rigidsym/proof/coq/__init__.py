@@ -1,8 +1,8 @@
 """The ledger for Coq: contexts and facts as theorems on real numbers and real functions of time.
 
-Nothing that is written here is trusted: Coq checks every certificate again, by a checker that
-`prelude.v` proves sound.  `theorems/`, by hand, says what follows in plain words:
-which functions of time are the motion.
+The exporter is not trusted: Coq checks every certificate again, by a checker that `prelude.v`
+proves sound.  The hand-written `theorems/` state the conclusions: which functions of time are the
+motion.
 """
 
 from rigidsym.proof.coq.export import Export, export

@@ -14,7 +14,7 @@ Line: TypeAlias = str | Callable[[], str]
 
 @dataclass(slots=True)
 class Model:
-    """How this context is a model of another: the other's names here, and what is known of them."""
+    """A context as a model of another: the other's names here, and their theory."""
 
     of: "Chapter"
     theory: Theory
@@ -24,7 +24,7 @@ class Model:
 
 @dataclass(slots=True)
 class Chapter:
-    """A context on its way to Coq; `blocks` are written behind what is known of its names."""
+    """A context on its way to Coq; `blocks` are written after its names and hypotheses."""
 
     context: Context
     theory: Theory = field(init=False)
@@ -46,7 +46,7 @@ class Chapter:
         self._suppose()
 
     def _suppose(self) -> None:
-        """All hypotheses as steps, in the order in which the kernel reads them."""
+        """Add all hypotheses as steps, in the order in which the kernel reads them."""
         context, theory = self.context, self.theory
         for k, text in enumerate(context.units):
             theory.unit(text, self._hypothesis("unit", k, text))
@@ -56,7 +56,9 @@ class Chapter:
             rates = {**dict.fromkeys(context.generators, "0"), **context.rates}
             known = {name: text for name, text in rates.items() if text != "?"}
             for name, text in known.items():
-                theory.rate(name, text, self._rate(name))
+                moving, still = f"rate_{self.words[name]} X H", f"({self.words[name]} X) t"
+                proof = moving if name in self.moving else f"fun t => is_derive_const {still}"
+                theory.rate(name, text, proof)
             read = {name: theory.ring.read(text) for name, text in known.items()}
             theory.ring.rates = {**dict.fromkeys(context.generators), **read}
         theory.define(*context.definitions)
@@ -66,44 +68,39 @@ class Chapter:
     def _hypothesis(self, kind: str, k: int, text: str) -> str:
         return f"fun t => {kind}_{k} X H{' t' if self.moves(text) else ''}"
 
-    def _rate(self, name: str) -> str:
-        word = self.words[name]
-        held = name in self.moving
-        return f"rate_{word} X H" if held else f"fun t => is_derive_const ({word} X) t"
-
     @property
     def name(self) -> str:
-        """The context's name, which is its file's."""
+        """The name of the context, and of its file."""
         return self.context.name
 
     @property
     def dynamic(self) -> bool:
-        """Whether quantities may change in time here."""
+        """True if quantities may change in time here."""
         return self.context.rates is not None
 
     @property
     def t(self) -> str:
-        """The argument for time, of what takes one."""
+        """The argument for time, where there is one."""
         return " t" if self.dynamic else ""
 
     def moves(self, text: str) -> bool:
-        """Whether a text changes in time."""
+        """Say whether a text changes in time."""
         return bool(self.moving & {*names_in(parse(text))})
 
     def say(self, name: str, names: str = "X", module: str = "") -> str:
-        """A name as readers see it: of these names, seen from a file that calls ours so."""
+        """Write a name for readers, as a field of `names`, from a file that calls ours `module`."""
         return f"{module}{self.words[name]} {names}{' t' if name in self.moving else ''}"
 
     def real(self, tree: Tree) -> str:
-        """A text as readers see it."""
+        """Write a tree for readers."""
         return real(tree, self.say)
 
     def write(self, *lines: Line) -> None:
-        """Lines behind those that are there; those that later facts may add to are asked last."""
+        """Append lines; those that depend on later facts are functions, called at the end."""
         self.blocks.append(lines)
 
     def model(self, name: str) -> Model:
-        """How this context is a model of the other; refused where that was not exported."""
+        """Return this context as a model of the other; refused where that was not exported."""
         if name not in self.models:
             raise NotExportedError(f"that this is a model of {name} is not exported")
         return self.models[name]
@@ -111,7 +108,7 @@ class Chapter:
     # --- the text of the file
 
     def text(self) -> str:
-        """The whole file."""
+        """Return the whole file."""
         imports = [f"From Rigidsym.contexts Require {name}." for name in sorted(self.uses)]
         head = ["From Rigidsym Require Import prelude.", *imports]
         blocks = [
@@ -160,7 +157,7 @@ class Chapter:
         return f"(* What is supposed of them. *)\n{record}"
 
     def hypotheses(self, names: str = "X", module: str = "") -> Iterable[tuple[str, bool, str]]:
-        """The fields of `holds`, whether they are about every t, and what they say."""
+        """Yield the fields of `holds`, whether they are about every t, and their claims."""
         kinds = (
             ("unit", "units", "{} <> 0"),
             ("relation", "relations", "{} = 0"),
@@ -179,18 +176,18 @@ class Chapter:
             yield f"rate_{word}", True, f"is_derive ({module}{word} {names}) t ({rate})"
 
     def rated(self) -> list[str]:
-        """Names that move, and whose derivative is known."""
+        """Return the names that move and whose derivative is known."""
         return [name for name, text in (self.context.rates or {}).items() if text not in ("0", "?")]
 
     # --- other contexts
 
     def qualified(self, other: "Chapter", word: str) -> str:
-        """A word of another file."""
+        """Return a word of another file."""
         self.uses.add(other.name)
         return f"{other.name}.{word}"
 
     def record(self, other: "Chapter", values: dict[str, str]) -> str:
-        """The names of another context, with these values."""
+        """Return the record of names of another context, with these values."""
         rows = [
             f"{self.qualified(other, other.words[name])} := {value}"
             for name, value in values.items()
@@ -199,12 +196,12 @@ class Chapter:
 
 
 def comment(text: str | None) -> str:
-    """A reading as a comment of Coq."""
+    """Return a meaning as a comment of Coq."""
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 
 def known(suffix: str, theory: Theory, start: str, binder: str, more: str, before: str) -> str:
-    """Steps, the theory that they lead to, and that it is sound."""
+    """Return steps, the theory that they lead to, and the lemma that it is sound."""
     steps, result = f"steps{suffix}", f"theory{suffix}"
     rows = ";\n  ".join(theory.steps)
     given = (
@@ -228,12 +225,12 @@ def known(suffix: str, theory: Theory, start: str, binder: str, more: str, befor
 
 
 def claims_list(name: str, rows: Sequence[str], kind: str = "certified") -> str:
-    """A list of claims with their cofactors."""
+    """Return a list of claims with their cofactors."""
     return f"Definition {name} : list {kind} := [\n  " + ";\n  ".join(rows) + "\n]."
 
 
 def path(proof: str, k: int, count: int) -> str:
-    """The k-th part of a proof of `count` things."""
+    """Return the k-th part of a proof of `count` claims."""
     for _ in range(k):
         proof = f"(proj2 {proof})"
     return f"(proj1 {proof})" if k < count - 1 else proof

@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import resources
 
@@ -24,6 +24,7 @@ _FIXED = (
     "assumptions/plain.v",
     "assumptions/published.v",
 )
+_REQUIRE = r"^From Rigidsym(?:\.(\w+))? Require (?:Import )?(.*)\.$"
 _MAKEFILE = """\
 # make -j2: Coq decides every theorem.  It needs Coq 8.16 or later with Coquelicot 3.2 or later
 # (Debian: apt-get install coq libcoq-coquelicot).
@@ -43,7 +44,7 @@ CoqMakefile: _CoqProject
 
 @dataclass(frozen=True, slots=True)
 class Export:
-    """Files by their names; how many facts of each rule they state, and why others are left out."""
+    """Files by name, the number of exported facts by rule, and the reason for each one left out."""
 
     files: Mapping[str, str]
     exported: Mapping[str, int]
@@ -51,7 +52,7 @@ class Export:
 
 
 def export(ledger: Ledger) -> Export:
-    """All of a ledger that the kernel has admitted, as files of Coq."""
+    """Export a ledger that the kernel has admitted as files of Coq."""
     chapters = {name: Chapter(context) for name, context in ledger.contexts.items()}
     printer = Printer(chapters, ledger.facts)
     exported: Counter[str] = Counter()
@@ -64,26 +65,17 @@ def export(ledger: Ledger) -> Export:
             left_out[fact.id] = str(error)
     files = {f"contexts/{name}.v": chapter.text() for name, chapter in chapters.items()}
     files |= _fixed(files)
-    return Export(files | _project(files), exported, left_out)
+    project = "\n".join(["-Q . Rigidsym", "-arg -w -arg none", *files]) + "\n"
+    return Export(files | {"_CoqProject": project, "Makefile": _MAKEFILE}, exported, left_out)
 
 
 def _fixed(files: Mapping[str, str]) -> dict[str, str]:
-    """What is written by hand, as far as it finds all that it names."""
+    """Return the hand-written files whose required files are all there."""
     found: dict[str, str] = {}
     for name in _FIXED:
         text = resources.files("rigidsym.proof.coq").joinpath(name).read_text("utf-8")
-        if all(needed in files or needed in found for needed in _requires(text)):
+        required = re.findall(_REQUIRE, text, re.MULTILINE)
+        needed = (f"{folder}/{x}.v".lstrip("/") for folder, xs in required for x in xs.split())
+        if all(file in files or file in found for file in needed):
             found[name] = text
     return found
-
-
-def _requires(text: str) -> Iterable[str]:
-    """The files of ours that a file needs."""
-    form = r"^From Rigidsym(?:\.(\w+))? Require (?:Import )?(.*)\.$"
-    for folder, names in re.findall(form, text, re.MULTILINE):
-        yield from (f"{folder}/{name}.v" if folder else f"{name}.v" for name in names.split())
-
-
-def _project(files: Iterable[str]) -> dict[str, str]:
-    options = ["-Q . Rigidsym", "-arg -w -arg none"]
-    return {"_CoqProject": "\n".join([*options, *files]) + "\n", "Makefile": _MAKEFILE}

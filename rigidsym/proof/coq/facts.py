@@ -18,17 +18,17 @@ from rigidsym.proof.kernel.language import Tree, parse
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """One claim of the prelude: its constructor and the texts it speaks of."""
+    """One claim of the prelude: its constructor and the trees that it is about."""
 
     form: str
     sides: tuple[Tree, ...]
 
     def data(self, theory: Theory) -> str:
-        """As the prelude has it."""
+        """Return the claim as data of the prelude."""
         return f"{self.form} {' '.join(data(tree, theory.index) for tree in self.sides)}"
 
     def real(self, chapter: Chapter) -> str:
-        """As readers see it."""
+        """Return the claim as readers see it."""
         left, *right = map(chapter.real, self.sides)
         function = f"(fun t : R => {left}) t"
         match self.form:
@@ -44,7 +44,7 @@ class Claim:
 
 
 def claims_of(fact: Fact) -> list[list[Claim]]:
-    """What a fact says, for each of its components."""
+    """Return the claims of a fact, for each of its components."""
     return [_component(fact.kind, *sides) for sides in _sides(fact)]
 
 
@@ -70,12 +70,12 @@ SUPPOSED = ("assumption", "theta", "start")
 
 
 def computed(term: str) -> str:
-    """A proof whose last step Coq computes."""
+    """Return a proof whose last step Coq computes."""
     return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
 
 
 class Printer:
-    """Writes facts into the chapters of their contexts, in the order of the ledger."""
+    """Printer of facts into the chapters of their contexts, in the order of the ledger."""
 
     def __init__(self, chapters: dict[str, Chapter], facts: dict[str, Fact]) -> None:
         self.chapters, self.facts = chapters, facts
@@ -84,7 +84,7 @@ class Printer:
         self.components: dict[str, list[tuple[Tree, ...]]] = {}
 
     def export(self, fact: Fact) -> None:
-        """Write one fact; NotExportedError where there is no way."""
+        """Write one fact; raises NotExportedError where that is impossible."""
         rules: dict[str, Callable[[Chapter, Fact], tuple[str, ...]]] = {
             "identity": self._identity,
             "counterexample": self._counterexample,
@@ -186,7 +186,7 @@ class Printer:
     def _premises(
         self, chapter: Chapter, theory: Theory, fact: Fact, hypotheses: tuple[str, ...]
     ) -> None:
-        """What premises say vanishes."""
+        """Add premises to a theory, as quantities that vanish."""
         for premise in (self.facts[name] for name in fact.premises):
             claims = [claim for component in claims_of(premise) for claim in component]
             proof = self._theorem(chapter, premise, hypotheses)
@@ -206,7 +206,7 @@ class Printer:
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:
-        """A fact of this context as a proof at t, from X, H and hypotheses A0, A1, ..."""
+        """Return a fact of this context as a proof at t, from X, H and hypotheses A0, A1, ..."""
         rest = self.hypotheses[premise.id]
         numbers = [hypotheses.index(text) for text in rest]
         if premise.rule in SUPPOSED:
@@ -222,7 +222,7 @@ class Printer:
         return tuple(found)
 
     def _value(self, chapter: Chapter, other: Chapter, name: str, held: bool) -> str:
-        """What a quantity of the other context is here."""
+        """Return the value here of a quantity of the other context."""
         value = f"{chapter.words[name]} X"
         if name in other.moving:
             return value if name in chapter.moving else f"fun _ => {value}"
@@ -233,7 +233,7 @@ class Printer:
     def _fields(
         self, chapter: Chapter, other: Chapter, theory: Theory, aliases: dict[str, str]
     ) -> tuple[list[str], list[str]]:
-        """Claims and proofs of all that the other context supposes."""
+        """Return claims and proofs of the hypotheses of the other context."""
         rows, moving = [], []
 
         def there(text: str) -> Tree:
@@ -288,7 +288,10 @@ class Printer:
         if inner is None:
             raise NotExportedError(f"its premise {there.id} is not exported")
         here = f"(as_{other.name} X{held})"
-        carried = [_about(text, here) for text in inner]
+        carried = []
+        for proposition in inner:  # about X, to be stated of the other context's names
+            head, _, names = proposition.partition(" ")
+            carried.append(f"{head} {names.replace('X', here)}")
         hypotheses = tuple(dict.fromkeys([*model.hypotheses, *carried]))
         binder, _ = _binder(hypotheses)
         mine = "".join(f" A{hypotheses.index(text)}" for text in model.hypotheses)
@@ -410,7 +413,7 @@ class Printer:
         return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
-        """The same quantities, as those of a case."""
+        """Define the quantities of a case as those of this context."""
         text = f"Definition as_{other.name} (X : names) : {other.name}.names :="
         if other.name not in chapter.cases:
             chapter.cases.add(other.name)
@@ -464,7 +467,7 @@ class Printer:
 
 
 def known_at_point(name: str, theory: Theory) -> str:
-    """What is known of all names at a point."""
+    """Return the theory of all names at a point."""
     text = known(f"_{name}", theory, "nothing", "BINDER", "MORE", "nothing_sound _")
     return text.replace(
         "BINDER,\n  sound (fun t => atoms X t ++ MORE)", f"sound atoms_{name}"
@@ -472,7 +475,7 @@ def known_at_point(name: str, theory: Theory) -> str:
 
 
 def word(fact: Fact) -> str:
-    """The name of a fact within its context."""
+    """Return the name of a fact within its context."""
     return "_".join(fact.id.split(".")[1:])
 
 
@@ -489,12 +492,6 @@ def _all(said: Sequence[str]) -> str:
 
 
 def _binder(hypotheses: Sequence[str]) -> tuple[str, str]:
-    """Hypotheses as arguments of a theorem, and as they are passed on."""
+    """Return hypotheses as parameters of a theorem, and as arguments."""
     binder = "".join(f" (A{k} : {text})" for k, text in enumerate(hypotheses))
     return binder, "".join(f" A{k}" for k in range(len(hypotheses)))
-
-
-def _about(text: str, names: str) -> str:
-    """A proposition about X as one about other names."""
-    head, _, tail = text.partition(" ")
-    return f"{head} {tail.replace('X', names)}"

@@ -24,7 +24,7 @@ _OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)
 
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
-    """What quantities are called in Coq: by their names, but for words that are taken."""
+    """Return the names of quantities in Coq: their own, or changed where a word is taken."""
     known = list(names)
     taken = {*known, *RESERVED}
     found = {}
@@ -39,7 +39,7 @@ def identifiers(names: Iterable[str]) -> dict[str, str]:
 
 
 def names_in(tree: Tree) -> Iterator[str]:
-    """The names of a tree, from left to right, as often as they occur."""
+    """Yield the names of a tree, from left to right, as often as they occur."""
     match tree:
         case int():
             return
@@ -55,7 +55,7 @@ def names_in(tree: Tree) -> Iterator[str]:
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
-    """All subtrees, each after its own; of a chain a + b - c those that end with an operand too."""
+    """Yield all subtrees, each after its own."""
     match tree:
         case int() | str():
             operands: list[Tree] = []
@@ -69,7 +69,7 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def divisors(tree: Tree) -> Iterator[Tree]:
-    """What a text divides by, numbers aside, each after those in itself."""
+    """Yield the divisors in a text except numbers, each after those in itself."""
     for part in parts(tree):
         if is_chain(part) and isinstance(part, tuple):
             pairs = zip(part[1::2], part[2::2], strict=True)
@@ -77,17 +77,17 @@ def divisors(tree: Tree) -> Iterator[Tree]:
 
 
 def derivatives(tree: Tree) -> Iterator[Tree]:
-    """What is differentiated by time in a text, each after those in itself."""
+    """Yield the arguments of D in a text, each after those in itself."""
     yield from (part[2] for part in parts(tree) if isinstance(part, tuple) and part[0] == "D")
 
 
 def is_chain(tree: Tree) -> bool:
-    """Whether this is a chain of operators: x + y - z, x * y / z."""
+    """Say whether a tree is a chain of operators: x + y - z, x * y / z."""
     return isinstance(tree, tuple) and len(tree) > 2 and tree[1] in _OPERATORS
 
 
 def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
-    """A tree with other names in it."""
+    """Rename the names in a tree."""
     match tree:
         case int():
             return tree
@@ -103,7 +103,7 @@ def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
 
 
 def real(tree: Tree, say: Callable[[str], str], level: int = 0) -> str:
-    """A text as real numbers of Coq; `say` tells how a name is written."""
+    """Return a text as real numbers of Coq; `say` writes a name."""
     match tree:
         case int():
             return str(tree)
@@ -127,7 +127,7 @@ def _in_brackets(text: str, needed: bool) -> str:
 
 
 def data(tree: Tree, index: Mapping[str, int]) -> str:
-    """A text as an `expr` of the prelude; names by their places in the list of atoms."""
+    """Return a text as an `expr` of the prelude; names by their places in the list of atoms."""
     match tree:
         case int():
             return f"(Num {tree})"
@@ -146,7 +146,7 @@ def data(tree: Tree, index: Mapping[str, int]) -> str:
 
 
 def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
-    """A polynomial as the prelude's list of terms."""
+    """Return a polynomial as the prelude's list of terms."""
     places = [index[str(generator)] for generator in polynomial.ring.gens]
     found = []
     for powers, number in polynomial.terms():
@@ -156,11 +156,11 @@ def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
 
 
 def rational(number: Number) -> str:
-    """Numerator and denominator."""
+    """Return numerator and denominator."""
     above = number.numerator
     return f"{above if above >= 0 else f'({above})'} {number.denominator}"
 
 
 def listed(items: Iterable[object]) -> str:
-    """A list of Coq."""
+    """Return a list of Coq."""
     return f"[{'; '.join(map(str, items))}]"

@@ -1,6 +1,6 @@
-"""A context in the arithmetic of the prelude: the steps by which Coq comes to know its names.
+"""A context in the arithmetic of the prelude: the steps that make its names known to Coq.
 
-The kernel's own ring computes what is handed to Coq; there it is checked again.
+The kernel's own ring computes the certificates; Coq checks them again.
 """
 
 from collections import Counter
@@ -22,11 +22,11 @@ class NotExportedError(ValueError):
 class Theory:
     """Steps of the prelude, and the ring in which they were computed.
 
-    `steps` are written once; `given` are proofs of what they suppose, each a text of Coq.
+    `given` are proofs of what the steps suppose, each a text of Coq.
     """
 
     def __init__(self, context: Context) -> None:
-        """The whole context: generators, hypotheses, and all that it abbreviates."""
+        """Start with the generators of a context, and with places for its definitions."""
         self.context = context
         self.ring = Ring(context.generators, context.definitions)
         self.texts: dict[str, Tree] = {n: parse(t) for n, t in context.definitions.items()}
@@ -41,7 +41,7 @@ class Theory:
         self._place(context.definitions)
 
     def _place(self, names: Mapping[str, str]) -> None:
-        """Give abbreviations their places, after those that they are made of."""
+        """Give definitions their places, each after those that it uses."""
         for name in names:
             if name not in self.index and name not in self._order:
                 inner = {x: "" for x in names_in(self.texts[name]) if x in self.texts}
@@ -50,7 +50,7 @@ class Theory:
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":
-        """A copy that can learn more, its steps counted from here."""
+        """Return a copy to extend, its steps counted from here."""
         more = copy(self)
         more.ring = copy(self.ring)
         more.ring.values = dict(self.ring.values)
@@ -66,37 +66,37 @@ class Theory:
         return list(self.index)
 
     def unit(self, text: str, proof: str) -> None:
-        """What does not vanish."""
+        """Add a quantity that does not vanish."""
         value = self.read(parse(text))
         self._step(f"Unit {self.data(text)}", proof)
         self.ring.units += (value.numerator,)
 
     def relation(self, text: str, proof: str) -> None:
-        """What vanishes."""
+        """Add a quantity that vanishes."""
         value = self.read(parse(text))
         self._step(f"Relation {self.data(text)}", proof)
         self.ring.relations += (value.numerator,)
 
     def premise(self, tree: Tree, proof: str) -> None:
-        """What vanishes by a fact: the kernel divides by it before all relations."""
+        """Add a quantity that vanishes by a fact; division by it precedes all relations."""
         numerator = self.read(tree).numerator
         self._step(f"Relation {data(tree, self.index)}", proof)
         self.extra += (numerator,)
 
     def rate(self, name: str, text: str, proof: str) -> None:
-        """The derivative of a generator."""
+        """Add the derivative of a generator."""
         tree = parse(text)
         self.read(tree)
         self._step(f"Moves {self.index[name]} {data(tree, self.index)}", proof)
         self._slopes.add(name)
 
     def sign(self, text: str, proof: str) -> None:
-        """What is not negative."""
+        """Add a quantity that is not negative."""
         self.define(*names_in(parse(text)))
         self._step(f"Sign {self.data(text)}", proof)
 
     def alias(self, name: str, own: str, tree: Tree, proof: str) -> None:
-        """One more name, for what a tree says; known by the form of our own name for it, if any."""
+        """Add a name for a tree; its form is that of our own name for it, if there is one."""
         value = self.read(tree)
         self.index[name] = len(self.index) + 1
         place, text = self.index[name], data(tree, self.index)
@@ -117,7 +117,7 @@ class Theory:
             self.given.append(proof)
 
     def define(self, *names: str) -> None:
-        """Make sure that Coq knows these names."""
+        """Add steps so that Coq knows these names."""
         for name in names:
             if name in self.texts and name not in self._defined:
                 self._defined.add(name)
@@ -128,7 +128,7 @@ class Theory:
                 self.ring.read(name)
 
     def ready(self, tree: Tree) -> None:
-        """Make sure that Coq can read a text: names, inverses and derivatives in it."""
+        """Add steps so that Coq can read a tree: its names, inverses and derivatives."""
         self.define(*names_in(tree))
         for divisor in divisors(tree):
             self.invert(divisor)
@@ -136,12 +136,12 @@ class Theory:
             self.differentiate(inner)
 
     def read(self, tree: Tree) -> Element:
-        """What a text means, once Coq can read it."""
+        """Return the element of a tree, after adding steps so that Coq can read it."""
         self.ready(tree)
         return self.ring.value(tree)
 
     def invert(self, tree: Tree) -> None:
-        """Coq may divide by this: a number times a product of units, but for what vanishes."""
+        """Let Coq divide by this: a number times a product of units, modulo the relations."""
         if isinstance(tree, int) or tree in self._inverted:
             return
         value = self.read(tree)
@@ -157,7 +157,7 @@ class Theory:
         self._step(f"Invert {what} {number} {self.powers(below)} {self.rows(cofactors)}")
 
     def differentiate(self, tree: Tree) -> None:
-        """Coq may use the derivative of this, in the form in which the kernel has it."""
+        """Let Coq use the derivative of this, in the kernel's form."""
         if tree in self._slopes:
             return
         self.ready(tree)
@@ -177,7 +177,7 @@ class Theory:
         self._step(f"Differentiate {what} {form} {self.rows(cofactors)}")
 
     def _slope(self, tree: Tree) -> Element:
-        """The derivative by its rules, as the prelude's `slope` computes it."""
+        """Return the derivative by its rules, as the prelude's `slope` computes it."""
         ring = self.ring
         match tree:
             case int():
@@ -209,25 +209,25 @@ class Theory:
         return rate
 
     def reduce(self, polynomial: PolyElement) -> tuple[list[PolyElement], PolyElement]:
-        """Cofactors of the relations, then of premises, and what remains."""
+        """Return cofactors of the relations, then of premises, and the remainder."""
         cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder
 
     def rows(self, cofactors: Sequence[PolyElement]) -> str:
-        """Cofactors as Coq reads them; trailing zeros are left out."""
+        """Return cofactors for Coq; trailing zeros are left out."""
         kept = list(cofactors)
         while kept and not kept[-1]:
             kept.pop()
         return listed(terms(polynomial, self.index) for polynomial in kept)
 
     def powers(self, below: Counter[PolyElement]) -> str:
-        """How often each unit is a factor of a denominator; one declared twice counts once."""
+        """Return the multiplicity of each unit in a denominator; one declared twice counts once."""
         left = Counter(below)
         return f"{listed(left.pop(unit, 0) for unit in self.ring.units)}%nat"
 
     def gap(self, left: Tree, right: Tree) -> str:
-        """Cofactors that show two texts to be equal, found by division."""
+        """Return cofactors that prove two trees equal, found by division."""
         difference = (self.read(left) - self.read(right)).numerator
         cofactors, remainder = self.reduce(difference)
         if remainder:
@@ -235,5 +235,5 @@ class Theory:
         return self.rows(cofactors)
 
     def data(self, text: str) -> str:
-        """A text as data of Coq."""
+        """Return a text as data of Coq."""
         return data(parse(text), self.index)

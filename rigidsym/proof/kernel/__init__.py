@@ -1,8 +1,9 @@
 """The trusted core: contexts, facts, rules, grades, certificates and their replay.
 
-It imports `sympy.polys` and the standard library.  What a replayed ledger grades PROVED follows by
-polynomial arithmetic over Q from a context; whether that says what is meant, `reading` must tell.
-To be read in this order: `language`, `ring`, `theta`, `statement`, `rules`, `ledger`.
+It imports `sympy.polys` and the standard library.  A fact that a replayed ledger grades PROVED
+follows from its context by polynomial arithmetic over Q.  Whether it says what is meant depends on
+the meanings of the names, which readers have to judge (`reading`).
+Read the modules in this order: `language`, `ring`, `theta`, `statement`, `rules`, `ledger`.
 """
 
 from rigidsym.proof.kernel.language import KernelError

@@ -31,13 +31,13 @@ class KernelError(ValueError):
 
 
 def is_name(text: str) -> bool:
-    """Whether a text is a name."""
+    """Say whether a text is a name."""
     return text.isascii() and text.isidentifier() and not iskeyword(text)
 
 
 @cache
 def parse(text: str) -> Tree:
-    """The tree of an expression, which is all of a text; KernelError for any other text."""
+    """Return the tree of a text that is one expression; KernelError for any other text."""
     if not isinstance(text, str) or len(text) > LONGEST:
         raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
     if not _TEXT.fullmatch(text):

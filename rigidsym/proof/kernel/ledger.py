@@ -1,6 +1,6 @@
 """The ledger: contexts and facts in the order they were admitted, as deterministic JSON.
 
-`Ledger.add` is the only gate: `replay` passes all that is in a written ledger through it again.
+Facts enter by `Ledger.add` alone; `replay` passes every fact of a written ledger through it again.
 """
 
 import json
@@ -57,14 +57,18 @@ class Ledger(Admitted):
             raise KernelError(f"claims {fact.grade}, has earned {earned}")
 
     def to_text(self) -> str:
-        """The ledger as JSON text, the same on every machine."""
+        """Return the ledger as JSON text, the same on every machine."""
         contexts, facts = [*self.contexts.values()], [*self.facts.values()]
         data = {"schema": SCHEMA, "contexts": contexts, "facts": facts, "published": self.published}
-        return json.dumps(data, indent=1, ensure_ascii=False, default=_fields) + "\n"
+
+        def table(record: Context | Fact) -> dict[str, Any]:
+            return {each.name: getattr(record, each.name) for each in fields(record)}
+
+        return json.dumps(data, indent=1, ensure_ascii=False, default=table) + "\n"
 
 
 def replay(text: str, encloses: Encloses | None = None) -> Ledger:
-    """Check a written ledger from nothing; raises KernelError at the first thing not in order."""
+    """Check a written ledger from its start; raises KernelError at the first error."""
     try:
         data, ledger = json.loads(text), Ledger(encloses)
         if data["schema"] != SCHEMA:
@@ -80,10 +84,6 @@ def replay(text: str, encloses: Encloses | None = None) -> Ledger:
     if ledger.to_text() != text:
         raise KernelError("not a ledger as this kernel writes it")
     return ledger
-
-
-def _fields(record: Context | Fact) -> dict[str, Any]:
-    return {each.name: getattr(record, each.name) for each in fields(record)}
 
 
 def _frozen(fields: dict[str, Any]) -> dict[str, Any]:

@@ -19,7 +19,7 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
-    """The value at a rational point, given in the order of the ring's generators."""
+    """Return the value at a rational point, given in the order of the ring's generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
 
 
@@ -31,7 +31,7 @@ class Element:
     below: Counter[PolyElement] = field(default_factory=Counter)
 
     def over(self, below: Counter[PolyElement]) -> PolyElement:
-        """The numerator this element has when written over a larger denominator."""
+        """Return the numerator of this element over a larger denominator."""
         gaps = map(Element, (below - self.below).elements())
         return prod(gaps, start=Element(self.numerator)).numerator
 
@@ -77,7 +77,7 @@ class Ring:
         self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
 
     def inverse(self, element: Element) -> Element:
-        """1/element; refused unless its numerator is a number times a product of units."""
+        """Return 1/element; refused unless its numerator is a number times a product of units."""
         below, rest = self._factors(element.numerator)
         if not rest.is_ground:
             below, rest = self._factors(self.remainder(element.numerator))
@@ -86,7 +86,7 @@ class Ring:
         return Element(Element(self.poly(1 / rest.LC)).over(element.below), below)
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
-        """The units that divide a polynomial, each as often as it does, and what is left."""
+        """Return the units that divide a polynomial, each as often as it does, and the rest."""
         found, leading = Counter[PolyElement](), polynomial.LM
         for unit in self.units:
             while not unit.is_ground and monomial_divides(unit.LM, leading):
@@ -97,11 +97,11 @@ class Ring:
         return found, polynomial
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
-        """What division by what vanishes leaves; 0 proves that the polynomial vanishes too."""
+        """Divide by relations and other zeros; remainder 0 proves that the polynomial vanishes."""
         return polynomial.rem([*given, *self.relations])
 
     def rate(self, element: Element) -> Element:
-        """D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k"""
+        """Return D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k."""
         if self.rates is None:
             raise KernelError(f"D({element.numerator}): this context has no time derivative")
         total = Element(self.poly(0))
@@ -115,11 +115,11 @@ class Ring:
         return total * Element(self.poly(1), element.below)
 
     def read(self, text: str) -> Element:
-        """What an expression means: names are known, divisions are covered by the units."""
+        """Return the element of an expression; its names have to be known, its divisors units."""
         return self.value(parse(text))
 
     def value(self, tree: Tree) -> Element:
-        """Return what a tree means; each is given its meaning once, and keeps it."""
+        """Return the element of a tree, which is computed once."""
         if (known := self.values.get(tree)) is None:
             known = self.values[tree] = self._value(tree)
         return known

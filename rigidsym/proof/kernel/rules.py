@@ -1,6 +1,6 @@
 """The rules of inference: each checks one fact against its premises and its certificate.
 
-It returns the grade that the rule itself gives, or raises; whoever proposes a fact may be lying.
+It returns the grade that the rule itself gives, or raises.  Nothing that a fact claims is trusted.
 """
 
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
@@ -19,7 +19,7 @@ Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
 
 @dataclass(slots=True)
 class Admitted:
-    """What has been admitted so far: all that a rule may look at."""
+    """The contexts and facts admitted so far, which alone a rule may use."""
 
     encloses: Encloses | None = None
     contexts: dict[str, Context] = field(default_factory=dict)
@@ -195,14 +195,14 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """The numerators of lhs - rhs (of lhs**2 - rhs for a root): zero where the statement holds."""
+    """Return the numerators of lhs - rhs (lhs**2 - rhs for a root): zero if the statement holds."""
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
 
 
 def check_news(admitted: Admitted, fact: Fact) -> None:
-    """Refuse two sides that are the same, or that the context says are the same."""
+    """Refuse two sides that are the same, or that the context states to be."""
     same = [(parse(a), parse(b)) for a, b in said(admitted.contexts[fact.context]).items()]
     for sides in zip(fact.lhs, fact.rhs, strict=True):
         lhs, rhs = map(parse, sides)
@@ -211,7 +211,7 @@ def check_news(admitted: Admitted, fact: Fact) -> None:
 
 
 def said(context: Context) -> dict[str, str]:
-    """What a context says that names are, by definition, and rates, where they are known."""
+    """Return the definitions of a context, and the rates that it knows, as texts."""
     if context.rates is None:
         return {**context.definitions}
     rates = {**dict.fromkeys(context.generators, "0"), **context.rates}.items()
@@ -219,7 +219,7 @@ def said(context: Context) -> dict[str, str]:
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:
-    """Refuse what is not made of nonnegative things by + * /, and of anything by even powers."""
+    """Refuse texts that are not made of nonnegative ones by + * /, or of any by even powers."""
     waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
     while waiting:
         if (tree := waiting.pop()) in seen or isinstance(tree, int):

@@ -1,4 +1,4 @@
-"""What is assumed and what is stated: contexts, written as differential rings, and facts.
+"""Contexts, written as differential rings, and facts: hypotheses and statements.
 
 A context is refused when its relations are not closed under d/dt (they could hold at one instant
 only) or its rational witness does not satisfy it (it might be empty, and prove everything).
@@ -38,7 +38,7 @@ class Context:
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
-        """The ring of this context; raises KernelError unless it is closed and inhabited."""
+        """Return the ring of this context; raises KernelError unless it is closed and inhabited."""
         names = [*self.generators, *self.definitions]
         if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
             raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
@@ -62,7 +62,7 @@ class Context:
         return ring
 
     def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
-        """The rational point, if it gives every generator and satisfies all hypotheses."""
+        """Return a rational point that gives every generator and satisfies all hypotheses."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
         point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
@@ -78,7 +78,7 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """This context where a name is zero, positive, negative; the witness is left as it is."""
+        """Return this context where a name is zero, positive, negative, with its example."""
         zero = replace(self, relations=(*self.relations, name))
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
@@ -87,7 +87,7 @@ class Context:
 
 
 class Grade(StrEnum):
-    """How a statement is known, from worst to best."""
+    """Grade of a statement, from worst to best: assumed, enclosed by balls, proved."""
 
     ASSUMED = "ASSUMED"
     ENCLOSED = "ENCLOSED"
@@ -95,13 +95,13 @@ class Grade(StrEnum):
 
 
 def weakest(grades: Iterable[Grade]) -> Grade:
-    """The worst grade: a conclusion is as good as its weakest premise."""
+    """Return the worst grade: a conclusion is as good as its weakest premise."""
     return min(grades, key=list(Grade).index)
 
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """context |- statement.  A value like any other: only `Ledger.add` makes it count.
+    """context |- statement; it counts only after `Ledger.add` has admitted it.
 
     By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context

@@ -1,4 +1,4 @@
-"""Theta functions: what generators are declared to be, and identities between products of theirs.
+"""Theta functions: declarations of generators as such, and identities between their products.
 
     theta_j(z, q) = sum of chi_j(n) q**(n**2) exp(2 i n z),   n in Z, or in Z + 1/2 where j < 3
     chi_1(n) = -i (-1)**(n - 1/2),   chi_2(n) = chi_3(n) = 1,   chi_4(n) = (-1)**n,   0 < q < 1
@@ -41,7 +41,7 @@ class Theta(NamedTuple):
 
 @cache
 def linear(text: str) -> Form:
-    """Return the form that a text is; I is the imaginary unit."""
+    """Read a linear form; I is the imaginary unit."""
     ring, form = Ring(tuple(sorted({*re.findall(_NAME, text)})), {}), []
     for powers, number in ring.read(text).numerator.terms():
         names = [str(x) for x, power in zip(ring.poly.gens, powers, strict=True) if power]
@@ -53,7 +53,7 @@ def linear(text: str) -> Form:
 
 
 def theta(text: str) -> Theta:
-    """The function that a call means."""
+    """Read a call of a theta function."""
     if not (found := _CALL.fullmatch(text)):
         raise KernelError(f"{text!r:.80} is no theta function")
     primes, index, argument, nome, power = found.groups()
@@ -62,14 +62,14 @@ def theta(text: str) -> Theta:
 
 @lru_cache(maxsize=64)
 def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
-    """The terms of a sum of products that is 0 whatever its names are, by its Fourier coefficients.
+    """Return the terms of a sum of products that is 0 identically, by its Fourier series.
 
     A product of r functions of independent forms z = F x is the sum over a = F^T n, n = F^-T a, of
     f(a) q**Q(a) exp(2 i a.x) with Q(a) = sum of p_k n_k**2, f(a) = prod of chi(n_k) (2 i n_k)**d_k.
     So a sum of products is 0 if Q is the same in all of them and the f add up to 0 at each a.
 
-    Be M even and M/2 a multiple of all denominators in F^-1.  Then the n of a + M e_i differ from
-    those of a by even numbers, which chi does not see: on a class of a modulo M, f is 0, or one
+    Let M be even and M/2 a multiple of all denominators in F^-1.  The n of a + M e_i differ from
+    those of a by even numbers, which leave chi unchanged: on a class of a modulo M, f is 0, or one
     sign times the polynomial prod (2 i n_k)**d_k in a.  All classes where it is not 0 are reached
     from one by steps of single n_k.  Polynomials that add up to 0 on each class do so at each a.
     """
@@ -148,7 +148,7 @@ def _denominator(rows: list[list[Number]]) -> int:
 
 
 class Thetas:
-    """What generators of a context are declared to be, and what is known of them by that."""
+    """Theta functions that generators of a context are declared to be, and what follows."""
 
     def __init__(self, ring: Ring, declared: Mapping[str, str]) -> None:
         self.ring, self.zero = ring, ring.read("0")
@@ -159,7 +159,7 @@ class Thetas:
             self.names[found[1], theta(found[2])] = name
 
     def check(self, rates: Mapping[str, str] | None) -> None:
-        """Refuse what is no generator, a nome that moves, and rates that functions do not have.
+        """Refuse names that are no generators, a moving nome, and wrong rates.
 
         D(f(z)) = f'(z) D(z)
         """
@@ -179,7 +179,7 @@ class Thetas:
                     raise KernelError(f"D({name}) is not that of a theta function")
 
     def at(self, identity: str, forms: Mapping[str, str]) -> Complex:
-        """What vanishes, since an identity has these forms in the places of its names."""
+        """Return the value of an identity with forms for its names, which vanishes."""
         places = {name: linear(text) for name, text in forms.items()}
         total = self.zero, self.zero
         for number, factors in vanishing(identity):
@@ -197,17 +197,20 @@ class Thetas:
         return parts[0], parts[1]
 
     def _times(self, of: Theta, other: Complex) -> Complex:
-        """The product of a function and of another value; 0 has no need to know the function."""
+        """Return the product of a function and another value; for 0 the function may be unknown."""
         (a, b), (c, d) = ([self._part(part, of, x) for x in other] for part in ("re", "im"))
         return a - d, b + c
 
     def _part(self, part: str, of: Theta, factor: Element) -> Element:
-        """A part of f(z) times a factor, by f(-z) = +-f(z) and f(conj z) = conj f(z)."""
+        """Return a part of f(z) times a factor, by f(-z) = +-f(z) and f(conj z) = conj f(z)."""
         if not factor.numerator:
             return self.zero
         odd, conjugate = (-1) ** (of.order + (of.index == 1)), -1 if part == "im" else 1
         turns = ((1, 1, 1), (odd, -1, -1), (conjugate, 1, -1), (odd * conjugate, -1, 1))
-        images = [(sign, _turned(of, *signs)) for sign, *signs in turns]
+        images = []
+        for sign, *signs in turns:
+            form = tuple((name, i, signs[i] * number) for name, i, number in of.form)
+            images.append((sign, of._replace(form=form)))
         if (-1, of) in images:
             return self.zero
         for sign, image in images:
@@ -216,13 +219,8 @@ class Thetas:
         raise KernelError(f"{part}({'d' * of.order}theta{of.index}) is not declared at {of.form}")
 
 
-def _turned(of: Theta, real: int, imaginary: int) -> Theta:
-    signs = real, imaginary
-    return of._replace(form=tuple((name, i, signs[i] * number) for name, i, number in of.form))
-
-
 def _placed(of: Theta, places: Mapping[str, Form]) -> Theta:
-    """The function where the names of its argument are forms."""
+    """Return the function with forms for the names of its argument."""
     total: dict[tuple[str, bool], Number] = {}
     for inner, _, factor in of.form:
         for name, imaginary, number in places[inner]:

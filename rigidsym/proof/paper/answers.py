@@ -19,7 +19,7 @@ Texts = Mapping[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Whether equations hold in a context that has some definitions from the print."""
+    """Equations to decide in a context that has some definitions from the print."""
 
     context: str
     definitions: Texts
@@ -28,7 +28,7 @@ class Question:
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
-    """A line as a sense puts it; PrintError where it has no word for it, or it says nothing."""
+    """Return a line as a question; PrintError if the sense lacks a word, or nothing is stated."""
     line = printed[sense.of].latex if sense.of else latex
     own = [parse(sense.latex if sense.latex is not None else line)]
     if sense.only:
@@ -51,7 +51,7 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
 
 
 def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
-    """A question without equations that say nothing, or no more than its context does."""
+    """Return a question without equations that are trivial or that its context defines."""
     known: dict[Expression, Expression] = {
         Name(name): parse_text(text) for name, text in definitions.items()
     }
@@ -71,7 +71,7 @@ def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
 
 
 def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
-    """The statements of a display that define something."""
+    """Return the statements of a display that define something."""
     return tuple(
         piece
         for piece in display
@@ -80,7 +80,7 @@ def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
 
 
 def asked(equation: Equation) -> Iterator[tuple[str, Sense]]:
-    """Everything that is asked about a line: what is put, and how."""
+    """Yield everything to decide about a line: the LaTeX, and its sense."""
     yield from ((equation.latex, sense) for sense in equation.senses)
     for reading in equation.readings:
         yield from ((equation.latex, sense) for sense in reading.senses)
@@ -103,12 +103,12 @@ class Answer:
 
     @property
     def holds(self) -> bool | None:
-        """Whether the equations hold; None where that is open."""
+        """True if the equations hold, False if they do not, None if that is open."""
         return None if self.fact is None else self.fact["kind"] == "equal"
 
 
 class Answers:
-    """The facts of a ledger by what they say."""
+    """The facts of a ledger, by their contexts and sides."""
 
     def __init__(self, ledger: Data, equations: Iterable[Equation]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
@@ -117,15 +117,16 @@ class Answers:
         self.facts = {
             (fact["context"], *map(tuple, (fact["lhs"], fact["rhs"]))): fact
             for fact in ledger["facts"]
-            if fact["kind"] in ("equal", "unequal") and _sound(fact)
+            if fact["kind"] in ("equal", "unequal") and fact["grade"] == "PROVED"
+            if fact["id"].startswith(fact["context"] + ".")
         }
 
     def citing(self, number: str) -> list[str]:
-        """The facts that name a line as their source."""
+        """Return the facts that name a line as their source."""
         return [fact["id"] for fact in self._all if number in fact["source"]]
 
     def to(self, latex: str, sense: Sense) -> Answer:
-        """The answer to a line as a sense puts it."""
+        """Return the answer to a line with a sense."""
         asked = question(latex, sense, self.printed)
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
@@ -134,17 +135,13 @@ class Answers:
         return Answer(asked, self.facts.get((asked.context, asked.lhs, asked.rhs)))
 
 
-def _sound(fact: Data) -> bool:
-    return fact["grade"] == "PROVED" and fact["id"].startswith(fact["context"] + ".")
-
-
 def together(answers: Iterable[Answer]) -> bool | None:
-    """Whether all hold: one that fails is enough to fail, one that is open leaves the rest open."""
+    """Say whether all hold; None if one of them is open."""
     held = [answer.holds for answer in answers]
     return None if None in held else all(held)
 
 
 def ids(answers: Iterable[Answer], kind: str) -> tuple[str, ...]:
-    """The facts of a kind behind answers, each once."""
+    """Return the facts of a kind behind answers, each once."""
     facts = [answer.fact for answer in answers if answer.fact is not None]
     return tuple(dict.fromkeys(fact["id"] for fact in facts if fact["kind"] == kind))

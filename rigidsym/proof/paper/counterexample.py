@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
 from rigidsym.proof.paper.answers import Answer, Data
@@ -25,7 +25,7 @@ class Motion:
     omega: tuple[Fraction, Fraction, Fraction]
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for programs."""
+        """Return plain data for programs."""
         return {"inertia": [*map(str, self.inertia)], "omega": [*map(str, self.omega)]}
 
     def __str__(self) -> str:
@@ -33,47 +33,25 @@ class Motion:
         return f"c = ({inertia}), Omega = ({omega})"
 
 
-def motion(inertia: str, omega: str) -> Motion:
-    """A motion from rational numbers in a row."""
-    (a, b, c), (x, y, z) = (map(Fraction, text.split()) for text in (inertia, omega))
-    return Motion((a, b, c), (x, y, z))
-
-
 # Contexts that name amplitudes, a rate and a parameter have those of this motion at their points;
 # its first axis, i of Lemma 1, is the middle one.
-ABOUT_MIDDLE = motion("16/25 3600/6409 1", "53/64 -6409/6000 24/25")
+ABOUT_MIDDLE = Motion(
+    (Fraction(16, 25), Fraction(3600, 6409), Fraction(1)),
+    (Fraction(53, 64), Fraction(-6409, 6000), Fraction(24, 25)),
+)
 BY_AMPLITUDES = {
-    "printed_sine": ABOUT_MIDDLE,
-    "printed_sine_divided": ABOUT_MIDDLE,
-    "printed_under_root": ABOUT_MIDDLE,
-    "printed_20": ABOUT_MIDDLE,
-    "printed_21": ABOUT_MIDDLE,
-    "printed_35": ABOUT_MIDDLE,
-    "printed_36": ABOUT_MIDDLE,
-    "printed_36_of_modulus": ABOUT_MIDDLE,
+    *("printed_sine", "printed_sine_divided", "printed_under_root", "printed_20", "printed_21"),
+    *("printed_35", "printed_36", "printed_36_of_modulus"),
 }
 
 
-class Values(Protocol):
-    """A context at one point."""
+def motion_at(context: str, values: "Instant") -> Motion | None:
+    """Return the motion at a point, if its context has names for one.
 
-    @property
-    def names(self) -> set[str]:
-        """What has a value there."""
-        ...
-
-    def of(self, name: str) -> Fraction:
-        """The value of a name."""
-        ...
-
-
-def motion_at(context: str, values: Values) -> Motion | None:
-    """The motion that a point is of, where its context speaks of one.
-
-    Where only the momentum is said, it is that of a body with the moments 2, 3, 5/2.
+    If it names only the momentum, the body has the moments 2, 3, 5/2.
     """
     if context in BY_AMPLITUDES:
-        return BY_AMPLITUDES[context]
+        return ABOUT_MIDDLE
     for moments, rates in NAMED:
         if {*moments, *rates} <= values.names:
             c, omega = (tuple(map(values.of, names)) for names in (moments, rates))
@@ -90,9 +68,9 @@ LONG = 80
 
 @dataclass(frozen=True, slots=True)
 class Counterexample:
-    """A fact, its point, the equation that fails there, and both sides in numbers.
+    """A fact, its point, the equation that fails there, and the values of both sides.
 
-    `motion` is a body and its rates that are at this point, where the context speaks of one.
+    `motion` is the body and its rates at this point, if the context has names for them.
     """
 
     fact: str
@@ -105,13 +83,13 @@ class Counterexample:
 
     @property
     def sides(self) -> tuple[str, str]:
-        """Both sides with their values; long ones are left to the ledger."""
+        """Both sides with their values; long expressions go by "left side" and "right side"."""
         left = self.lhs if len(self.lhs) < LONG else "left side"
         right = self.rhs if len(self.rhs) < LONG else "right side"
         return f"{left} = {self.left}", f"{right} = {self.right}"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for programs."""
+        """Return plain data for programs."""
         return {
             "fact": self.fact,
             "point": dict(self.point),
@@ -124,7 +102,7 @@ class Counterexample:
 
 
 def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexample | None:
-    """The first component that fails, if one does."""
+    """Return the first component that fails, if one does."""
     if answer.fact is None or answer.holds:
         return None
     point = answer.fact["certificate"]["point"]
@@ -138,7 +116,7 @@ def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexamp
 
 
 class Instant:
-    """A context at one of its points: what its texts are there, and how they change."""
+    """A context at one of its points: the values of its texts there, and their rates."""
 
     def __init__(self, context: Data, point: Mapping[str, str]) -> None:
         self.context, self.point = context, point
@@ -146,18 +124,18 @@ class Instant:
 
     @cached_property
     def names(self) -> set[str]:
-        """What has a value here."""
+        """The names that have a value here."""
         return {*self.point, *self.context["definitions"]}
 
     def of(self, name: str) -> Fraction:
-        """The value of a name."""
+        """Return the value of a name."""
         if name not in self._known:
             text = self.point[name] if name in self.point else self.context["definitions"][name]
             self._known[name] = self.value(parse(text))
         return self._known[name]
 
     def value(self, tree: Expression) -> Fraction:
-        """The value of an expression."""
+        """Return the value of an expression."""
         match tree:
             case Number(value):
                 return Fraction(value)
@@ -175,7 +153,7 @@ class Instant:
         raise ValueError(f"{tree} has no value")
 
     def rate(self, tree: Expression) -> Expression:
-        """The time derivative of an expression, as an expression."""
+        """Return the time derivative of an expression, as an expression."""
         match tree:
             case Number():
                 return Number(0)

@@ -1,6 +1,7 @@
-"""What a printed equation is made of: text, readings, conditions, flaws, and how it is put.
+"""Printed equations as values: text, senses, readings, conditions, flaws, repairs.
 
-These are values.  Nothing here says what is true: `rigidsym.proof.paper.verdicts` asks the ledger.
+A sense says how a line is put into the language of a context; a reading is one way to understand
+the print.  Nothing here says what is true: `rigidsym.proof.paper.verdicts` looks it up.
 """
 
 from collections.abc import Mapping
@@ -12,7 +13,7 @@ from rigidsym.view.html.proofs import equation_html
 
 
 class Flaw(StrEnum):
-    """What can be wrong with a printed line, whether or not it is false."""
+    """Kinds of flaws of a printed line, whether or not it is false."""
 
     VARIABLE = "roots of another variable"
     MODULUS = "parameter read as modulus"
@@ -43,14 +44,14 @@ class Root(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Sense:
-    """How a line is put into the language of a context, where the ledger decides it.
+    """A line in the language of a context, where a fact of the ledger decides it.
 
-    `defines` says what the line defines, as printed and in the context; `says` is what the text
-    says about it.  `given` are other displays whose definitions it takes as they are printed,
-    `mended` those it takes as they are repaired.  The line `of` another number, or `latex`, is
-    asked in place of the line itself, or `only` some of its statements; `texts` is in the language
-    of the context already.
-    `differentiated` lets both sides grow alike.
+    `defines` maps names that the line defines to those of the context; `says` are further
+    equations, from the text.  `given` are other displays whose definitions are taken as they are
+    printed, `mended` those taken as they are repaired.  The line `of` another number, or `latex`,
+    takes the place of the line itself, or `only` some of its statements are used; `texts` are
+    equations in the language of the context already.  `differentiated` compares the time
+    derivatives of both sides.
     """
 
     context: str
@@ -68,9 +69,9 @@ class Sense:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """What has to be so: the units of the proofs that it speaks for, and why it cannot go.
+    """A condition of a line: its text, the divisors it covers, and why it is needed.
 
-    `needed_by` is what shows it: without the condition a denominator is zero, or the line fails.
+    `needed_by` shows that: without the condition a denominator is zero, or the line fails.
     """
 
     text: str
@@ -80,7 +81,7 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One way to read the print, what it implies, and how it is put so that it can be decided."""
+    """One way to understand the print, its consequences, and the senses that decide it."""
 
     text: str
     implies: str
@@ -89,10 +90,10 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """One printed equation: its number, LaTeX, how it is read, and how that is put.
+    """One printed equation: its number, LaTeX, reading, and the senses that decide it.
 
-    `repair` is what mends it, put as `mended`; `roots` are the slips that it comes from, and
-    `with_mended` is how it is put where another line is repaired and this one is not.
+    `repair` is the mended line, with the senses `mended`; `roots` are the slips that it comes from,
+    and `with_mended` are the senses where another line is repaired and this one is not.
     """
 
     number: str

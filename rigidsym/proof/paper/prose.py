@@ -1,7 +1,7 @@
-"""What the paper claims in words, each claim with what decides it: facts, and what is measured.
+"""Claims of the paper in words, each with the facts or measurements that decide it.
 
-That a claim holds or not is a judgement, and said to be one; what it rests on is in the ledger, or
-what a command prints.
+Whether such a claim holds is a judgement, and called one; it rests on facts of the ledger, or on
+numbers that a command prints.
 """
 
 from collections.abc import Sequence
@@ -20,9 +20,9 @@ COMPARE = "rigidsym compare"
 
 @dataclass(frozen=True, slots=True)
 class Prose:
-    """A claim of the paper, where it stands, the judgement on it and its reason.
+    """A claim of the paper, its place, the judgement on it and its reason.
 
-    `senses` ask what facts say, of the line that each is `of`; `commands` measure the rest.
+    `senses` are numbers of lines with the senses that facts decide; `commands` measure the rest.
     """
 
     claim: str
@@ -35,7 +35,7 @@ class Prose:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """A claim with the facts that decide it; without all of them it is open."""
+    """A claim with the facts that decide it; if one of them is missing, it is open."""
 
     prose: Prose
     facts: tuple[str, ...]
@@ -43,11 +43,11 @@ class Judged:
 
     @property
     def judgement(self) -> str:
-        """The judgement, where what it rests on is there."""
+        """The judgement, or "open" if a fact is missing."""
         return self.prose.judgement if self.decided else "open"
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for programs."""
+        """Return plain data for programs."""
         return {
             "claim": self.prose.claim,
             "where": self.prose.where,
@@ -109,12 +109,11 @@ PROSE = (
 
 
 def judged(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Judged]:
-    """The judgement on every claim in words, from a ledger as it stands in JSON."""
+    """Judge every claim in words, by a ledger as JSON data."""
     answers = Answers(ledger, equations)
-    return [_judged(prose, answers) for prose in PROSE]
-
-
-def _judged(prose: Prose, answers: Answers) -> Judged:
-    found = [answers.to(answers.printed[number].latex, sense) for number, sense in prose.senses]
-    decided = all(answer.fact is not None for answer in found)
-    return Judged(prose, (*ids(found, "equal"), *ids(found, "unequal")), decided)
+    ruled = []
+    for prose in PROSE:
+        found = [answers.to(answers.printed[number].latex, sense) for number, sense in prose.senses]
+        decided = all(answer.fact is not None for answer in found)
+        ruled.append(Judged(prose, (*ids(found, "equal"), *ids(found, "unequal")), decided))
+    return ruled

@@ -27,12 +27,12 @@ UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
 
 
 def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVIDED) -> Sense:
-    """A line about a motion, s_i and s_j being roots of (14) as it is printed."""
+    """Return the sense of a line about a motion, s_i and s_j being roots of (14) as printed."""
     return Sense(context, vocabulary, of=number, only=only)
 
 
 def _mended(sense: Sense, amplitude: int) -> Sense:
-    """The same with (14) mended: roots in (c_i Omega_i)^2, the amplitude so much larger."""
+    """Return a sense with (14) mended: roots in (c_i Omega_i)^2, and c_i times the amplitude."""
     words = sense.vocabulary.words
     small = words["s_i"] == IN_RATE["s_i"]
     mended = {**words, **(IN_MOMENTUM if small else exchanged(IN_MOMENTUM))}

@@ -10,23 +10,23 @@ Words = Mapping[str, str]
 
 
 def same(text: str) -> Words:
-    """Names that a context writes as the print does, but for the bar below an index."""
+    """Return names that a context writes as the print does, without the bar below an index."""
     return {name: name.replace("_", "") for name in text.split()}
 
 
 def plain(text: str) -> Words:
-    """Names that a context writes as the print does."""
+    """Return names that a context writes as the print does."""
     return {name: name for name in text.split()}
 
 
 def su2(a: str, b: str, c: str, d: str) -> str:
-    """The matrix (1) of the quaternion a + b i + c j + d k."""
+    """Return the matrix (1) of the quaternion a + b i + c j + d k."""
     first, second = f"{a} + imaginary*({b})", f"{c} + imaginary*({d})"
     return f"matrix({first}, {second}, -({c}) + imaginary*({d}), {a} - imaginary*({b}))"
 
 
 def algebra(x: str, y: str, z: str) -> str:
-    """x A_1 + y A_2 + z A_3"""
+    """Return x A_1 + y A_2 + z A_3."""
     return su2("0", f"{x}/2", f"{y}/2", f"{z}/2")
 
 
@@ -65,18 +65,18 @@ QUARTIC_AS_PRINTED = {name: f"{name}_printed" for name in ("alpha", "beta", "chi
 
 
 def exchanged(words: Words) -> Words:
-    """Two roots by each other's names."""
+    """Exchange the names of two roots."""
     first, second, *_ = words
     return {**words, first: words[second], second: words[first]}
 
 
 def stated(context: str, texts: Mapping[str, str]) -> Sense:
-    """Equations in the language of a context, which are no line of the paper."""
+    """Return equations in the language of a context that are no line of the paper."""
     return Sense(context, latex="", texts=texts)
 
 
 def vanishing(context: str, *texts: str) -> Sense:
-    """That quantities of a context are zero."""
+    """Return the equations that quantities of a context are zero."""
     return stated(context, dict.fromkeys(texts, "0"))
 
 

@@ -1,4 +1,4 @@
-"""Verdicts as text: a row each for an overview, and all that is known of one."""
+"""Verdicts as text: a row each for an overview, and the details of one."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
@@ -19,14 +19,14 @@ _COUNTED = {
 
 
 def counted(ruled: Sequence[Verdict]) -> str:
-    """How many of each ruling there are."""
+    """Count the verdicts of each ruling, in words."""
     counts = Counter(verdict.ruling for verdict in ruled)
     said = (form.format(counts[ruling]) for ruling, form in _COUNTED.items() if counts[ruling])
     return ", ".join(said)
 
 
 def row(verdict: Verdict) -> tuple[str, str, str, str]:
-    """The columns of an overview."""
+    """Return the columns of an overview."""
     point, misprint = verdict.counterexample, verdict.ruling == Ruling.MISPRINT
     shown = in_unicode(verdict.equation.repair) if misprint else verdict.equation.reading
     fails = "" if point is None else str(point.motion) if point.motion else _values(point)
@@ -34,7 +34,7 @@ def row(verdict: Verdict) -> tuple[str, str, str, str]:
 
 
 def details(verdict: Verdict) -> Iterator[tuple[str, str]]:
-    """What is said of one equation, by what it is."""
+    """Yield the details of one equation, each with its label."""
     equation = verdict.equation
     yield "printed", in_unicode(equation.latex)
     yield "verdict", _ruling(verdict)
@@ -56,10 +56,6 @@ def details(verdict: Verdict) -> Iterator[tuple[str, str]]:
         yield "reading", f"{read.reading.text}: {fate}; {read.reading.implies}"
     for flaw, text in equation.flaws.items():
         yield "flaw", f"{flaw}: {in_unicode(text) if flaw == Flaw.UNDEFINED else text}"
-    yield from _facts(verdict)
-
-
-def _facts(verdict: Verdict) -> Iterator[tuple[str, str]]:
     needed = dict.fromkeys(name for by in verdict.needed_by.values() for name in by)
     every: dict[str, Collection[str]] = {
         "proved by": verdict.proved_by,

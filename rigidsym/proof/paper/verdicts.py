@@ -17,14 +17,14 @@ from rigidsym.view.html.proofs import verdict_html
 
 # All printed equations, misprints kept.
 EQUATIONS: tuple[Equation, ...] = (*SECTION_2, *SECTION_3, *SECTION_4, *PROOF)
-# What the paper assumes throughout: a body with inertia that moves.
+# Nonzero throughout the paper: moments of inertia, and the momentum.
 STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "c_a", "c_b", "c_d", "K"}
-# Units that their contexts keep from zero: K and rho are nonnegative, |M_a| <= K, side is +-1.
+# Divisors that never vanish in their contexts: K and rho are nonnegative, |M_a| <= K, side is +-1.
 NEVER_ZERO = {"nu", "K + sigma*c_a*Omega_a", "side", "1 + side*(cos_half**2 - sin_half**2)"}
 
 
 class Ruling(StrEnum):
-    """What a verdict can be."""
+    """Kinds of verdicts."""
 
     HOLDS = "holds"
     CONDITIONAL = "holds if"
@@ -35,7 +35,7 @@ class Ruling(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A reading, whether the print holds when it is read so, and by which facts."""
+    """A reading, whether the print holds with it, and by which facts."""
 
     reading: Reading
     holds: bool | None
@@ -44,7 +44,7 @@ class Read:
     counterexample: Counterexample | None
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for programs."""
+        """Return plain data for programs."""
         return {
             "reading": self.reading.text,
             "implies": self.reading.implies,
@@ -57,12 +57,12 @@ class Read:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The ruling on one equation, with what belongs to it.
+    """The ruling on one equation, and the facts that it rests on.
 
-    `conditions` are those of the equation, or of its repair where it is a misprint; `readings` say
-    how each reading fares, `right_with` which other lines mended make this one right as printed,
-    `counterexample` where it fails, or would without a condition, and `repairs` what the repair
-    search found.
+    `conditions` are those of the equation, or of its repair where it is a misprint; `readings` are
+    decided one by one; `right_with` are other lines which, mended, make this one right as printed;
+    `counterexample` is a point where it fails, or would without a condition; `repairs` are those
+    that the repair search found.
     """
 
     equation: Equation
@@ -84,7 +84,7 @@ class Verdict:
         return self.equation.roots
 
     def to_json(self) -> dict[str, Any]:
-        """Plain data for programs."""
+        """Return plain data for programs."""
         equation = self.equation
         return {
             "equation": equation.number,
@@ -107,15 +107,13 @@ class Verdict:
         }
 
     def facts(self) -> tuple[str, ...]:
-        """All facts that the verdict rests on, each once."""
-        return tuple(dict.fromkeys(self._facts()))
-
-    def _facts(self) -> Iterator[str]:
-        yield from (*self.proved_by, *self.refuted_by, *self.repaired_by)
+        """Return all facts that the verdict rests on, each once."""
+        found = [*self.proved_by, *self.refuted_by, *self.repaired_by]
         for read in self.readings:
-            yield from (*read.proved_by, *read.refuted_by)
+            found += [*read.proved_by, *read.refuted_by]
         for names in self.needed_by.values():
-            yield from names
+            found += names
+        return tuple(dict.fromkeys(found))
 
     def __repr__(self) -> str:
         conditional = self.ruling is Ruling.CONDITIONAL
@@ -130,7 +128,7 @@ class Verdict:
 
 
 def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Verdict]:
-    """A verdict for every printed equation, from a ledger as it stands in JSON.
+    """Return a verdict for every printed equation, from a ledger as JSON data.
 
     Raises PrintError for a print that cannot be read.
     """
@@ -139,7 +137,7 @@ def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Ve
 
 
 def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
-    """Open unless all that is asked is decided, and the repair holds."""
+    """Return the verdict on one equation; open unless all is decided, and the repair holds."""
     here = [answers.to(equation.latex, sense) for sense in equation.senses]
     mended = [answers.to(equation.repair, sense) for sense in equation.mended]
     readings = tuple(_read(equation, reading, answers) for reading in equation.readings)
@@ -167,6 +165,11 @@ def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
         counterexample(answer, answers.contexts)
         for answer in (*here, *(answer for by in needed.values() for answer in by))
     ]
+    found = published.get("repairs", ()) if ruling == Ruling.MISPRINT else ()
+    repairs = tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number)
+    fates = published.get("mutants", {})
+    cited = answers.citing(equation.number)
+    mutants = sum((Counter(fates.get(name, {})) for name in cited), Counter())
     return Verdict(
         equation,
         ruling if decided else Ruling.OPEN,
@@ -178,8 +181,8 @@ def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
         readings,
         right_with,
         next(filter(None, points), None),
-        _repairs(published.get("repairs", ()), equation) if ruling == Ruling.MISPRINT else (),
-        _total(published.get("mutants", {}), answers.citing(equation.number)),
+        repairs,
+        dict(sorted(mutants.items())),
     )
 
 
@@ -196,7 +199,7 @@ def _read(equation: Equation, reading: Reading, answers: Answers) -> Read:
 
 
 def _proofs(equation: Equation, answers: Answers) -> Iterator[Answer]:
-    """The answers to readings that hold."""
+    """Yield the answers to readings that hold."""
     for reading in equation.readings:
         found = [answers.to(equation.latex, sense) for sense in reading.senses]
         if together(found):
@@ -209,10 +212,10 @@ def ruling_of(
     readings: Sequence[bool | None],
     conditions: Sequence[str],
 ) -> Ruling:
-    """Refuted and repaired is a misprint; readings that disagree are ambiguous.
+    """Return the ruling: refuted and repaired is a misprint; readings that differ are ambiguous.
 
-    `holds` is whether the line holds as it is printed, `mended` whether it has a repair that does,
-    None where that is open.
+    `holds` says whether the line holds as it is printed, `mended` whether it has a repair that
+    does; None where that is open.
     """
     if holds is None or mended is None or None in readings:
         return Ruling.OPEN
@@ -225,19 +228,8 @@ def ruling_of(
     return Ruling.CONDITIONAL if conditions else Ruling.HOLDS
 
 
-def _repairs(found: Iterable[Mapping[str, str]], equation: Equation) -> tuple[str, ...]:
-    """The equations that a search found for a misprint."""
-    return tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number)
-
-
-def _total(mutants: Mapping[str, Mapping[str, int]], names: Iterable[str]) -> dict[str, int]:
-    """The fates of the mutants of facts, each with its count."""
-    total = sum((Counter(mutants.get(name, {})) for name in names), Counter())
-    return dict(sorted(total.items()))
-
-
 def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) -> tuple[str, ...]:
-    """The stated conditions, and every unit of the proofs that none of them speaks for."""
+    """Return the stated conditions, and every divisor of the proofs that none of them covers."""
     stated = tuple(condition.text for condition in equation.conditions)
     covered = {unit for condition in equation.conditions for unit in condition.units}
     units = needed_units(proofs, answers)
@@ -245,7 +237,7 @@ def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) 
 
 
 def needed_units(proofs: Iterable[Answer], answers: Answers) -> list[str]:
-    """What proofs divide by, beyond the standing assumptions."""
+    """Return the divisors of proofs, except those that never vanish."""
     named = {
         answer.question.context: None
         for answer in proofs

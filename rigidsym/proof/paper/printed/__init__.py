@@ -1,7 +1,7 @@
-"""What the paper prints, read: LaTeX to trees, and trees to the language of a context.
+"""Printed formulas, read: LaTeX to trees, and trees to the language of a context.
 
-The parser is the project's own: SymPy's `parse_latex` evaluates while it reads, and knows neither
-Lie brackets nor functions of a time, "when" or lists of equations.
+The project has its own parser because SymPy's `parse_latex` evaluates while it reads, and supports
+neither Lie brackets nor functions of time, conditions or lists of equations.
 """
 
 from rigidsym.proof.paper.printed.interpreter import (

@@ -31,7 +31,7 @@ from rigidsym.proof.paper.printed.values import (
 
 
 class Second(StrEnum):
-    """What the second argument of an elliptic function can be."""
+    """Meaning of the second argument of an elliptic function."""
 
     PARAMETER = "parameter"
     MODULUS = "modulus"
@@ -39,13 +39,13 @@ class Second(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
-    """What the print's words are called in a context.
+    """The names and texts of a context for printed words.
 
-    `words` gives texts for what the print writes so (a name, or any expression); `roots` names its
-    square roots in order, `jacobi` the sn, cn and dn of its elliptic functions in order, and
-    `arguments` those of which they are, where the context says; `pm` is the sign that it leaves
-    open, `when` what its condition says is not negative.  `second` says what the second argument
-    of sn is, `moves` whether the first grows with time, or is that of an instant.
+    `words` maps printed names or expressions to texts; `roots` names the printed square roots in
+    order, `jacobi` the sn, cn and dn of the printed elliptic functions in order, and `arguments`
+    their arguments, where the context has them; `pm` is the sign for a printed +-, `when` a
+    quantity that a printed condition says is not negative.  `second` says whether the second
+    argument of sn is the parameter, `moves` whether the first grows with time.
     """
 
     words: Mapping[str, str] = field(default_factory=dict)
@@ -69,7 +69,7 @@ _BINARY: dict[str, Callable[[Value, Value], Value]] = {
 
 
 class Interpreter:
-    """Reads trees by one vocabulary; `asked` is what they take for granted, as equations."""
+    """Interpreter of trees by one vocabulary; `asked` are the equations that they rely on."""
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.vocabulary = vocabulary
@@ -79,7 +79,7 @@ class Interpreter:
         self._triples: dict[str, Triple] = {}
 
     def value(self, tree: Expression) -> Value:
-        """The meaning of a tree; PrintError where the vocabulary has none."""
+        """Return the meaning of a tree; PrintError where the vocabulary has none."""
         known = self.meant.get(to_text(tree))
         if known is not None:
             return known
@@ -99,21 +99,21 @@ class Interpreter:
         raise PrintError(f"{to_text(tree)}: the vocabulary has no word for it")
 
     def number(self, tree: Expression) -> Complex:
-        """The meaning of what has to be a number."""
+        """Return the meaning of a tree that has to be a number."""
         found = self.value(tree)
         if isinstance(found, Matrix):
             raise PrintError(f"{to_text(tree)}: a matrix, where a number is due")
         return found
 
     def real(self, tree: Expression) -> Expression:
-        """The meaning of what has to be real."""
+        """Return the meaning of a tree that has to be real."""
         found = self.number(tree)
         if found.imag != ZERO:
             raise PrintError(f"{to_text(tree)}: complex, where a real number is due")
         return found.real
 
     def power(self, base: Value, exponent: Expression) -> Value:
-        """A whole power; below zero, of a matrix with determinant one."""
+        """Return an integer power; below zero, of a matrix with determinant one."""
         match exponent:
             case Name("dagger") if isinstance(base, Matrix):
                 return base.dagger()
@@ -126,7 +126,7 @@ class Interpreter:
         raise PrintError(f"{to_text(exponent)}: no whole exponent")
 
     def call(self, function: str, arguments: tuple[Expression, ...]) -> Value:
-        """The meaning of a function of trees."""
+        """Return the meaning of a function of trees."""
         match function, arguments:
             case "neg", (inner,):
                 return multiply(Complex(negative(ONE)), self.value(inner)).each(_tidy)
@@ -164,7 +164,7 @@ class Interpreter:
         raise PrintError(f"{to_text(Call(function, arguments))}: the vocabulary has no word for it")
 
     def exponential(self, angle: Expression, generator: Expression) -> Value:
-        """exp(phi A) = cos(phi/2) + 2 sin(phi/2) A, where the square of A is -1/4."""
+        """Return exp(phi A) = cos(phi/2) + 2 sin(phi/2) A, where the square of A is -1/4."""
         half = Operation("/", angle, Number(2))
         cosine, sine = (self.number(Call(name, (half,))) for name in ("cos", "sin"))
         matrix = self.value(generator)
@@ -173,7 +173,7 @@ class Interpreter:
         return add(cosine, multiply(multiply(Complex(Number(2)), sine), matrix))
 
     def root(self, radicand: Expression) -> Complex:
-        """What a square root is called: its square is asked to be what is printed."""
+        """Return the name of a square root, and ask that its square is the printed radicand."""
         text = to_text(radicand)
         if text not in self._roots:
             if len(self._roots) == len(self.vocabulary.roots):
@@ -183,7 +183,7 @@ class Interpreter:
         return self._roots[text]
 
     def triple(self, argument: Expression, parameter: Expression) -> Triple:
-        """What sn, cn and dn are called: asked to move as argument and parameter say."""
+        """Return the names of sn, cn and dn, and ask for the rates that are printed."""
         text = f"{to_text(argument)} | {to_text(parameter)}"
         if text not in self._triples:
             if len(self._triples) == len(self.vocabulary.jacobi):
@@ -201,21 +201,21 @@ class Interpreter:
         return self._triples[text]
 
     def complement(self, s: Complex, d: Complex, second: Expression) -> None:
-        """Ask that dn^2 = 1 - m sn^2, with the m that is printed."""
+        """Ask that dn^2 = 1 - m sn^2, with the printed m."""
         m = self.number(second)
         if self.vocabulary.second == Second.MODULUS:
             m = squared(m)
         self.ask(squared(d) + m * squared(s), Complex(ONE))
 
     def amplitude(self, argument: Expression, parameter: Expression) -> Complex:
-        """The angle whose sine is sn: asked to grow as dn and the argument say."""
+        """Return the angle whose sine is sn, and ask that its rate is dn times the argument's."""
         _, _, d = self.triple(argument, parameter)
         angle = Complex(Name("theta"))
         self.ask(angle.each(rate), self.number(argument).each(rate) * d)
         return angle
 
     def third_kind(self, n: Expression, angle: Expression, parameter: Expression) -> Complex:
-        """The integral of 1/((1 - n sn^2) dn) over the angle: asked to be that."""
+        """Return the name of Pi, and ask that it is the integral of 1/((1 - n sn^2) dn)."""
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.complement(s, d, parameter)
         integral = Complex(Name("Pi"))
@@ -224,21 +224,21 @@ class Interpreter:
         return integral
 
     def inverse(self, value: Expression, parameter: Expression) -> Value:
-        """An argument at which sn is what is printed, for the parameter that is printed."""
+        """Return an argument at which sn has the printed value, for the printed parameter."""
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.ask(s, self.number(value))
         self.complement(s, d, parameter)
         return self.meant["C_i"]
 
     def condition(self, left: Expression, relation: str, right: Expression) -> None:
-        """Ask that an inequality says of a quantity that it is not negative, or positive."""
+        """Ask that an inequality is about the vocabulary's quantity `when`."""
         if self.vocabulary.when:
             x, y = map(self._size, (left, right))
             over = x - y if relation in (">", ">=") else y - x
             self.ask(over, _number(self.vocabulary.when))
 
     def _size(self, tree: Expression) -> Complex:
-        """A side of an inequality; of absolute values and of numbers beside them, the square."""
+        """Return a side of an inequality, squared for absolute values and numbers beside them."""
         match tree:
             case Call("abs", (inner,)):
                 return Complex(self.number(inner).square())
@@ -247,24 +247,24 @@ class Interpreter:
         return self.number(tree)
 
     def ask(self, left: Value, right: Value) -> None:
-        """Let two values be the same."""
+        """Ask that two values are the same."""
         self.asked += [(x, y) for x, y in zip(left, right, strict=True) if x != y]
 
 
 def rate(expression: Expression) -> Expression:
-    """D of an expression, of a number 0."""
+    """Return D of an expression; 0 for a number."""
     return ZERO if isinstance(expression, Number) else Call("D", (expression,))
 
 
 def squared(number: Complex) -> Complex:
-    """The square of a number."""
+    """Return the square of a number."""
     if number.imag == ZERO:
         return Complex(Operation("**", number.real, Number(2)))
     return number * number
 
 
 def _tidy(expression: Expression) -> Expression:
-    """-1 x as -x."""
+    """Return -1 x as -x."""
     match expression:
         case Operation("*", Call("neg", (Number(1),)), right):
             return negative(right)
@@ -274,7 +274,7 @@ def _tidy(expression: Expression) -> Expression:
 
 
 class _Plain(Interpreter):
-    """The texts of a vocabulary: every name is one of the context's."""
+    """Interpreter of the texts of a vocabulary, whose names are the context's."""
 
     def value(self, tree: Expression) -> Value:
         if isinstance(tree, Name) and tree.name != "imaginary":
@@ -283,7 +283,7 @@ class _Plain(Interpreter):
 
 
 def in_names(text: str) -> Value:
-    """The meaning of a text in a context's own names."""
+    """Return the meaning of a text in a context's own names."""
     return _Plain(PLAIN).value(parse(text))
 
 
@@ -297,7 +297,7 @@ ORDERS = ("<", "<=", ">", ">=")
 
 @dataclass(frozen=True, slots=True)
 class Translation:
-    """Texts of a context's definitions, and the components of equations, left and right."""
+    """Texts of definitions in a context, and the components of equations, left and right."""
 
     definitions: Mapping[str, str]
     equations: tuple[tuple[str, str], ...]
@@ -310,10 +310,10 @@ def translate(
     *,
     differentiated: bool = False,
 ) -> Translation:
-    """The meaning of displays by one vocabulary; raises PrintError where it has no word.
+    """Translate displays by one vocabulary; raises PrintError where it has no word.
 
-    `defines` names what the displays define, as printed and in the context; a matrix is put in
-    where it is used.  All else is stated: `differentiated` states that both sides grow alike.
+    `defines` maps printed names that the displays define to those of the context; a matrix is put
+    in where it is used.  All else is stated, with `differentiated` of the time derivatives.
     """
     displays, interpreter = list(displays), Interpreter(vocabulary)
     lines = [pair for display in displays for pair in _equations(display)]
@@ -334,16 +334,19 @@ def translate(
         if defined(left) not in defines:
             sides = alike(meaning(interpreter, left), meaning(interpreter, right))
             stated += [pair for pair in zip(*sides, strict=True) if pair[0] != pair[1]]
-    for mentioned in _mentioned(displays):
-        interpreter.value(mentioned)
-    for left, relation, right in _inequalities(displays):
-        interpreter.condition(left, relation, right)
+    pieces = [x for display in displays for x in display if isinstance(x, Statement)]
+    for piece in pieces:
+        if not piece.relations:  # a quantity that the text mentions
+            interpreter.value(piece.sides[0])
+    for piece in pieces:
+        if piece.relations[:1] and piece.relations[0] in ORDERS:
+            interpreter.condition(piece.sides[0], piece.relations[0], piece.sides[1])
     texts = [(to_text(x), to_text(y)) for x, y in (*stated, *interpreter.asked)]
     return Translation(definitions, tuple(dict.fromkeys(texts)))
 
 
 def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
-    """The two sides of every equation in a display, chains taken apart."""
+    """Yield the two sides of every equation in a display; chains are taken apart."""
     for piece in display:
         if isinstance(piece, Statement):
             neighbours = zip(piece.sides, piece.relations, piece.sides[1:], strict=False)
@@ -359,22 +362,8 @@ def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> N
             raise PrintError(f"{name}: defined {max(times)} times")
 
 
-def _mentioned(displays: Iterable[Display]) -> Iterator[Expression]:
-    """What a text speaks of without saying anything of it."""
-    for piece in (piece for display in displays for piece in display):
-        if isinstance(piece, Statement) and not piece.relations:
-            yield piece.sides[0]
-
-
-def _inequalities(displays: Iterable[Display]) -> Iterator[tuple[Expression, str, Expression]]:
-    """The conditions that displays put as inequalities."""
-    for piece in (piece for display in displays for piece in display):
-        if isinstance(piece, Statement) and piece.relations[:1] and piece.relations[0] in ORDERS:
-            yield piece.sides[0], piece.relations[0], piece.sides[1]
-
-
 def defined(left: Expression) -> str:
-    """What a left side defines: a name, at any time."""
+    """Return the name that a left side defines, at any time."""
     match left:
         case Call("at", (inner, Name("t"))):
             return to_text(inner)
@@ -382,9 +371,9 @@ def defined(left: Expression) -> str:
 
 
 def growth(interpreter: Interpreter, tree: Expression) -> Value:
-    """The time derivative of what is printed, of an integral its integrand.
+    """Return the time derivative of a tree, of an integral its integrand.
 
-    What stands before an integral is asked to be constant.
+    A factor before an integral is asked to be constant.
     """
     known = interpreter.meant.get(to_text(Call("D", (tree,))))
     if known is not None:

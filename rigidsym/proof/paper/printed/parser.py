@@ -55,7 +55,7 @@ _ROOM = {r"\ ", r"\,", r"\;", r"\:", r"\!", r"\left", r"\right"}
 
 
 def tokens(latex: str) -> Iterator[str]:
-    """The tokens from left to right; raises PrintError for what is none."""
+    """Yield the tokens from left to right; raises PrintError for anything else."""
     place = 0
     while place < len(latex):
         if latex[place].isspace():
@@ -93,13 +93,13 @@ CLOSING = {"(": ")", r"\left|": r"\right|", "|": "|"}
 
 @lru_cache
 def parse(latex: str) -> Display:
-    """The statements and words of a display; raises PrintError where a token is left over."""
+    """Return the statements and words of a display; raises PrintError for a token left over."""
     reader = _Reader(latex)
     return _cases(reader.display())
 
 
 def _cases(found: list[Statement | Words]) -> Display:
-    """The last case of several has the left side of those before it."""
+    """Give the last of several cases the left side of those before it."""
     for k, (piece, after) in enumerate(zip(found, [*found[1:], None], strict=False)):
         otherwise = isinstance(after, Words) and after.text == "otherwise"
         if otherwise and isinstance(piece, Statement) and not piece.relations:
@@ -110,18 +110,18 @@ def _cases(found: list[Statement | Words]) -> Display:
 
 
 class _Reader:
-    """The tokens of one display, and how far they have been read."""
+    """Reader of the tokens of one display."""
 
     def __init__(self, latex: str) -> None:
         self.latex, self.tokens, self.place = latex, [*tokens(latex), ""], 0
 
     @property
     def next(self) -> str:
-        """The token that is due."""
+        """The next token."""
         return self.tokens[self.place]
 
     def take(self, due: str = "") -> str:
-        """The next token, which has to be the one that is due, if one is."""
+        """Return the next token and go on; it has to be `due`, if that is given."""
         if (due and self.next != due) or not self.next:
             raise PrintError(
                 f"{self.latex!r}: {self.next or 'the end'!r} stands where {due or 'more'!r} is due"
@@ -130,7 +130,7 @@ class _Reader:
         return self.tokens[self.place - 1]
 
     def display(self) -> list[Statement | Words]:
-        """All of it."""
+        """Read the whole display."""
         found: list[Statement | Words] = []
         while self.next:
             if self.next in ",;":
@@ -144,7 +144,7 @@ class _Reader:
         return found
 
     def statement(self) -> Statement:
-        """Sides and the relations between them."""
+        """Read sides and the relations between them."""
         sides, relations = [self.sum()], []
         while self.next in RELATIONS:
             relations.append(RELATIONS[self.take()])
@@ -152,7 +152,7 @@ class _Reader:
         return Statement(tuple(sides), tuple(relations))
 
     def sum(self) -> Expression:
-        """Terms with their signs."""
+        """Read terms with their signs."""
         total: Expression | None = None
         while total is None or self.next in SIGNS:
             sign = SIGNS[self.take()] if self.next in SIGNS else "+"
@@ -166,11 +166,11 @@ class _Reader:
         return total
 
     def lone(self, sign: str) -> Expression:
-        """Nothing behind a sign that the text speaks of; anything else is due a quantity."""
+        """Read the factor after a sign, or nothing after a +- that the text mentions."""
         return Number(1) if sign == "pm" and self.next.startswith(r"\text{") else self.factor()
 
     def product(self) -> Expression:
-        """Factors side by side, and quotients."""
+        """Read factors side by side, and quotients."""
         total = self.power(self.enclosed()) if self.next == "|" else self.factor()
         while self.next == "/" or self.begins():
             operator = "/" if self.next == "/" else "*"
@@ -180,7 +180,7 @@ class _Reader:
         return total
 
     def begins(self) -> bool:
-        """Whether a factor begins here."""
+        """Say whether a factor begins here."""
         token = self.next
         return (
             token.isalnum()
@@ -191,18 +191,18 @@ class _Reader:
         )
 
     def factor(self) -> Expression:
-        """A quantity to a power."""
+        """Read a quantity to a power."""
         return self.power(self.quantity())
 
     def power(self, base: Expression) -> Expression:
-        """A quantity and the exponent that follows it, if one does."""
+        """Read the exponent after a quantity, if there is one."""
         if self.next != "^":
             return base
         self.take()
         return Operation("**", base, self.argument())
 
     def argument(self) -> Expression:
-        """What an exponent, a fraction or a root takes: a group, or one token."""
+        """Read the argument of an exponent, a fraction or a root: a group, or one token."""
         if self.next != "{":
             return self.letter() if not self.next.isdigit() else Number(int(self.take()))
         self.take()
@@ -211,7 +211,7 @@ class _Reader:
         return found
 
     def quantity(self) -> Expression:
-        """What has no operators outside of brackets."""
+        """Read a quantity, which has no operators outside of brackets."""
         token = self.next
         if token.isdigit():
             return self.number()
@@ -238,21 +238,21 @@ class _Reader:
         return self.applied(name) if name else self.symbol()
 
     def number(self) -> Number:
-        """A natural number."""
+        """Read a natural number."""
         digits = self.take()
         while self.next.isdigit():
             digits += self.take()
         return Number(int(digits))
 
     def enclosed(self) -> Expression:
-        """A sum in brackets, or an absolute value."""
+        """Read a sum in brackets, or an absolute value."""
         opening = self.take()
         found = self.sum()
         self.take(CLOSING[opening])
         return found if opening == "(" else Call("abs", (found,))
 
     def bracket(self) -> Expression:
-        """The Lie bracket of two matrices."""
+        """Read the Lie bracket of two matrices."""
         self.take("[")
         left = self.sum()
         self.take(",")
@@ -261,7 +261,7 @@ class _Reader:
         return Call("bracket", (left, right))
 
     def matrix(self) -> Expression:
-        """Two rows of two entries."""
+        """Read a matrix of two rows of two entries."""
         self.take()
         entries = [self.sum()]
         for due in ("&", "\\\\", "&"):
@@ -271,14 +271,14 @@ class _Reader:
         return Call("matrix", tuple(entries))
 
     def function(self) -> str:
-        """The name of a function, if one is next."""
+        """Return the name of a function, if one is next."""
         token = self.next
         name = token.rpartition("{")[2].rstrip("}").removeprefix("\\")
         known = token in FUNCTIONS or (token.endswith("}") and name in NAMED)
         return name if known or (token == r"\Pi" and self.tokens[self.place + 1] == "(") else ""
 
     def applied(self, name: str) -> Expression:
-        """A function of a list, or of the one quantity that follows; sn^2 u is (sn u)^2."""
+        """Read a function of a list, or of the one quantity that follows; sn^2 u is (sn u)^2."""
         self.take()
         exponent = None
         if self.next == "^":
@@ -290,7 +290,7 @@ class _Reader:
         return found if inverse or exponent is None else Operation("**", found, exponent)
 
     def list(self) -> tuple[Expression, ...]:
-        """Arguments in brackets, divided by a comma, a semicolon or a bar."""
+        """Read arguments in brackets, separated by a comma, a semicolon or a bar."""
         self.take("(")
         found = [self.sum()]
         while self.next in (",", ";", "|"):
@@ -300,7 +300,7 @@ class _Reader:
         return tuple(found)
 
     def symbol(self) -> Expression:
-        """A name with its indices, at a time or applied to a list where that is said."""
+        """Read a name with its indices, and a time or a list that it is applied to."""
         found = self.letter()
         bare = found.arguments[0] if isinstance(found, Call) and found.function == "D" else found
         if isinstance(bare, Name):
@@ -315,7 +315,7 @@ class _Reader:
         return self.list_of(found)
 
     def list_of(self, found: Expression) -> Expression:
-        """A name applied to a list; one in brackets is a factor, and left alone."""
+        """Read a list that a name is applied to; one sum in brackets is a factor, left alone."""
         start = self.place
         arguments = self.list()
         if len(arguments) > 1 and isinstance(found, Name):
@@ -324,7 +324,7 @@ class _Reader:
         return found
 
     def letter(self) -> Expression:
-        """A letter, Latin or Greek, or one with a dot or a bar."""
+        """Read a letter, Latin or Greek, or one with a dot or a bar."""
         token = self.take()
         if token in (r"\dot", r"\bar"):
             inner = self.group()
@@ -339,7 +339,7 @@ class _Reader:
         raise PrintError(f"{self.latex!r}: {token!r} stands where a quantity is due")
 
     def group(self) -> Expression:
-        """A letter, in braces or not."""
+        """Read a letter, in braces or not."""
         if self.next != "{":
             return self.letter()
         self.take()
@@ -348,7 +348,7 @@ class _Reader:
         return found
 
     def below(self) -> str:
-        """An index."""
+        """Read an index."""
         if self.next != "_":
             return ""
         self.take()
@@ -362,7 +362,7 @@ class _Reader:
         return f"_{index}"
 
     def star(self) -> str:
-        """A star among the exponents; what follows it in the braces stays an exponent."""
+        """Read a star among the exponents; the rest of the braces stays an exponent."""
         ahead = self.tokens[self.place : self.place + 3]
         if ahead[:2] == ["^", r"\star"]:
             self.place += 2

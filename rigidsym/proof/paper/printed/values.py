@@ -1,7 +1,7 @@
 """Complex numbers and two-by-two matrices over expressions: sums and products as they are written.
 
-Nothing is multiplied out but what is complex or a matrix into its parts, and nothing is left out
-but zeros and ones: the kernel does the rest.
+Complex numbers and matrices are multiplied out into their parts, zeros and ones are left out; the
+kernel does the rest.
 """
 
 from collections.abc import Callable, Iterator
@@ -17,29 +17,29 @@ ZERO, ONE = Number(0), Number(1)
 
 
 def plus(x: Expression, y: Expression) -> Expression:
-    """x + y"""
+    """Return x + y."""
     return y if x == ZERO else x if y == ZERO else Operation("+", x, y)
 
 
 def minus(x: Expression, y: Expression) -> Expression:
-    """x - y"""
+    """Return x - y."""
     return x if y == ZERO else negative(y) if x == ZERO else Operation("-", x, y)
 
 
 def times(x: Expression, y: Expression) -> Expression:
-    """x y"""
+    """Return x y."""
     if ZERO in (x, y):
         return ZERO
     return y if x == ONE else x if y == ONE else Operation("*", x, y)
 
 
 def over(x: Expression, y: Expression) -> Expression:
-    """x/y"""
+    """Return x/y."""
     return x if x == ZERO or y == ONE else Operation("/", x, y)
 
 
 def negative(x: Expression) -> Expression:
-    """-x"""
+    """Return -x."""
     match x:
         case Number(0):
             return x
@@ -50,7 +50,7 @@ def negative(x: Expression) -> Expression:
 
 @dataclass(frozen=True, slots=True)
 class Complex:
-    """real + i imag"""
+    """A complex number, real + i imag."""
 
     real: Expression
     imag: Expression = ZERO
@@ -77,21 +77,21 @@ class Complex:
         return Complex(over(above.real, other.square()), over(above.imag, other.square()))
 
     def conjugate(self) -> "Complex":
-        """real - i imag"""
+        """Return real - i imag."""
         return Complex(self.real, negative(self.imag))
 
     def square(self) -> Expression:
-        """The square of the absolute value."""
+        """Return the square of the absolute value."""
         return plus(*(times(x, x) for x in self))
 
     def each(self, change: Callable[[Expression], Expression]) -> "Complex":
-        """Something done to both parts."""
+        """Apply a function to both parts."""
         return Complex(change(self.real), change(self.imag))
 
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """Two rows of two entries, in one tuple; iterating gives all real and imaginary parts."""
+    """A matrix of two rows, in one tuple; iterating gives all real and imaginary parts."""
 
     entries: tuple[Complex, Complex, Complex, Complex]
 
@@ -110,26 +110,26 @@ class Matrix:
         return matrix(x[0] * y[0] + x[1] * y[1] for x, y in product(rows, columns))
 
     def scaled(self, factor: Complex) -> "Matrix":
-        """A number times the matrix."""
+        """Return a number times the matrix."""
         return matrix(factor * entry for entry in self.entries)
 
     def determinant(self) -> Complex:
-        """a d - b c"""
+        """Return a d - b c."""
         a, b, c, d = self.entries
         return a * d - b * c
 
     def adjugate(self) -> "Matrix":
-        """The inverse, where the determinant is 1."""
+        """Return the inverse, for determinant 1."""
         a, b, c, d = self.entries
         return Matrix((d, Complex(ZERO) - b, Complex(ZERO) - c, a))
 
     def dagger(self) -> "Matrix":
-        """The conjugate transpose."""
+        """Return the conjugate transpose."""
         a, b, c, d = (entry.conjugate() for entry in self.entries)
         return Matrix((a, c, b, d))
 
     def each(self, change: Callable[[Expression], Expression]) -> "Matrix":
-        """Something done to all parts."""
+        """Apply a function to all parts."""
         return matrix(entry.each(change) for entry in self.entries)
 
 
@@ -137,7 +137,7 @@ Value: TypeAlias = Complex | Matrix
 
 
 def matrix(entries: Iterator[Complex]) -> Matrix:
-    """A matrix from its entries, row by row."""
+    """Return a matrix from its entries, row by row."""
     a, b, c, d = entries
     return Matrix((a, b, c, d))
 
@@ -146,19 +146,19 @@ IDENTITY = Matrix((Complex(ONE), Complex(ZERO), Complex(ZERO), Complex(ONE)))
 
 
 def add(x: Value, y: Value) -> Value:
-    """x + y, a number being that multiple of the identity beside a matrix."""
+    """Return x + y; beside a matrix a number is a multiple of the identity."""
     a, b = alike(x, y)
     return a + b  # ty: ignore[unsupported-operator]
 
 
 def subtract(x: Value, y: Value) -> Value:
-    """x - y"""
+    """Return x - y."""
     a, b = alike(x, y)
     return a - b  # ty: ignore[unsupported-operator]
 
 
 def multiply(x: Value, y: Value) -> Value:
-    """x y, in this order."""
+    """Return x y, in this order."""
     match x, y:
         case Complex(), Complex():
             return x * y
@@ -172,14 +172,14 @@ def multiply(x: Value, y: Value) -> Value:
 
 
 def divide(x: Value, y: Value) -> Value:
-    """x/y for a number y."""
+    """Return x/y for a number y."""
     if isinstance(y, Matrix):
         raise PrintError("a matrix stands below a line")
     return x.scaled(Complex(ONE) / y) if isinstance(x, Matrix) else x / y
 
 
 def power(x: Value, exponent: int) -> Value:
-    """A whole power."""
+    """Return an integer power."""
     if isinstance(x, Complex) and x.imag == ZERO and exponent > 0:
         return x if exponent == 1 else Complex(Operation("**", x.real, Number(exponent)))
     if exponent < 1:
@@ -189,7 +189,7 @@ def power(x: Value, exponent: int) -> Value:
 
 
 def alike(x: Value, y: Value) -> tuple[Value, Value]:
-    """Two numbers, or two matrices."""
+    """Return both as numbers, or both as matrices."""
     if isinstance(x, Matrix) and isinstance(y, Complex):
         return x, IDENTITY.scaled(y)
     if isinstance(y, Matrix) and isinstance(x, Complex):
