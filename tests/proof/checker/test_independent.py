@@ -60,8 +60,8 @@ def small_ledger() -> str:
     apart = {"point": {"w": "2", "s": "3/5", "c": "4/5"}}
     differ = ("unequal", ("s",), ("0",), "counterexample")
     ledger.add(Fact("apart", "circle", *differ, certificate=apart))
-    builder, hope = {"reference": "a book"}, ("equal", ("s",), ("c",))
-    ledger.add(Fact("hoped", "circle", *hope, "assumption", Grade.ASSUMED, certificate=builder))
+    reference, hope = {"reference": "a book"}, ("equal", ("s",), ("c",))
+    ledger.add(Fact("hoped", "circle", *hope, "assumption", Grade.ASSUMED, certificate=reference))
     ledger.add(Fact("bridge", "point", "model", (), ("circle",), "model"))
     carried = ("rate", "bridge")
     ledger.add(Fact("rate2", "point", "equal", *statement, "transfer", premises=carried))
