@@ -1,4 +1,4 @@
-"""Imports run downwards only, in no circle, and the two wings meet in the ledger alone."""
+"""Imports run downwards only, in no circle; the wings meet in the ledger, and in the seal."""
 
 import pytest
 from house import circle, imported, imports, modules, room
@@ -42,7 +42,7 @@ ALLOWED = {
     "rigidsym.codegen.functions": f"{FOUNDATION} codegen solution",
     "rigidsym.codegen.special_functions": f"{FOUNDATION} codegen solution",
     "rigidsym.codegen.targets": f"{FOUNDATION} codegen",
-    # The kernel decides that what is printed is what was derived: the other bridge.
+    # The one exception: the kernel decides that what is printed is what was derived.
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
@@ -104,6 +104,17 @@ def test_a_module_imports_what_its_room_may(module):
         other for other in GRAPH[module] if rule(other) != own and not lies_in(other, allowed)
     }
     assert beyond == set()
+
+
+def test_the_seal_alone_imports_the_kernel_into_the_number_wing():
+    proving = ("rigidsym.proof", "rigidsym.reproduce", "rigidsym.cli", "derivations")
+    across = {
+        (room(name), room(other))
+        for name, others in GRAPH.items()
+        for other in others
+        if not lies_in(name, proving) and lies_in(other, ["rigidsym.proof"])
+    }
+    assert across == {("codegen.seal", "proof.kernel")}
 
 
 def test_nothing_is_imported_in_a_circle():

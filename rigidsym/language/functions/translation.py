@@ -45,7 +45,7 @@ def sympified(
             return _OPERATORS[operator](*parts)
         case Call(function, arguments) if function in functions:
             return functions[function](*(sympified(x, value_of, functions) for x in arguments))
-    raise ValueError(f"{expression}: not a function that SymPy is told of")
+    raise ValueError(f"{expression}: not a function that has a counterpart in SymPy")
 
 
 BY_PARAMETER: Functions = {
