@@ -144,10 +144,7 @@ def derive(
         progress(last + 1, last + 1)
     text = builder.ledger.to_text()
     if setting is None and last == len(known) - 1:
-        try:
-            require(specification_text(), json.loads(text))
-        except Unproved as error:
-            raise DerivationError(str(error)) from None
+        require_specified(text)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
     return Derivation(reported, text, builder.recounted)
 
@@ -158,6 +155,14 @@ def sealed_counts() -> str:
         return sealed_text()
     except LedgerError:
         return ""
+
+
+def require_specified(ledger: str) -> None:
+    """Raise DerivationError where a ledger does not prove all of the specification."""
+    try:
+        require(specification_text(), json.loads(ledger))
+    except Unproved as error:
+        raise DerivationError(str(error)) from None
 
 
 def _run(builder: LedgerBuilder, name: str) -> Chapter:

@@ -18,7 +18,7 @@ from rigidsym.proof.audit import audit, totals
 from rigidsym.proof.checker import Refused
 from rigidsym.proof.checker.records import Claim, Hypotheses, fill
 from rigidsym.proof.checker.specification import Catalogue, blocks
-from rigidsym.proof.derivation import DerivationError, _require_specified
+from rigidsym.proof.derivation import DerivationError, require_specified
 from rigidsym.solution import load
 
 TEXT, SPECIFICATION = ledger_text(), specification_text()
@@ -109,7 +109,7 @@ def test_a_theorem_is_missed_with_its_context(name):
 
 def test_chapters_that_prove_less_seal_nothing():
     with pytest.raises(DerivationError, match=r"theorem steady \(.*: its hypotheses are not in"):
-        _require_specified(LedgerBuilder().ledger.to_text())
+        require_specified(LedgerBuilder().ledger.to_text())
 
 
 def test_a_theorem_has_to_be_proved():
