@@ -38,18 +38,8 @@ def derived(setting: Setting) -> Derivation:
 # What computes: steps that find their value, SymPy, and what a scope or a chapter found.
 COMPUTES = {
     *("solve", "factor", "expand", "cancel", "apart", "together", "subs", "coefficients", "rate"),
-    *(
-        "read",
-        "found",
-        "numer",
-        "det",
-        "reduced",
-        "coordinates",
-        "eliminate",
-        "collect",
-        "linsolve",
-    ),
-    *("integrate", "roots", "match", "solve_family", "determinant", "vary"),
+    *("read", "result", "numer", "det", "reduced", "coordinates", "eliminate", "collect"),
+    *("linsolve", "integrate", "roots", "match", "solve_family", "determinant", "vary"),
 }
 NOTHING = {"One", "Zero", "Identity", "ZeroMatrix"}
 # The steps to which a chapter gives the right side, and where that stands among their arguments.

@@ -1,8 +1,7 @@
 """The trusted core: contexts, facts, rules, grades, certificates and their replay.
 
 It imports `sympy.polys` and the standard library.  A fact that a replayed ledger grades PROVED
-follows from its context by polynomial arithmetic over Q.  Whether it says what is meant depends on
-the meanings of the names, which readers have to judge (`reading`).
+follows from its context by polynomial arithmetic over Q; what its names mean is for readers.
 Read the modules in this order: `language`, `ring`, `theta`, `statement`, `rules`, `ledger`.
 """
 
