@@ -20,7 +20,7 @@ Result = TypeVar("Result")
 Side: TypeAlias = str | int | Element | Expr
 Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
-# A context's name, and where its example differs from that of the context it is a case of.
+# A context's name, and where its witness differs from that of the context it is a case of.
 Case: TypeAlias = tuple[str, Point]
 # {"fact": id}, or what a context defines a name as, or reads it as:
 # {"context": name, "definition" or "reading": name, "source": equations of the paper}.
@@ -72,7 +72,7 @@ class LedgerBuilder:
     ) -> Fact | None:
         """Decide whether equations hold: admit that they do, or a point where they do not.
 
-        The points tried are those given, the example of the context, and points near it, where
+        The points tried are those given, the witness of the context, and points near it, where
         one name at a time has another value.  Return None where the kernel decides neither: the
         normal form is not zero, and the sides agree at all these points.
         """
@@ -181,7 +181,7 @@ class LedgerBuilder:
     def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
         """Publish formulas for the number wing, in order of evaluation, in a group of sequences.
 
-        Each is a proved fact, or the definition or meaning of a name in a context.
+        Each is a proved fact, or the definition or reading of a name in a context.
         """
         listed = list(entries)
         for entry in listed:
@@ -192,7 +192,7 @@ class LedgerBuilder:
         self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_known(self, entry: Entry) -> bool:
-        """Say whether an entry is a proved formula, or the definition or meaning of a name."""
+        """Say whether an entry is a proved formula, or the definition or reading of a name."""
         if "fact" in entry:
             fact = self.ledger.facts.get(str(entry["fact"]))
             kinds = ("equal", "root")
@@ -237,7 +237,7 @@ def definitions(context: str, names: str, *source: str) -> list[Entry]:
 
 
 def readings(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries for meanings of names: standard functions, used where these equations are."""
+    """Return entries for readings of names: standard functions, used where these equations are."""
     return _said("reading", context, names, source)
 
 

@@ -1,7 +1,7 @@
 """Numerical evidence for classical identities: Arb's balls agree with a fact at many points.
 
-A name stands for the number that a point gives it, or for its definition, or for its meaning.
-Meanings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
+A name stands for the number that a point gives it, or for its definition, or for its reading.
+Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
 Jacobi's functions are computed by inverting Legendre's F, never from theta functions, because the
 identities between the two are what is to be checked.  Balls agree with a fact at a point if the
 ball of lhs - rhs contains zero and is small there.
@@ -117,7 +117,7 @@ def names(tree: Tree) -> Iterator[str]:
 
 
 def _is_formula(reading: str) -> bool:
-    """Say whether a meaning is an expression, rather than words."""
+    """Say whether a reading is an expression, rather than words."""
     try:
         parse(reading)
     except KernelError:

@@ -80,7 +80,7 @@ def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | No
 
 
 def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
-    """Yield the known rational points of a context: its example and its counterexamples."""
+    """Yield the known rational points of a context: its witness and its counterexamples."""
     yield context.witness
     for fact in ledger.facts.values():
         if fact.context == context.name and fact.kind == "unequal":

@@ -1,6 +1,6 @@
 """Balls: both sides of an equation at a point, to thirty digits, with all rounding accounted for.
 
-The names of a context get their values from the point, from definitions, or from meanings that
+The names of a context get their values from the point, from definitions, or from readings that
 are formulas.  Two sides agree where the ball of their difference is small and contains 0.
 
 Besides the points of a certificate there are others, drawn by a hash of the claim, so that no
@@ -34,11 +34,11 @@ def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
 
 
 def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
-    """Return the values of a point, for generators whose meaning is not a formula."""
+    """Return the values of a point, for generators whose reading is not a formula."""
     if taken := point.keys() - {*given.generators}:
         raise Refused(f"a point gives {min(taken)!a}, which is no generator")
     if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
-        raise Refused(f"a point gives {forced[0]}, which its meaning gives")
+        raise Refused(f"a point gives {forced[0]}, which its reading gives")
     return {name: acb(arb(rational(text))) for name, text in point.items()}
 
 

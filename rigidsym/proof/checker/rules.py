@@ -228,7 +228,7 @@ def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
 
 
 def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
-    """Say whether a case is the whole with one hypothesis more, name and example aside."""
+    """Say whether a case is the whole with one hypothesis more, name and witness aside."""
     more = replace(whole, name=case.name, witness=case.witness)
     if sign == "0":
         return case == replace(more, relations=[*whole.relations, x])

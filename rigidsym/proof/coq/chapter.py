@@ -196,7 +196,7 @@ class Chapter:
 
 
 def comment(text: str | None) -> str:
-    """Return a meaning as a comment of Coq."""
+    """Return a reading as a comment of Coq."""
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 

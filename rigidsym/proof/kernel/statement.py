@@ -20,9 +20,9 @@ _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 class Context:
     """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
 
-    `definitions` abbreviate expressions.  `rates` maps generators to time derivatives: what it does
-    not name is constant, "?" says unknown, None is an instant.  What is in `start` is zero at one
-    instant.  `thetas` says which generators are theta functions.  `reading` proves nothing.
+    One may divide by units.  `witness` is a rational point, `definitions` abbreviate expressions,
+    `reading` says what names stand for.  `rates` maps generators to rates: others are constant,
+    "?" is unknown, None an instant.  `start` is zero at one instant; `thetas` are theta functions.
     """
 
     name: str
@@ -78,7 +78,7 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """Return this context where a name is zero, positive, negative, with its example."""
+        """Return this context where a name is zero, positive, negative, with its witness."""
         zero = replace(self, relations=(*self.relations, name))
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))

@@ -1,7 +1,7 @@
 """SymPy's expressions in the names of a context, and back; and the form in which they read best.
 
-The kernel knows names only: `cos_half_phi1` is a generator whose meaning is cos(phi1/2).  Where a
-meaning is a function of other quantities, SymPy works with the function: this is the dictionary.
+The kernel knows names only: `cos_half_phi1` is a generator whose reading is cos(phi1/2).  Where a
+reading is a function of other quantities, SymPy works with the function: this is the dictionary.
 """
 
 from collections.abc import Mapping
@@ -30,7 +30,7 @@ def symbols(text: str) -> tuple[sympy.Symbol, ...]:
 
 
 def read(text: str) -> sympy.Expr:
-    """Read a text of the ledger, or the meaning of a name, as an expression in real symbols."""
+    """Read a text of the ledger, or the reading of a name, as an expression in real symbols."""
     return sympified(parse(text), symbol, BY_PARAMETER)
 
 

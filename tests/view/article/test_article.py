@@ -14,9 +14,9 @@ from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 from derivations import FORWARD
 from derivations.setting import Setting
 from rigidsym.cli import main
-from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.derivation import Derivation, derive
-from rigidsym.proof.steps import Desk, Rate, Step, differentiate, matrix, rate_of, solve
+from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
 from rigidsym.proof.steps.names import symbol, symbols
 from rigidsym.view.article import FORMATS, article, numbers
 from rigidsym.view.article.mathematics import latex, pretty
@@ -211,8 +211,8 @@ x, y, a = symbols("x y a")
 
 def solved(source: tuple[str, ...] = ("28",)) -> Step:
     part = Part(witness={"x": "1", "y": "1", "a": "1"}, units=("a",))
-    desk = Desk.open(Book(), "plane", part, static=True)
-    return solve(desk, "plane.found", [(a * x, y)], [x], "solve for M1 < M2", source)
+    scope = Scope.open(LedgerBuilder(), "plane", part, static=True)
+    return solve(scope, "plane.found", [(a * x, y)], [x], "solve for M1 < M2", source)
 
 
 def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
@@ -226,7 +226,9 @@ def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
 
 def test_a_line_without_conditions_has_no_where():
     moving = Part(witness={"x": "1"}, rates={"x": "2*x"})
-    step = differentiate(Desk.open(Book(), "moving", moving), "moving.x", x**2, "its rate")
+    step = differentiate(
+        Scope.open(LedgerBuilder(), "moving", moving), "moving.x", x**2, "its rate"
+    )
     assert "where" not in step._repr_html_()
     assert step._repr_latex_() == r"$$\frac{d}{dt}\left(x^{2}\right) = 4 x^{2}$$"
 
@@ -239,8 +241,8 @@ def test_a_line_of_latex_is_tagged_by_the_papers_numbers():
 
 def test_several_equations_are_aligned():
     part = Part(witness={"x": "1", "y": "1"})
-    desk = Desk.open(Book(), "plane", part, static=True)
-    step = solve(desk, "plane.found", [(x + y, 1), (x - y, 3)], [x, y], "both")
+    scope = Scope.open(LedgerBuilder(), "plane", part, static=True)
+    step = solve(scope, "plane.found", [(x + y, 1), (x - y, 3)], [x, y], "both")
     assert step._repr_latex_() == r"$$\begin{aligned}x &= 2 \\ y &= -1\end{aligned}$$"
 
 
