@@ -12,9 +12,9 @@ from collections.abc import Iterable
 from sympy import Expr, Symbol, factor_terms, rem
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
-from rigidsym.proof.algebra.printing import printed
-from rigidsym.proof.algebra.quaternion import conjugate, product, rotated
-from rigidsym.proof.algebra.quaternion import kinematics as turning
+from rigidsym.proof.algebra._printing import printed
+from rigidsym.proof.algebra._quaternion import conjugate, product, rotated
+from rigidsym.proof.algebra._quaternion import kinematics as turning
 
 INERTIA = Part(
     witness={"c_a": "3", "c_b": "2", "c_d": "1"},

@@ -10,7 +10,7 @@ this for one rate at t = 0 or one moment of inertia; `excess` is I_k less what i
 """
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.quaternion import kinematics
+from rigidsym.proof.algebra._quaternion import kinematics
 
 AXES = (1, 2, 3)
 CHANGES = tuple(f"{x}{k}" for x in ("Omega", "c") for k in AXES)

@@ -16,8 +16,8 @@ import sympy
 from derivations.euler_lax import Dynamics
 from derivations.rate_sensitivities import change_of
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.quaternion import kinematics, product
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.algebra._quaternion import kinematics, product
+from rigidsym.proof.steps._names import read, symbol, symbols
 
 Vector = tuple[sympy.Symbol, ...]
 AXES = (1, 2, 3)

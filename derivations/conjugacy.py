@@ -24,7 +24,7 @@ from rigidsym.proof.steps import (
     rewrite,
     solve,
 )
-from rigidsym.proof.steps.names import Dictionary, symbol, symbols
+from rigidsym.proof.steps._names import Dictionary, symbol, symbols
 
 MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
 TURNING = Part(

@@ -36,8 +36,8 @@ from rigidsym.proof.steps import (
     solve_family,
     vary,
 )
-from rigidsym.proof.steps.names import symbol, symbols
-from rigidsym.proof.steps.variation import MOMENTA, RATES
+from rigidsym.proof.steps._names import symbol, symbols
+from rigidsym.proof.steps._variation import MOMENTA, RATES
 
 INERTIA = Part(
     witness={"c1": "1", "c2": "2", "c3": "5/2"},

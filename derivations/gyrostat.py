@@ -12,7 +12,7 @@ from derivations.euler_lax import RATES, Dynamics
 from derivations.lie_algebra import Algebra
 from rigidsym.proof.algebra import LedgerBuilder, Part, part_of
 from rigidsym.proof.steps import Scope, eliminate, rate_of, rewrite
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps._names import read, symbol, symbols
 
 H, K_SQUARED, X = symbols("H K_squared x")
 

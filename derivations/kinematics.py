@@ -15,7 +15,7 @@ from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import Rate, Scope, coordinates, eliminate, multiply, rewrite, solve
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps._names import read, symbol, symbols
 
 UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
 BODY_RATES = Part(

@@ -15,7 +15,7 @@ import sympy
 from derivations.euler_lax import Dynamics
 from derivations.gyrostat import gyrostat
 from derivations.lie_algebra import Algebra
-from rigidsym.language.functions.jacobi import jacobi_sn
+from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
 from rigidsym.proof.steps import (
     Scope,
@@ -27,7 +27,7 @@ from rigidsym.proof.steps import (
     rewrite,
     roots,
 )
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps._names import read, symbol, symbols
 
 INERTIA = Part(
     witness={"c_i": "2", "c_j": "3", "c_k": "1"},

@@ -13,7 +13,7 @@ from sympy import ImmutableMatrix, MatAdd, MatrixExpr
 from derivations.setting import Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import Scope, coordinates, determinant, matrix, multiply
-from rigidsym.proof.steps.names import symbols
+from rigidsym.proof.steps._names import symbols
 
 UNIT_QUATERNION = Part(
     witness={"q0": "1", "q1": "0", "q2": "0", "q3": "0"},

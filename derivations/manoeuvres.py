@@ -19,7 +19,7 @@ from derivations.euler_lax import INERTIA, Dynamics
 from derivations.lie_algebra import UNIT_QUATERNION, Algebra
 from derivations.regular_form import BY_RATES, DIFFERENCES
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
+from rigidsym.proof.algebra._quaternion import conjugate, kinematics, product, rotated
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]

@@ -6,7 +6,7 @@ none is left unaccounted for.  Counts that the builder has from a sealed ledger 
 """
 
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra.mutants import known_fates, tally
+from rigidsym.proof.algebra._mutants import known_fates, tally
 
 
 def derive(builder: LedgerBuilder) -> None:

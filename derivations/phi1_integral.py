@@ -13,10 +13,10 @@ import sympy
 from derivations.euler_lax import RATES
 from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
-from rigidsym.language.functions.jacobi import jacobi_dn, jacobi_sn
+from rigidsym.language.functions._jacobi import jacobi_dn, jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
 from rigidsym.proof.steps import Scope, apart, integrate, rate_of, rewrite
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps._names import symbol, symbols
 
 K, H, ZETA, XI, MU, T = symbols("K H zeta xi mu t")
 ARGUMENT = XI * T + symbol("gamma")

@@ -8,13 +8,13 @@ there, and the kernel is asked whether the rest holds.  Nobody says beforehand w
 import re
 from string import ascii_lowercase
 
-from rigidsym.language.expression import to_text
+from rigidsym.language._expression import to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.answers import Question, asked, question, telling
-from rigidsym.proof.paper.printed import in_names
-from rigidsym.proof.paper.shared import SEEN_FROM_SPACE
+from rigidsym.proof.paper._answers import Question, asked, question, telling
+from rigidsym.proof.paper._printed import in_names
+from rigidsym.proof.paper._shared import SEEN_FROM_SPACE
 
 CONSTANT_M = Part(
     witness={"N1": "0", "N2": "0", "N3": "0"},

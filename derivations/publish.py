@@ -29,7 +29,7 @@ from collections.abc import Iterable
 
 from derivations import attitude_columns, kicks, sensitivity_columns
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra.builder import Entry, definitions, facts, readings
+from rigidsym.proof.algebra._builder import Entry, definitions, facts, readings
 
 DIFFERENCES = definitions("regular", "c_ab c_ad c_bd", "10", "13", "14")
 MOMENTA = definitions("attitude", "M_a M_b M_d", "8")

@@ -28,7 +28,7 @@ from derivations.addition_form import (
 )
 from derivations.attitude import HANDEDNESS, INERTIA
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.steps.names import Dictionary, read, symbol
+from rigidsym.proof.steps._names import Dictionary, read, symbol
 
 Texts: TypeAlias = dict[str, str]
 

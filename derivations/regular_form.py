@@ -14,7 +14,7 @@ from sympy import Add, Expr, Symbol, expand, factor, symbols
 
 from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, sign
-from rigidsym.proof.algebra.printing import printed
+from rigidsym.proof.algebra._printing import printed
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
 HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")

@@ -6,9 +6,9 @@ that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 """
 
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra.repairs import repairs
+from rigidsym.proof.algebra._repairs import repairs
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.answers import question, telling
+from rigidsym.proof.paper._answers import question, telling
 
 # A line, which of its equations fails, and where that holds what the paper prints: a side of it,
 # or a definition.

@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 
 from rigidsym.errors import InputError
-from rigidsym.proof.steps.names import read, symbols
+from rigidsym.proof.steps._names import read, symbols
 
 KINETIC = "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2"
 AXES = (1, 2, 3)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from derivations.euler_lax import INERTIA, Dynamics
 from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
-from rigidsym.proof.algebra.quaternion import kinematics
+from rigidsym.proof.algebra._quaternion import kinematics
 
 CONSTANT = Part(
     witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},

@@ -25,7 +25,7 @@ from derivations.attitude import (
 )
 from derivations.theta_form import times
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.parts import part_of
+from rigidsym.proof.algebra._parts import part_of
 
 # n_a, n_b, n_d are sigma M_a/K, sigma epsilon M_b/K and M_d/K: Euler's equations without signs.
 POINT = Part(

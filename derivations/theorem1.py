@@ -12,7 +12,7 @@ from derivations.lie_algebra import UNITS, Algebra, R, e
 from derivations.phi1_integral import AMPLITUDE, DN, SN, XI, ThirdKind
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import Scope, coordinates, eliminate, rate_of, rewrite
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps._names import symbol, symbols
 
 Y, TAU, ROOT = symbols("y tau root")
 

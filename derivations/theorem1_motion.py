@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from derivations.lemma1 import INERTIA, Lemma1
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
-from rigidsym.proof.algebra.quaternion import kinematics
+from rigidsym.proof.algebra._quaternion import kinematics
 
 # Both square roots may be imaginary: what they are is their reading, and no sign is assumed.
 SINE = Part(

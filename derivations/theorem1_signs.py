@@ -13,7 +13,7 @@ from derivations.conjugacy import MOMENTUM
 from derivations.lie_algebra import A, Algebra, M, R, combination, from_quaternion
 from rigidsym.proof.algebra import LedgerBuilder, Part, equal, half_angle, join, sign
 from rigidsym.proof.steps import Scope, matrix
-from rigidsym.proof.steps.names import symbol
+from rigidsym.proof.steps._names import symbol
 
 ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 

@@ -23,7 +23,7 @@ from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.printing import printed
+from rigidsym.proof.algebra._printing import printed
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
 # polynomial.

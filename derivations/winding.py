@@ -11,7 +11,7 @@ import sympy
 
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import Scope, differentiate, nonnegative
-from rigidsym.proof.steps.names import symbols
+from rigidsym.proof.steps._names import symbols
 
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + pi.
 TURNING = Part(

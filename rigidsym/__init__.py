@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 from rigidsym._version import __version__
 
 if TYPE_CHECKING:
-    from rigidsym.codegen import Generated, generate
+    from rigidsym._codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
     from rigidsym.fitting import fit
     from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
-    from rigidsym.solution.polhode import Regime
-    from rigidsym.solution.symbolic import Symbolic, symbolic
+    from rigidsym.solution._polhode import Regime
+    from rigidsym.solution._symbolic import Symbolic, symbolic
     from rigidsym.splitting import Trajectory, integrate
     from rigidsym.steps import step
 
@@ -44,22 +44,22 @@ __all__ = [
 
 # Imported at first use, so that `import rigidsym` and the help of the command are fast.
 _HOMES = {
-    "Generated": "rigidsym.codegen",
+    "Generated": "rigidsym._codegen",
     "InputError": "rigidsym.errors",
     "PrecisionError": "rigidsym.errors",
     "PrincipalAxes": "rigidsym.principal",
-    "Regime": "rigidsym.solution.polhode",
-    "Symbolic": "rigidsym.solution.symbolic",
+    "Regime": "rigidsym.solution._polhode",
+    "Symbolic": "rigidsym.solution._symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
     "Trajectory": "rigidsym.splitting",
     "fit": "rigidsym.fitting",
-    "generate": "rigidsym.codegen",
+    "generate": "rigidsym._codegen",
     "integrate": "rigidsym.splitting",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
     "step": "rigidsym.steps",
-    "symbolic": "rigidsym.solution.symbolic",
+    "symbolic": "rigidsym.solution._symbolic",
 }
 
 

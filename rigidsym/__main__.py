@@ -1,5 +1,5 @@
 """`python -m rigidsym` is the `rigidsym` command."""
 
-from rigidsym.cli import main
+from rigidsym._cli import main
 
 raise SystemExit(main())

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Literal, NoReturn, Unpack, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym import engines, inputs
-from rigidsym.engines import EngineError, batches
+from rigidsym import _engines as engines
+from rigidsym import _inputs as inputs
+from rigidsym._engines import EngineError, batches
+from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
 from rigidsym.errors import InputError
-from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
@@ -24,13 +25,13 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from rigidsym.precise import PreciseMotion
-    from rigidsym.precise.boxed import BoxedMotion
-    from rigidsym.precise.evaluation import State
-    from rigidsym.precise.motion import DecimalState
-    from rigidsym.precise.quantities import Quantities
-    from rigidsym.solution.polhode import Mode, Regime
-    from rigidsym.solution.symbolic import Symbolic
-    from rigidsym.view.plots.figure import Figure
+    from rigidsym.precise._boxed import BoxedMotion
+    from rigidsym.precise._evaluation import State
+    from rigidsym.precise._motion import DecimalState
+    from rigidsym.precise._quantities import Quantities
+    from rigidsym.solution._polhode import Mode, Regime
+    from rigidsym.solution._symbolic import Symbolic
+    from rigidsym.view._plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
@@ -163,17 +164,17 @@ class TorqueFreeMotion:
         return self
 
     def __repr__(self) -> str:
-        from rigidsym.view.text import motion_text
+        from rigidsym.view._text import motion_text
 
         return motion_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view.html.motions import motion_html
+        from rigidsym.view._html.motions import motion_html
 
         return motion_html(self)
 
     def _repr_latex_(self) -> str:
-        from rigidsym.view.html.motions import motion_latex
+        from rigidsym.view._html.motions import motion_latex
 
         return motion_latex(self)
 
@@ -268,7 +269,7 @@ class TorqueFreeMotion:
             given = {"t": times, "errors": errors, "engine": self.engine}
             raise batches.input_error(error, given) from None
         if not self._in_doubles and "inertia" in names:
-            from rigidsym.engines.exact_inputs import by_exact_moments
+            from rigidsym._engines.exact_inputs import by_exact_moments
 
             by_exact_moments(found, self.exact["inertia"])
         return found[0], found[1], Sensitivity(*found[2:], names)
@@ -395,7 +396,7 @@ class TorqueFreeMotion:
         None where there is none: on the separatrix, in spin about the middle axis, for spheres, and
         at rest.
         """
-        from rigidsym.solution.polhode import mode
+        from rigidsym.solution._polhode import mode
 
         polhode = self._by("theta", self._given).polhode
         # The polhode has checked that the middles decide for all numbers within the radii.
@@ -404,7 +405,7 @@ class TorqueFreeMotion:
 
     @cached_property
     def _quantities(self) -> "Quantities":
-        from rigidsym.precise.quantities import Quantities
+        from rigidsym.precise._quantities import Quantities
 
         rule = "is uncertain, so that its motion has no one energy, period or angle: give a number"
         given = {name: inputs.certain(name, x, rule) for name, x in self._given.items()}
@@ -567,7 +568,7 @@ class TorqueFreeMotion:
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
-        from rigidsym.precise.printed import certain
+        from rigidsym.precise._printed import certain
 
         if inputs.is_true("sensitivity", sensitivity):
             _ = self.exact
@@ -670,7 +671,7 @@ class TorqueFreeMotion:
 
     @cached_property
     def _boxed(self) -> "BoxedMotion":
-        from rigidsym.precise.boxed import BoxedMotion
+        from rigidsym.precise._boxed import BoxedMotion
 
         return BoxedMotion(**self._given)
 
@@ -695,7 +696,7 @@ class TorqueFreeMotion:
         >>> motion.symbolic().q().T
         Matrix([[cos(t/2), 0, sin(t/2), 0]])
         """
-        from rigidsym.solution.symbolic import of_motion
+        from rigidsym.solution._symbolic import of_motion
 
         return of_motion(form, **self.exact)
 
@@ -727,7 +728,7 @@ class TorqueFreeMotion:
         InputError
             As a call does.
         """
-        from rigidsym.io.frames import dataframe
+        from rigidsym.io._frames import dataframe
 
         return dataframe(*self._sampled(t, degrees))
 
@@ -751,7 +752,7 @@ class TorqueFreeMotion:
         InputError
             As a call does.
         """
-        from rigidsym.io.frames import dataset
+        from rigidsym.io._frames import dataset
 
         return dataset(*self._sampled(t, degrees), "deg/s" if degrees else "rad/s")
 
@@ -775,7 +776,7 @@ class TorqueFreeMotion:
         InputError
             For times as a call does, and for fewer than two of them.
         """
-        from rigidsym.view.plots.motion import plot
+        from rigidsym.view._plots.motion import plot
 
         return plot(self, times)
 

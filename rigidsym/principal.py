@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym import inputs
+from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
 from rigidsym.quaternions import conjugate, matrices, of_matrix, product
 from rigidsym.sensitivity import Sensitivity

@@ -5,8 +5,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym import engines
-from rigidsym.engines import EngineError, arrays, batches
+from rigidsym import _engines as engines
+from rigidsym._engines import EngineError, arrays, batches
 from rigidsym.errors import InputError
 
 _SIZES = {"inertia": 3, "q": 4, "omega": 3}

@@ -8,11 +8,11 @@ import json
 from dataclasses import replace
 from typing import Any
 
-from rigidsym.language.expression import Call, Number, Operation, parse, to_text
-from rigidsym.language.specification import theorems
+from rigidsym.language._expression import Call, Number, Operation, parse, to_text
+from rigidsym.language._specification import theorems
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger
-from rigidsym.proof.kernel.ledger import _frozen
+from rigidsym.proof.kernel._ledger import _frozen
 
 
 class Unwitnessed(Context):

@@ -6,8 +6,8 @@ from random import Random
 from flint import arb
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.inputs import middle, radius
-from rigidsym.precise.balls import working
+from rigidsym._inputs import middle, radius
+from rigidsym.precise._balls import working
 
 
 def numbers(state):

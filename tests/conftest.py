@@ -26,7 +26,7 @@ def pytest_configure(config):
     if (
         find_spec("casadi") is None
     ):  # its docstrings cannot be imported; its tests say why they skip
-        config.option.ignore = [*(config.option.ignore or []), "rigidsym/manoeuvre/comparison"]
+        config.option.ignore = [*(config.option.ignore or []), "rigidsym/manoeuvre/_comparison"]
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -64,7 +64,7 @@ def engine(request):
 @pytest.fixture
 def replayed_once(monkeypatch):
     """The sealed ledger, which several commands of a test ask for, is replayed for the first."""
-    from rigidsym.cli import proofs
+    from rigidsym._cli import proofs
 
     monkeypatch.setattr(proofs, "replayed", cache(proofs.replayed))
 
@@ -92,7 +92,7 @@ def run(capsys):
     The first argument is split as a shell splits it, the others are taken as they are.
     """
 
-    from rigidsym.cli import main
+    from rigidsym._cli import main
 
     def run(command, *arguments, status=0):
         capsys.readouterr()

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from random import Random
 from typing import Any
 
-from rigidsym.language.specification import theorems
+from rigidsym.language._specification import theorems
 from rigidsym.proof.kernel import KernelError
-from rigidsym.proof.kernel.language import parse
+from rigidsym.proof.kernel._language import parse
 
 _TOKEN = re.compile(r"[A-Za-z_][A-Za-z_0-9]*|[0-9]+|\*\*|[-+*/()]")
 _OTHER = {"+": "-", "-": "+", "*": "+", "/": "*"}

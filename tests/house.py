@@ -8,6 +8,7 @@ classes that they show, which import them, and such an import never runs.
 """
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -25,6 +26,12 @@ APART = {
     "rigidsym.codegen.targets.numpy.step",
 }
 
+
+def plain(name: str) -> str:
+    """Return a dotted name without the underscores that mark private modules and folders."""
+    return re.sub(r"\._(?!_)", ".", name)
+
+
 Graph = Mapping[str, set[str]]
 
 
@@ -34,8 +41,8 @@ def modules() -> dict[str, Path]:
     for top in ("rigidsym", "derivations"):
         for path in sorted((ROOT / top).rglob("*.py")):
             name = ".".join(path.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__")
-            if name not in APART:
-                found[name] = path
+            if plain(name) not in APART:
+                found[plain(name)] = path
     return found
 
 
@@ -45,7 +52,7 @@ def imported(path: Path, types: bool = True) -> tuple[str, ...]:
 
     Without `types`, those under `if TYPE_CHECKING` are left out.
     """
-    return tuple(_imported(path, types))
+    return tuple(plain(name) for name in _imported(path, types))
 
 
 def _imported(path: Path, types: bool) -> Iterator[str]:

@@ -46,7 +46,7 @@ NO_NAMES = [
     ),
     *("\u0445", "\uff58", "\ufb01", "x\u0301", "if", "True", "lambda", "D", "\u00b2", "x\u0661"),
 ]
-# What the grammar of `rigidsym.proof.kernel.language` refuses, though Python, or one of two
+# What the grammar of `rigidsym.proof.kernel._language` refuses, though Python, or one of two
 # readers, may take it for x, a number or a name; x is a name wherever these are read.
 NOT_EXPRESSIONS = [
     *("x # **2 + 5", "x #", "\U0001d431", "\uff58", "\u0445", "x\u0661", "\u0661", "1_000", "0x10"),

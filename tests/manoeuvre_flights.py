@@ -6,10 +6,10 @@ from fractions import Fraction
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
+from rigidsym.manoeuvre._manoeuvre import manoeuvre
+from rigidsym.manoeuvre._transfer import robustness
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.settings import Disturbances, Flight, Timing
-from rigidsym.manoeuvre.manoeuvre import manoeuvre
-from rigidsym.manoeuvre.transfer import robustness
+from rigidsym.manoeuvre.flight._settings import Disturbances, Flight, Timing
 
 INERTIA = ("0.0109", "0.04", "0.0506")
 OMEGA0 = (-0.016, 0.019, -0.003)

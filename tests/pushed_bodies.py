@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 
 from rigidsym.quaternions import conjugate, rotated
 from rigidsym.splitting import Torque
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 LEVER = np.array([0.1, 0.2, 0.3])
 

@@ -4,10 +4,10 @@ from fractions import Fraction
 
 import numpy as np
 
-from rigidsym.manoeuvre.families import least
-from rigidsym.manoeuvre.manoeuvre import Manoeuvre
-from rigidsym.manoeuvre.problem import Problem, problem
-from rigidsym.manoeuvre.refine import refine
+from rigidsym.manoeuvre._families import least
+from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._problem import Problem, problem
+from rigidsym.manoeuvre._refine import refine
 
 BODIES = ("any", "near symmetric", "flat", "rod", "near sphere")
 TARGETS = ("any", "half turn", "middle axis", "small", "near symmetry")

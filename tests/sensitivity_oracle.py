@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.precise.balls import ball, bits_of, working
+from rigidsym.precise._balls import ball, bits_of, working
 from rigidsym.sensitivity import Sensitivity
 
 Numbers = Sequence[Fraction]

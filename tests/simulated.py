@@ -3,7 +3,7 @@
 import numpy as np
 
 import rigidsym
-from rigidsym.fitting.parameters import Point
+from rigidsym.fitting._parameters import Point
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
 
 # Long-axis mode, triaxial, of about two turns.

@@ -8,7 +8,7 @@ from benchmarks.drift import drifts
 
 import rigidsym
 from rigidsym import InputError, TorqueFreeMotion
-from rigidsym.engines import threads
+from rigidsym._engines import threads
 
 BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 START = (1.0, 0.0, 0.0, 0.0)

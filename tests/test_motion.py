@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 import rigidsym
 from rigidsym import InputError, TorqueFreeMotion, propagate
 from rigidsym.generated import torque_free
-from rigidsym.solution.polhode import classify
+from rigidsym.solution._polhode import classify
 from rigidsym.validate.strata import STRATA, count, draw
 
 BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)

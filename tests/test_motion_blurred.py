@@ -10,9 +10,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rigidsym import InputError, TorqueFreeMotion, engines, propagate
-from rigidsym.engines import exactly
-from rigidsym.validate.oracle import lengths
+from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym import _engines as engines
+from rigidsym._engines import exactly
+from rigidsym.validate._oracle import lengths
 
 ORDERS, SIGNS = (list(itertools.permutations(range(3))), list(itertools.product((1, -1), repeat=3)))
 # Rates about the axes of smallest, middle and largest inertia of a body.

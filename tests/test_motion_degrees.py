@@ -9,7 +9,7 @@ import pytest
 
 from rigidsym import InputError, Regime, TorqueFreeMotion, plan, propagate
 from rigidsym.io.cases import parse_case
-from rigidsym.manoeuvre.manoeuvre import parse
+from rigidsym.manoeuvre._manoeuvre import parse
 
 BODY, RATES = ("0.0109", "0.04", "0.0506"), ("3", "2", "-1")
 TURNED = math.pi / 180

@@ -9,7 +9,7 @@ import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.quaternions import product
-from rigidsym.solution.polhode import Mode
+from rigidsym.solution._polhode import Mode
 
 SHORT, LONG = Mode.SHORT_AXIS, Mode.LONG_AXIS
 PAPER = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))

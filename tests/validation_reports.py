@@ -5,10 +5,10 @@ import json
 from dataclasses import replace
 from functools import cache
 
-from rigidsym.validate.campaign import Campaign, Progress, complete
-from rigidsym.validate.executors import local
-from rigidsym.validate.report import Failure
-from rigidsym.validate.validation import reported
+from rigidsym.validate._campaign import Campaign, Progress, complete
+from rigidsym.validate._executors import local
+from rigidsym.validate._report import Failure
+from rigidsym.validate._validation import reported
 
 STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "rest")
 

@@ -1,6 +1,6 @@
 """Values of single expressions."""
 
-from rigidsym.language.sequence import FormulaSequence
+from rigidsym.language._sequence import FormulaSequence
 
 
 def value_of(expression, values, functions=()):

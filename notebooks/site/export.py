@@ -18,7 +18,7 @@ import nbformat
 from nbconvert import HTMLExporter
 
 from mathml import mathml
-from rigidsym.io.files import write_text
+from rigidsym.io._files import write_text
 
 FOLDER = Path(__file__).resolve().parents[1]
 # Formulas of Markdown, but not within code; then those of cards.

@@ -19,13 +19,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.io.files import write_text
+from rigidsym.io._files import write_text
 from rigidsym.quaternions import rotated
-from rigidsym.solution.polhode import Regime
+from rigidsym.solution._polhode import Regime
 from rigidsym.validate.peers import peer
-from rigidsym.view.geometry import REGIMES, members, moments, momentum, polhode, separatrix
-from rigidsym.view.scenes.body import edges
-from rigidsym.view.style import AXES, SCALAR
+from rigidsym.view._geometry import REGIMES, members, moments, momentum, polhode, separatrix
+from rigidsym.view._style import AXES, SCALAR
+from rigidsym.view.scenes._body import edges
 
 FILE = Path(__file__).resolve().parent / "pictures" / "spacecraft.svg"
 INERTIA, OMEGA0, ATTITUDE0 = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02), (1.0, 0.0, 0.0, 0.0)

@@ -13,15 +13,15 @@ from IPython.display import HTML, Markdown, Math
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.io.ledger import ledger_text
-from rigidsym.language.latex import latex, symbol
+from rigidsym.language._latex import latex, symbol
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.steps import Step
-from rigidsym.view.article import line_html
-from rigidsym.view.article.mathematics import latex as in_letters
+from rigidsym.view._article import line_html
+from rigidsym.view._article.mathematics import latex as in_letters
 
 
 def begun(setting: Setting, *chapters: str) -> LedgerBuilder:

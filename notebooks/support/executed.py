@@ -14,7 +14,7 @@ from hashlib import sha256
 from importlib import metadata
 from pathlib import Path
 
-from rigidsym.io.files import write_text
+from rigidsym.io._files import write_text
 
 FOLDER = Path(__file__).resolve().parents[1]
 RECORD = Path(__file__).with_name("executed.json")

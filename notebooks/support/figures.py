@@ -1,6 +1,6 @@
 """Drawings that several notebooks share, by matplotlib.  They illustrate and prove nothing.
 
-The curves are those of `rigidsym.view.geometry`; what is here is a flat drawing that can be drawn
+The curves are those of `rigidsym.view._geometry`; what is here is a flat drawing that can be drawn
 upon.
 """
 
@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.view.geometry import members, moments, momentum, polhode, separatrix
-from rigidsym.view.scenes.scene import ball
+from rigidsym.view._geometry import members, moments, momentum, polhode, separatrix
+from rigidsym.view.scenes._scene import ball
 
 # Body axes (1, 2, 3) as the picture's (z, x, y): right-handed, with axis 1 upwards.
 _TURNED = [1, 2, 0]

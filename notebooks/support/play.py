@@ -9,7 +9,7 @@ from IPython.display import clear_output, display
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.view.scenes import sphere_and_body
-from rigidsym.view.scenes.still import still
+from rigidsym.view.scenes._still import still
 
 _NAMES = ("c₁", "c₂", "c₃"), ("Ω₁", "Ω₂", "Ω₃")
 _MOMENTS = {"min": 0.005, "max": 0.1, "step": 0.0005, "readout_format": ".4f"}

@@ -80,7 +80,7 @@ from rigidsym.proof.steps import (
     solve_family,
     vary,
 )
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps._names import symbol, symbols
 from support import equation, grades, printed
 from support.figures import curve, label, momentum_sphere
 

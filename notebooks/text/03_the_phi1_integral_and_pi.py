@@ -59,7 +59,7 @@ from derivations.winding import TURNING as HALF_TURNS
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.language.functions.jacobi import NUMPY
+from rigidsym.language.functions._jacobi import NUMPY
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import verdicts
@@ -77,7 +77,7 @@ from rigidsym.proof.steps import (
     rewrite,
     solve,
 )
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps._names import read, symbol, symbols
 from support import begun, definitions, equation, grades, lines, printed, show, step
 
 verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}

@@ -47,7 +47,7 @@ from rigidsym.io.cases import paper_case
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.steps import Scope, coordinates, eliminate, matrix, multiply, rewrite
-from rigidsym.proof.steps.names import symbols
+from rigidsym.proof.steps._names import symbols
 from support import begun, definitions, grades, sealed, show, step
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"

@@ -52,12 +52,12 @@ from mpmath import nstr
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
-from rigidsym.language.expression import to_text
+from rigidsym.language._expression import to_text
 from rigidsym.precise import METHODS, PreciseMotion
-from rigidsym.precise.balls import ball, working
+from rigidsym.precise._balls import ball, working
 from rigidsym.proof.kernel import Grade
 from rigidsym.solution import sealed
-from rigidsym.solution.formulas import sequence
+from rigidsym.solution._formulas import sequence
 from support import derived, grades, show, table
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"

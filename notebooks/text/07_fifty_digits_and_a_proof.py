@@ -186,7 +186,7 @@ plt.show()
 # %%
 from fractions import Fraction
 
-from rigidsym.precise.taylor import integrate
+from rigidsym.precise._taylor import integrate
 
 q_series, omega_series = integrate(*motion.exact.values(), Fraction(180), digits=30)
 q_theta, omega_theta = motion.precise("180", digits=40)

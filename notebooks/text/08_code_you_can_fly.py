@@ -91,7 +91,7 @@ show(ledger, "descended.psi_0")
 # $\varphi_1$?
 
 # %%
-from rigidsym.codegen.trace import lines_of_equation
+from rigidsym._codegen.trace import lines_of_equation
 
 lines = lines_of_equation("34")
 for line in lines[:4]:
@@ -105,7 +105,7 @@ for line in lines[:4]:
 # ledger.
 
 # %%
-from rigidsym.codegen.seal import seal, seal_text
+from rigidsym._codegen.seal import seal, seal_text
 from rigidsym.solution import sealed as solution
 
 decisions, read_back = seal(solution()), seal_text(generated, solution())

@@ -67,7 +67,7 @@ table({"stratum": f"**{name}**", "covers": STRATA[name].about} for name in SOME)
 # rounding of a single double. Each measure has a documented bound:
 
 # %%
-from rigidsym.validate.bounds import BOUNDS, MEANINGS, ULP
+from rigidsym.validate._bounds import BOUNDS, MEANINGS, ULP
 
 meanings = {name: text.replace("|", "&#124;") for name, text in MEANINGS.items()}
 table(
@@ -140,7 +140,7 @@ plt.show()
 # *reference* is its enclosure.
 
 # %%
-from rigidsym.validate.finding import measure_case
+from rigidsym.validate._finding import measure_case
 from rigidsym.validate.strata import draw
 
 sample = draw("near separatrix", 2, seed=1)
@@ -230,7 +230,7 @@ print(f"{fault.line}:\n    {fault.old}\n    {fault.new}")
 # it:
 
 # %%
-from rigidsym.validate.faults.detection import first, mutated_engine, references
+from rigidsym.validate.faults._detection import first, mutated_engine, references
 
 engine = mutated_engine(fault)
 notices = {

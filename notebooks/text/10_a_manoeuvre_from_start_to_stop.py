@@ -45,9 +45,9 @@ import mpmath
 import numpy as np
 
 import rigidsym
-from rigidsym import engines
+from rigidsym import _engines as engines
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
+from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
 from rigidsym.proof.kernel import Grade
 from support import grades, sealed, show, table
 
@@ -104,7 +104,7 @@ table(
 show(ledger, "manoeuvre.cone", "manoeuvre.trace", "manoeuvre.axis")
 
 # %%
-from rigidsym.manoeuvre.problem import problem
+from rigidsym.manoeuvre._problem import problem
 
 posed = problem(asked.inertia, asked.start, asked.target, engines.engine("c"))
 inertia = np.array([float(c) for c in asked.inertia])
@@ -144,9 +144,9 @@ show(ledger, "arrival.gap", "arrival.angle")
 # zeros.
 
 # %%
-from rigidsym.manoeuvre.directions import arcs
-from rigidsym.manoeuvre.families import families
-from rigidsym.manoeuvre.search import sample
+from rigidsym.manoeuvre._directions import arcs
+from rigidsym.manoeuvre._families import families
+from rigidsym.manoeuvre._search import sample
 
 BOUND = 8.0  # of the momentum, in units of (largest moment)/duration
 found = families(posed, BOUND)
@@ -205,7 +205,7 @@ plt.show()
 # random rates, refined until they arrive or give up, find nothing else.
 
 # %%
-from rigidsym.manoeuvre.refine import refine
+from rigidsym.manoeuvre._refine import refine
 
 rng = np.random.default_rng(10)
 direction = rng.normal(size=(1500, 3))
@@ -283,7 +283,7 @@ print("both 60 s and 5e-4 N m s:", refused)
 # The motions are still the same ones.
 
 # %%
-from rigidsym.manoeuvre.bursts import Bursts
+from rigidsym.manoeuvre._bursts import Bursts
 
 tumbling = (0.01, 0.02, -0.01)  # rad/s
 durations = np.geomspace(40, 600, 141)
@@ -407,10 +407,10 @@ print(f"{len(misses)} transfers miss by less than 1e-12 rad:", bool(misses.max()
 # sunlight and a residual dipole.
 
 # %%
-from rigidsym.manoeuvre.classical import euler_angles
-from rigidsym.manoeuvre.figures import Figures
+from rigidsym.manoeuvre._classical import euler_angles
+from rigidsym.manoeuvre._figures import Figures
 from rigidsym.manoeuvre.flight import fly, read
-from rigidsym.manoeuvre.flight.results import Tracked
+from rigidsym.manoeuvre.flight._results import Tracked
 
 flight = read(tables)
 run = fly(plan.manoeuvre, flight, best)
@@ -511,7 +511,7 @@ table(
 # instant, it is late by half of it. Nothing steers here but the burns, and nothing disturbs:
 
 # %%
-from rigidsym.manoeuvre.flight.settings import Thrusters
+from rigidsym.manoeuvre.flight._settings import Thrusters
 
 blind = replace(quiet, controller=replace(flight.controller, natural_frequency=0.0))
 blind = replace(blind, run=replace(flight.run, length=Fraction(123), period=Fraction(1)))

@@ -60,7 +60,7 @@ from rigidsym.proof.steps import (
     solve_family,
     vary,
 )
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps._names import symbol, symbols
 from support import begun, equation, grades, step
 from support.figures import curve, unit_sphere
 

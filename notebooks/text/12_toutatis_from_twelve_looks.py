@@ -31,7 +31,7 @@ import warnings
 import numpy as np
 
 import rigidsym
-from rigidsym.fitting.published import toutatis
+from rigidsym.fitting._published import toutatis
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 
 # Without a C compiler NumPy stands in, with a warning.

@@ -26,7 +26,7 @@
 # The input is functions made of *lets*: names set to expressions, in order, each with its equations and facts.
 
 # %%
-from rigidsym.codegen.functions import functions
+from rigidsym._codegen.functions import functions
 from rigidsym.solution import sealed
 
 by_name = {function.name: function for function in functions(sealed())}
@@ -41,7 +41,7 @@ assert {"_circular_angles", "_circular_state"} <= {*by_name}
 #
 # ## A folder
 #
-# In the project it would be `rigidsym/codegen/targets/floats`. Here it is a temporary folder that is added
+# In the project it would be `rigidsym/_codegen/targets/floats`. Here it is a temporary folder that is added
 # to the package's path.
 
 # %%
@@ -62,9 +62,9 @@ _ = (floats / "__init__.py").write_text('"""Plain floats of Python: states, from
 
 # %%
 MODULE = '''
-from rigidsym.codegen import header
-from rigidsym.codegen.lines import Lines, Module, comment, joined
-from rigidsym.language.expression import to_text
+from rigidsym._codegen import header
+from rigidsym._codegen.lines import Lines, Module, comment, joined
+from rigidsym.language._expression import to_text
 
 FILE = "states.py"
 CALLS = {"size": "abs"}
@@ -129,10 +129,10 @@ _ = (floats / "module.py").write_text(MODULE)
 READ_BACK = """
 import ast
 
-from rigidsym.codegen.seal.equality import DIFFERS
-from rigidsym.codegen.targets.floats import module
+from rigidsym._codegen.seal.equality import DIFFERS
+from rigidsym._codegen.targets.floats import module
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Call, children, parse, rebuild
+from rigidsym.language._expression import Call, children, parse, rebuild
 
 BACK = {text: name for name, text in module.CALLS.items()}
 
@@ -169,11 +169,11 @@ _ = (floats / "read_back.py").write_text(READ_BACK)
 # %% [markdown]
 # ## Registering the target
 #
-# In the project, add its name to `TARGETS` in `rigidsym/codegen/targets/__init__.py`.
+# In the project, add its name to `TARGETS` in `rigidsym/_codegen/targets/__init__.py`.
 
 # %%
 import rigidsym
-from rigidsym.codegen import targets
+from rigidsym._codegen import targets
 
 targets.__path__.append(home.name)
 targets.TARGETS.append("floats")
@@ -191,7 +191,7 @@ assert generated == rigidsym.generate("floats")
 # %%
 from dataclasses import replace
 
-from rigidsym.codegen.seal import seal_text
+from rigidsym._codegen.seal import seal_text
 from rigidsym.errors import InputError
 
 print(seal_text(generated, sealed()), "lines read back")
@@ -246,10 +246,10 @@ assert apart < 1e-15
 # %% [markdown]
 # ## Steps in the project
 #
-# 1. The folder in `rigidsym/codegen/targets`, with `module.py` and `read_back.py`, and its name in
+# 1. The folder in `rigidsym/_codegen/targets`, with `module.py` and `read_back.py`, and its name in
 #    `TARGETS` there. Then `rigidsym codegen floats --in-place` writes the files into `rigidsym/generated`,
 #    `--check` compares them, and `rigidsym trace` traces their lines.
-# 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/engines` with the
+# 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/_engines` with the
 #    methods of `Engine` in its `base.py`, and its name in `ENGINES` of `__init__.py`. Then
 #    `rigidsym validate floats` measures it in every stratum, and with `--record` the heads of its
 #    files say the worst: see [Validation](09_validation.ipynb).

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 from rigidsym.errors import require
 
 if TYPE_CHECKING:
-    from rigidsym.fitting.estimate import fit
-    from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Rates
-    from rigidsym.fitting.report import Fit
-    from rigidsym.fitting.result import Alternative, Periods, Prediction, periods
+    from rigidsym.fitting._estimate import fit
+    from rigidsym.fitting._observations import Attitudes, Directions, Modelled, Rates
+    from rigidsym.fitting._report import Fit
+    from rigidsym.fitting._result import Alternative, Periods, Prediction, periods
 
 __all__ = [
     "Alternative",
@@ -37,7 +37,7 @@ def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym.fitting' has no attribute {name!r}")
     require("rigidsym.fitting", "scipy")
-    return getattr(import_module(f"rigidsym.fitting.{_HOMES[name]}"), name)
+    return getattr(import_module(f"rigidsym.fitting._{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:

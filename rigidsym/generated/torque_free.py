@@ -26,7 +26,7 @@ Lines of code:
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
-and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+and their reduction) are truncated as follows; `rigidsym._codegen.special_functions` proves the
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
 mpmath:
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39

@@ -27,7 +27,7 @@ Lines of code:
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
 Carlson's R_J, angles and their reduction) are truncated as follows;
-`rigidsym.codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
+`rigidsym._codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   complete integrals, 16 means   relative, 1.0e-29 measured

@@ -24,7 +24,7 @@ Lines of code:
     370  62 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
-cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
+cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
 proves the bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them
 against mpmath:
   X and Y, 8 terms of series    relative, below 4.4e-17 up to 8 rad

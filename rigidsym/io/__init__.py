@@ -4,8 +4,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rigidsym.io.attitude_ephemeris import aem
-    from rigidsym.io.tracks import Track, rotation_spline, sampled
+    from rigidsym.io._attitude_ephemeris import aem
+    from rigidsym.io._tracks import Track, rotation_spline, sampled
 
 __all__ = ["Track", "aem", "rotation_spline", "sampled"]
 
@@ -15,4 +15,4 @@ def __getattr__(name: str) -> object:
     if name not in __all__:
         raise AttributeError(f"module 'rigidsym.io' has no attribute {name!r}")
     home = "attitude_ephemeris" if name == "aem" else "tracks"
-    return getattr(import_module(f"rigidsym.io.{home}"), name)
+    return getattr(import_module(f"rigidsym.io._{home}"), name)

@@ -6,13 +6,13 @@ from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 
-from rigidsym import inputs
+from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError, written
-from rigidsym.io import messages
-from rigidsym.io import toml as toml_file
-from rigidsym.io.files import read_text
+from rigidsym.io import _messages as messages
+from rigidsym.io import _toml as toml_file
+from rigidsym.io._files import read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
-from rigidsym.view.html.motions import case_html
+from rigidsym.view._html.motions import case_html
 
 PAPER = "paper.toml"
 _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
@@ -27,7 +27,7 @@ class Case:
     message: messages.Message = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        from rigidsym.view.text import case_text
+        from rigidsym.view._text import case_text
 
         return case_text(self)
 

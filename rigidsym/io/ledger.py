@@ -36,7 +36,7 @@ def seal(text: str) -> str:
 
 
 def specification_text() -> str:
-    """Return the text of the specification, which `rigidsym.language.specification` reads."""
+    """Return the text of the specification, which `rigidsym.language._specification` reads."""
     return _derived("specification.txt", "it comes with this package")
 
 

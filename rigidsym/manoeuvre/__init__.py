@@ -6,21 +6,21 @@ from typing import TYPE_CHECKING
 from rigidsym.errors import require
 
 if TYPE_CHECKING:
-    from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
-    from rigidsym.manoeuvre.planning import Plan, directions_of, plan, solve
-    from rigidsym.manoeuvre.transfer import Transfer
+    from rigidsym.manoeuvre._manoeuvre import Limits, Manoeuvre
+    from rigidsym.manoeuvre._planning import Plan, directions_of, plan, solve
+    from rigidsym.manoeuvre._transfer import Transfer
 
 __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "directions_of", "plan", "solve"]
 
 # Imported at first use: the command line imports this package for its help, which is to be quick.
 _HOMES = {
-    "Limits": "rigidsym.manoeuvre.manoeuvre",
-    "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
-    "Plan": "rigidsym.manoeuvre.planning",
-    "Transfer": "rigidsym.manoeuvre.transfer",
-    "directions_of": "rigidsym.manoeuvre.planning",
-    "plan": "rigidsym.manoeuvre.planning",
-    "solve": "rigidsym.manoeuvre.planning",
+    "Limits": "rigidsym.manoeuvre._manoeuvre",
+    "Manoeuvre": "rigidsym.manoeuvre._manoeuvre",
+    "Plan": "rigidsym.manoeuvre._planning",
+    "Transfer": "rigidsym.manoeuvre._transfer",
+    "directions_of": "rigidsym.manoeuvre._planning",
+    "plan": "rigidsym.manoeuvre._planning",
+    "solve": "rigidsym.manoeuvre._planning",
 }
 
 

@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, is_dataclass
 from itertools import chain
 from typing import Any
 
-from rigidsym.language.latex import (
+from rigidsym.language._latex import (
     hypotheses,
     listed,
     point,
@@ -15,7 +15,7 @@ from rigidsym.language.latex import (
     turnstile,
     word,
 )
-from rigidsym.view.html.cards import (
+from rigidsym.view._html.cards import (
     Markup,
     badge,
     card,
@@ -165,7 +165,7 @@ def fact_html(fact: Any) -> str:
 def load_ipython_extension(ipython: Any) -> None:
     """Register cards for facts and ledgers of the kernel, which have no display of their own."""
     html = ipython.display_formatter.formatters["text/html"]
-    html.for_type_by_name("rigidsym.proof.kernel.statement", "Fact", fact_html)
+    html.for_type_by_name("rigidsym.proof.kernel._statement", "Fact", fact_html)
     html.for_type_by_name(
-        "rigidsym.proof.kernel.ledger", "Ledger", lambda x: claims(x)._repr_html_()
+        "rigidsym.proof.kernel._ledger", "Ledger", lambda x: claims(x)._repr_html_()
     )

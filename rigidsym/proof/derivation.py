@@ -14,12 +14,12 @@ from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.errors import InputError, LedgerError
 from rigidsym.io.ledger import sealed_text, specification_text
-from rigidsym.language.specification import Unproved, require
+from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
 from rigidsym.proof.steps import Step, StepError
-from rigidsym.view.html.proofs import chapter_html, derivation_html
+from rigidsym.view._html.proofs import chapter_html, derivation_html
 
 
 class DerivationError(RuntimeError):

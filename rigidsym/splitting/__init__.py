@@ -1,9 +1,9 @@
 """Motion under torques: splitting methods on the exact free motion (`integrate`)."""
 
-from rigidsym.splitting.integration import integrate
-from rigidsym.splitting.methods import METHODS, Method
-from rigidsym.splitting.orbits import KeplerOrbit
-from rigidsym.splitting.torques import (
+from rigidsym.splitting._integration import integrate
+from rigidsym.splitting._methods import METHODS, Method
+from rigidsym.splitting._orbits import KeplerOrbit
+from rigidsym.splitting._torques import (
     ConstantInBody,
     ConstantInSpace,
     FieldPotential,
@@ -13,7 +13,7 @@ from rigidsym.splitting.torques import (
     Torque,
     TorqueInC,
 )
-from rigidsym.splitting.trajectory import Trajectory
+from rigidsym.splitting._trajectory import Trajectory
 
 __all__ = [
     "METHODS",

@@ -3,14 +3,14 @@
 Strata of cases, oracles, error measures, and reports.
 """
 
-from rigidsym.validate.bounds import BOUNDS, MEANINGS
-from rigidsym.validate.finding import Finding, measure_case
-from rigidsym.validate.implementations import check_target
-from rigidsym.validate.measure import Errors
+from rigidsym.validate._bounds import BOUNDS, MEANINGS
+from rigidsym.validate._finding import Finding, measure_case
+from rigidsym.validate._implementations import check_target
+from rigidsym.validate._measure import Errors
+from rigidsym.validate._report import Failure, ValidationReport, Worst
+from rigidsym.validate._validation import examine, validate
 from rigidsym.validate.peers import PEERS, Peer
-from rigidsym.validate.report import Failure, ValidationReport, Worst
 from rigidsym.validate.strata import STRATA, Sample, Stratum, draw
-from rigidsym.validate.validation import examine, validate
 
 __all__ = [
     "BOUNDS",

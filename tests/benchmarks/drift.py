@@ -16,7 +16,7 @@ from random import Random
 
 import numpy as np
 
-from rigidsym.engines import exact_stepper
+from rigidsym._engines import exact_stepper
 from rigidsym.validate.strata import draw
 
 KINDS = (

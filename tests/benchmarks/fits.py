@@ -21,12 +21,12 @@ from scipy.optimize import least_squares
 
 import rigidsym
 from rigidsym.fitting import Attitudes
-from rigidsym.fitting.estimate import solved, started
-from rigidsym.fitting.minimise import minimise
-from rigidsym.fitting.observations import middle
-from rigidsym.fitting.parameters import Parameters
-from rigidsym.fitting.problem import Problem
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.fitting._estimate import solved, started
+from rigidsym.fitting._minimise import minimise
+from rigidsym.fitting._observations import middle
+from rigidsym.fitting._parameters import Parameters
+from rigidsym.fitting._problem import Problem
+from rigidsym.validate.peers._integrators import rates
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from simulated import TUMBLING, attitudes

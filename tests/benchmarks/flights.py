@@ -18,16 +18,16 @@ from fractions import Fraction
 
 import numpy as np
 
+from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
+from rigidsym.manoeuvre._planning import solve
 from rigidsym.manoeuvre.flight import Flight, Run
-from rigidsym.manoeuvre.flight.rotation import cross, matrix
-from rigidsym.manoeuvre.flight.settings import read
-from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
-from rigidsym.manoeuvre.planning import solve
+from rigidsym.manoeuvre.flight._rotation import cross, matrix
+from rigidsym.manoeuvre.flight._settings import read
 from rigidsym.splitting import METHODS
-from rigidsym.splitting.stepping import Bodies, State
+from rigidsym.splitting._stepping import Bodies, State
 
 # The module, whose name is that of its function in the package.
-fly = importlib.import_module("rigidsym.manoeuvre.flight.fly")
+fly = importlib.import_module("rigidsym.manoeuvre.flight._fly")
 LENGTH = 60
 WAYS = [
     ("dop853", 1),

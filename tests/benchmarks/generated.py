@@ -28,7 +28,7 @@ import rivals
 from mpmath import mp
 
 from rigidsym import TorqueFreeMotion, generated
-from rigidsym.engines.library import Library
+from rigidsym._engines.library import Library
 from rigidsym.generated import torque_free
 
 PAPER = rivals.Motion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))

@@ -25,11 +25,11 @@ from scipy.optimize import least_squares
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from random_manoeuvres import brute, manoeuvre, posed
 
-from rigidsym import engines
+from rigidsym import _engines as engines
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.families import families, least
-from rigidsym.manoeuvre.problem import Problem
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.manoeuvre._families import families, least
+from rigidsym.manoeuvre._problem import Problem
+from rigidsym.validate.peers._integrators import rates
 
 TOLERANCE = 1e-13
 # Of central differences: their error and that of rounding are about the same.

@@ -15,7 +15,7 @@ from time import perf_counter
 import mpmath
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 INERTIA, OMEGA0, START = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"), (1, 0, 0, 0)
 DIGITS, BITS = 50, 190

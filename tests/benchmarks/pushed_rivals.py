@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 from rigidsym.quaternions import of_rotation_vectors, product
 from rigidsym.splitting import GravityGradient, KeplerOrbit
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 State = tuple[np.ndarray, np.ndarray]
 Result = tuple[np.ndarray, np.ndarray, int]

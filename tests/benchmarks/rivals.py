@@ -12,7 +12,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipkinc, elliprf, elliprj
 
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 States = tuple[np.ndarray, np.ndarray]
 Run = Callable[[], States]

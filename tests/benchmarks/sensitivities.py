@@ -23,9 +23,9 @@ from time import process_time
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.engines import ENGINES
+from rigidsym._engines import ENGINES
 from rigidsym.quaternions import conjugate, product
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 MOTIONS = {
     "paper": ((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)),

@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 import rigidsym
-from rigidsym.engines import build, compiler, threads
+from rigidsym._engines import build, compiler, threads
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import GravityGradient, KeplerOrbit
 

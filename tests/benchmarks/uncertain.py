@@ -20,7 +20,7 @@ from flint import arb
 
 import rigidsym
 from rigidsym import TorqueFreeMotion
-from rigidsym.inputs import Uncertain, middle, radius
+from rigidsym._inputs import Uncertain, middle, radius
 
 SAMPLES = 2000
 # Parts of the largest moment and rate, and of 1 for the attitude.

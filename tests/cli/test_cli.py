@@ -18,8 +18,8 @@ import pytest
 
 import rigidsym
 from derivations import CHAPTERS
-from rigidsym.cli import main
-from rigidsym.codegen.lines import handwritten
+from rigidsym._cli import main
+from rigidsym._codegen.lines import handwritten
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 
@@ -49,7 +49,7 @@ def case(tmp_path):
 
 def test_help_is_cheap(run):
     code = (
-        "import sys\nfrom rigidsym.cli import main\n"
+        "import sys\nfrom rigidsym._cli import main\n"
         "try: main(['--help'])\nexcept SystemExit: pass\n"
         "print(*{'sympy', 'numpy', 'mpmath', 'rich'} & set(sys.modules))"
     )
@@ -93,7 +93,7 @@ def test_reproduce_writes_the_same_bytes_twice(reproduced, tmp_path):
 WRITTEN = """
 from dataclasses import replace
 from rigidsym import generate
-from rigidsym.reproduce import Reproduction, report
+from rigidsym._reproduce import Reproduction, report
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.derivation import derive
 from rigidsym.proof.paper import verdicts
@@ -309,7 +309,7 @@ def test_validate_measures_all_targets_in_all_strata_by_default(run):
 
 
 def test_a_broken_bound_exits_1_and_leaves_a_case_that_propagate_takes(monkeypatch, tmp_path, run):
-    from rigidsym.validate import measure
+    from rigidsym.validate import _measure as measure
 
     monkeypatch.setitem(measure.BOUNDS, "angle", 1e-17)
     broken = [
@@ -535,7 +535,7 @@ def test_times_beyond_what_python_writes(case, run, refused):
 
 
 def test_methods_prints_tables_and_writes_files(case, tmp_path, monkeypatch, run):
-    from rigidsym.precise import comparison
+    from rigidsym.precise import _comparison as comparison
 
     monkeypatch.setattr(comparison, "TAYLOR_WORK", 0)
     case.write_text(CASE.replace("180.0", "2"))
@@ -597,7 +597,7 @@ def test_terminals_without_our_letters():
 
 @pytest.mark.parametrize("text", ["", "[]", '{"facts": [], "contexts": []}'])
 def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
-    from rigidsym.solution import formulas
+    from rigidsym.solution import _formulas as formulas
 
     monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
     monkeypatch.setattr(formulas, "sealed_text", lambda: text)
@@ -721,7 +721,7 @@ def test_an_output_that_cannot_be_written_is_one_line(command, tmp_path, refused
 
 
 def test_an_interrupted_write_leaves_the_old_file(monkeypatch, tmp_path):
-    from rigidsym.io import files
+    from rigidsym.io import _files as files
 
     path = tmp_path / "report.md"
     path.write_text("old")

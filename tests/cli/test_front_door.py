@@ -8,17 +8,18 @@ import shlex
 import pytest
 
 from derivations import CHAPTERS
-from rigidsym import engines
-from rigidsym.cli import output, parser
-from rigidsym.codegen import TARGETS
+from rigidsym import _engines as engines
+from rigidsym._cli import output, parser
+from rigidsym._codegen import TARGETS
 from rigidsym.errors import InputError
 from rigidsym.io.ledger import ledger_text
-from rigidsym.precise import comparison
+from rigidsym.precise import _comparison as comparison
 from rigidsym.proof.derivation import sealed_path
 from rigidsym.proof.paper import EQUATIONS, Ruling
-from rigidsym.validate import campaign
-from rigidsym.validate.faults import FaultReport, all_faults, detection
+from rigidsym.validate import _campaign as campaign
+from rigidsym.validate.faults import FaultReport, all_faults
 from rigidsym.validate.faults import Outcome as FaultOutcome
+from rigidsym.validate.faults import _detection as detection
 
 (COMMANDS,) = (action.choices for action in parser()._actions if action.dest == "command")
 # Switches, and what is given or not: these have no value by themselves.
@@ -134,7 +135,7 @@ def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, run, r
 @pytest.fixture
 def replayed(monkeypatch):
     """The sealed ledger without replaying it, which other tests do."""
-    monkeypatch.setattr("rigidsym.cli.proofs.replayed", ledger_text)
+    monkeypatch.setattr("rigidsym._cli.proofs.replayed", ledger_text)
 
 
 @pytest.mark.usefixtures("replayed")

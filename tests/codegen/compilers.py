@@ -21,7 +21,7 @@ from pathlib import Path
 import pytest
 
 from rigidsym import generate
-from rigidsym.codegen import forms
+from rigidsym._codegen import forms
 
 SOURCES = Path(__file__).parent / "c"
 STRICT = (

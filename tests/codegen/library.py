@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rigidsym.engines.library import load
+from rigidsym._engines.library import load
 
 ROOM = 8192
 

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from compilers import PLAIN, either
 
-from rigidsym import InputError, TorqueFreeMotion, generate, inputs, step
-from rigidsym.codegen import forms
-from rigidsym.engines import exact_inputs
-from rigidsym.engines.compiler import ANY_MOMENTS
-from rigidsym.engines.library import load
+from rigidsym import InputError, TorqueFreeMotion, generate, step
+from rigidsym import _inputs as inputs
+from rigidsym._codegen import forms
+from rigidsym._engines import exact_inputs
+from rigidsym._engines.compiler import ANY_MOMENTS
+from rigidsym._engines.library import load
 
 RATES, ATTITUDE, NAN, INF = (0.3, 0.5, -0.7), (1.0, 0, 0, 0), math.nan, math.inf
 ROOM = 8192

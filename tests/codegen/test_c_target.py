@@ -14,9 +14,9 @@ from library import Library
 from regimes import cases, errors
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.codegen import forms
-from rigidsym.codegen.targets.c import module
-from rigidsym.engines.compiler import ANY_MOMENTS
+from rigidsym._codegen import forms
+from rigidsym._codegen.targets.c import module
+from rigidsym._engines.compiler import ANY_MOMENTS
 
 ANGLE = RATE = 2e-15
 # With several lanes, as only builds for wide registers have them.

@@ -8,11 +8,11 @@ import pytest
 
 import rigidsym
 from rigidsym import InputError, generate
-from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.seal import seal_text
-from rigidsym.codegen.targets.c import module
-from rigidsym.codegen.targets.c.read_back import Reader
-from rigidsym.language.expression import parse
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.seal import seal_text
+from rigidsym._codegen.targets.c import module
+from rigidsym._codegen.targets.c.read_back import Reader
+from rigidsym.language._expression import parse
 from rigidsym.solution import sealed
 
 HOME = Path(rigidsym.__path__[0]) / "generated"

@@ -14,11 +14,11 @@ import pytest
 from compilers import PLAIN, needed
 from library import Library
 
-from rigidsym.codegen.functions import functions
-from rigidsym.codegen.lines import flat_results
+from rigidsym._codegen.functions import functions
+from rigidsym._codegen.lines import flat_results
 from rigidsym.generated import torque_free
 from rigidsym.solution import sealed
-from rigidsym.solution.polhode import Regime, classify
+from rigidsym.solution._polhode import Regime, classify
 
 # Moments, largest first; E_b is 9/16 Omega_1^2 - Omega_3^2 for the first.
 BODIES = ((2.25, 2.0, 1.0), (2.0, 2.0, 1.0), (2.0, 1.0, 1.0), (1.0, 1.0, 1.0))

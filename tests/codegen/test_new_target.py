@@ -2,8 +2,8 @@ import runpy
 import sys
 from pathlib import Path
 
-from rigidsym.codegen import targets
-from rigidsym.codegen.functions import functions
+from rigidsym._codegen import targets
+from rigidsym._codegen.functions import functions
 from rigidsym.solution import sealed
 
 HOW_TO = Path(__file__).parents[2] / "notebooks" / "text" / "howto_add_a_target.py"

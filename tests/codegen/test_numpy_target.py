@@ -14,10 +14,10 @@ import pytest
 
 import rigidsym
 from rigidsym import InputError, generate
-from rigidsym.codegen.functions import functions
-from rigidsym.codegen.ir import Function, let
-from rigidsym.codegen.seal import seal_text
-from rigidsym.codegen.targets.numpy import emit, module
+from rigidsym._codegen.functions import functions
+from rigidsym._codegen.ir import Function, let
+from rigidsym._codegen.seal import seal_text
+from rigidsym._codegen.targets.numpy import emit, module
 from rigidsym.generated import torque_free
 from rigidsym.solution import sealed
 
@@ -101,8 +101,8 @@ def test_unknown_targets_are_named_with_the_known_ones():
 
 @pytest.mark.parametrize("text", ["a = gamma(b)", "a = b**c"])
 def test_an_unsupported_node_fails_at_generation(text):
-    from rigidsym.codegen.passes import products
-    from rigidsym.codegen.targets.c import emit as emit_c
+    from rigidsym._codegen.passes import products
+    from rigidsym._codegen.targets.c import emit as emit_c
 
     odd = Function("_odd", "", ("b", "c"), (let(text),), ("a",))
     with pytest.raises(ValueError, match=r"gamma|whole power"):

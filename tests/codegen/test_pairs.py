@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 from compilers import PLAIN, X86, needed
 
-from rigidsym.codegen.targets.numpy import double_double
-from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble
+from rigidsym._codegen.targets.numpy import double_double
+from rigidsym._codegen.targets.numpy.double_double import _DoubleDouble
 
 U2 = Fraction(1, 2**106)
 # What is computed of x and y, and its relative error in units of u^2; of `_xd`, y is a double.

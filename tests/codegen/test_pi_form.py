@@ -9,12 +9,12 @@ import pytest
 from compilers import PLAIN, STRICT, either
 
 from rigidsym import InputError, generate
-from rigidsym.codegen import TARGETS, forms
-from rigidsym.codegen.functions import functions, pi
-from rigidsym.codegen.seal import seal, seal_text
-from rigidsym.codegen.trace import lines_of_equation
+from rigidsym._codegen import TARGETS, forms
+from rigidsym._codegen.functions import functions, pi
+from rigidsym._codegen.seal import seal, seal_text
+from rigidsym._codegen.trace import lines_of_equation
 from rigidsym.generated import torque_free_pi
-from rigidsym.language.expression import parse
+from rigidsym.language._expression import parse
 from rigidsym.solution import sealed
 
 

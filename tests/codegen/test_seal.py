@@ -7,16 +7,16 @@ from itertools import count
 import pytest
 
 from rigidsym import InputError, generate
-from rigidsym.codegen.functions import assembly, common, theta
-from rigidsym.codegen.ir import Let
-from rigidsym.codegen.passes import expand, share
-from rigidsym.codegen.seal import is_equal, seal, seal_text, structure, text
-from rigidsym.codegen.seal.states import claims as of_states
-from rigidsym.codegen.special_functions import landen
-from rigidsym.codegen.targets.c import emit as c_emit
-from rigidsym.codegen.targets.c import read_back as c_text
-from rigidsym.codegen.targets.numpy import emit as numpy_emit
-from rigidsym.language.expression import Call, Number, names, parse
+from rigidsym._codegen.functions import assembly, common, theta
+from rigidsym._codegen.ir import Let
+from rigidsym._codegen.passes import expand, share
+from rigidsym._codegen.seal import is_equal, seal, seal_text, structure, text
+from rigidsym._codegen.seal.states import claims as of_states
+from rigidsym._codegen.special_functions import landen
+from rigidsym._codegen.targets.c import emit as c_emit
+from rigidsym._codegen.targets.c import read_back as c_text
+from rigidsym._codegen.targets.numpy import emit as numpy_emit
+from rigidsym.language._expression import Call, Number, names, parse
 from rigidsym.solution import sealed
 
 made = cache(generate)

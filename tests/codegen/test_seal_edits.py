@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 
 from rigidsym import InputError, generate
-from rigidsym.codegen import header
-from rigidsym.codegen.forms import split
-from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.seal import seal_text, text
-from rigidsym.codegen.targets import reader
+from rigidsym._codegen import header
+from rigidsym._codegen.forms import split
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.seal import seal_text, text
+from rigidsym._codegen.targets import reader
 from rigidsym.solution import sealed
 from rigidsym.validate.faults import all_faults
-from rigidsym.validate.faults.fault import FILES
+from rigidsym.validate.faults._fault import FILES
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}

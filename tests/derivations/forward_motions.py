@@ -10,7 +10,7 @@ import sympy
 from derivations.setting import Setting
 from rigidsym.proof.derivation import Derivation
 from rigidsym.proof.steps import Step
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps._names import symbol, symbols
 
 INERTIA = np.array([1.0, 1.7, 2.3])
 RATES0 = np.array([0.7, 0.9, 0.8])

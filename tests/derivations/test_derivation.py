@@ -9,7 +9,7 @@ from ledgers import prove
 import derivations
 import rigidsym
 from derivations import CHAPTERS, FORWARD
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.kernel import Fact, KernelError, Ledger, replay
 
 SEALED = Path(derivations.__file__).with_name("ledger.json").read_text("utf-8")

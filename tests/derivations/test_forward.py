@@ -15,11 +15,13 @@ from forward_motions import INERTIA, RATES, RATES0, Motion, constants, errors, s
 import derivations
 from derivations import FORWARD, euler_lax, lie_algebra
 from derivations.setting import KINETIC, Setting
-from rigidsym.cli import main
-from rigidsym.language.expression import parse, to_text
+from rigidsym._cli import main
+from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.derivation import Derivation, DerivationError, derive
-from rigidsym.proof.steps import algebra, calculus, linear
-from rigidsym.proof.steps.names import read, symbol
+from rigidsym.proof.steps import _algebra as algebra
+from rigidsym.proof.steps import _calculus as calculus
+from rigidsym.proof.steps import _linear as linear
+from rigidsym.proof.steps._names import read, symbol
 
 FOLDER = Path(derivations.__file__).parent
 ONE = f"{KINETIC} + h2*Omega2"

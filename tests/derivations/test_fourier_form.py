@@ -7,7 +7,7 @@ from derivations.fourier_form import COEFFICIENT, PHASE, TERMS
 from derivations.regular_form import CIRCULATION
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, sign
 from rigidsym.proof.kernel import KernelError
-from rigidsym.solution.formulas import sequence
+from rigidsym.solution._formulas import sequence
 
 NOME, PLACE = mpmath.mpf("0.3"), mpmath.mpf("0.7")
 # How far sums go: what is left out is below the nome to this power.

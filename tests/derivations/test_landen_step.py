@@ -5,7 +5,7 @@ from random import Random
 import pytest
 from mpmath import mp, workdps
 
-from rigidsym.solution.formulas import sequence
+from rigidsym.solution._formulas import sequence
 
 STEPS = 8
 NUMBERS = {"sqrt": mp.sqrt, "power": lambda x, n: x**n}

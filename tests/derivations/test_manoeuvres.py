@@ -10,11 +10,12 @@ from random_manoeuvres import manoeuvre, posed
 from values import value_of
 
 import derivations
-from rigidsym import engines
-from rigidsym.language.expression import parse
-from rigidsym.manoeuvre import directions, problem
-from rigidsym.manoeuvre.directions import is_symmetry
-from rigidsym.manoeuvre.families import families, least
+from rigidsym import _engines as engines
+from rigidsym.language._expression import parse
+from rigidsym.manoeuvre import _directions as directions
+from rigidsym.manoeuvre import _problem as problem
+from rigidsym.manoeuvre._directions import is_symmetry
+from rigidsym.manoeuvre._families import families, least
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}

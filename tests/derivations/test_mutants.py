@@ -8,8 +8,8 @@ import pytest
 
 from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.algebra.mutants import PRINTED, known_fates, mutants, tally
+from rigidsym.proof.algebra._enclosures import encloses
+from rigidsym.proof.algebra._mutants import PRINTED, known_fates, mutants, tally
 from rigidsym.proof.kernel import replay
 from rigidsym.proof.paper import verdicts
 

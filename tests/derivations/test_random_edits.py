@@ -12,11 +12,11 @@ from edits import edited
 from ledgers import written
 
 from rigidsym.io.ledger import ledger_text, specification_text
-from rigidsym.language.specification import Unproved, require
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.language._specification import Unproved, require
+from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.checker.records import Claim, Hypotheses, fill
-from rigidsym.proof.checker.specification import Catalogue
+from rigidsym.proof.checker._records import Claim, Hypotheses, fill
+from rigidsym.proof.checker._specification import Catalogue
 from rigidsym.proof.kernel import KernelError, replay
 
 TEXT, SPECIFICATION = ledger_text(), specification_text()

@@ -10,8 +10,8 @@ import pytest
 from values import value_of
 
 import derivations
-from rigidsym.language.expression import parse
-from rigidsym.solution.polhode import Regime, classify
+from rigidsym.language._expression import parse
+from rigidsym.solution._polhode import Regime, classify
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}

@@ -11,7 +11,7 @@ from values import value_of
 
 import derivations
 from rigidsym import TorqueFreeMotion
-from rigidsym.language.expression import parse
+from rigidsym.language._expression import parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 SAID = {context["name"]: context["definitions"] for context in LEDGER["contexts"]}

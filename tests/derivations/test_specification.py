@@ -8,16 +8,16 @@ from attacks import Attacker, changes, definitions
 from document_texts import rows, words
 from ledgers import written
 
-from rigidsym.cli import main
-from rigidsym.codegen.lines import handwritten
+from rigidsym._cli import main
+from rigidsym._codegen.lines import handwritten
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
-from rigidsym.language.specification import Unproved, read, require, sequences, theorems
+from rigidsym.language._specification import Unproved, read, require, sequences, theorems
+from rigidsym.proof._audit import audit, totals
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.audit import audit, totals
 from rigidsym.proof.checker import Refused
-from rigidsym.proof.checker.records import Claim, Hypotheses, fill
-from rigidsym.proof.checker.specification import Catalogue, blocks
+from rigidsym.proof.checker._records import Claim, Hypotheses, fill
+from rigidsym.proof.checker._specification import Catalogue, blocks
 from rigidsym.proof.derivation import DerivationError, require_specified
 from rigidsym.solution import load
 
@@ -182,7 +182,7 @@ def test_a_formula_is_one_that_is_proved():
 def test_commands_replay_and_require(command, monkeypatch, capsys):
     """A_a doubled wherever it is stated: no checker accepts it, and nothing is made of it."""
     text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
-    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.sealed_text"):
+    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution._formulas.sealed_text"):
         monkeypatch.setattr(place, lambda: text)
     assert main(command) == (1 if command[0] == "check" else 2)
     assert "refused" in capsys.readouterr().err

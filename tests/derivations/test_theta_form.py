@@ -11,9 +11,9 @@ from textbook import FAMILIES, OCTANTS, Motion, conjugate, distance, draw, multi
 from values import value_of
 
 import derivations
-from rigidsym.language.expression import parse
+from rigidsym.language._expression import parse
 from rigidsym.precise import PreciseMotion
-from rigidsym.precise.taylor import integrate
+from rigidsym.precise._taylor import integrate
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 (TAIL,) = (c["reading"] for c in LEDGER["contexts"] if c["name"] == "theta_tail")

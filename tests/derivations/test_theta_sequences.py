@@ -7,7 +7,7 @@ from mpmath import mp, workdps
 from textbook import FAMILIES, OCTANTS, ORDERS, Motion, conjugate, distance, draw, multiply
 
 from rigidsym.precise import PreciseMotion
-from rigidsym.solution.formulas import sequence
+from rigidsym.solution._formulas import sequence
 
 TURNS = (Fraction(37, 100), Fraction(-9, 10), Fraction(17, 10))
 FORMS = ["circular", "hyperbolic"]

@@ -8,7 +8,7 @@ from mpmath import mp, workdps
 from values import value_of
 
 import derivations
-from rigidsym.language.expression import parse
+from rigidsym.language._expression import parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 # One half turn more, and that k of them and one are k + 1.

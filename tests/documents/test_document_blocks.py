@@ -11,11 +11,11 @@ import pytest
 from document_texts import FENCED, README, ROOT, TEXTS, blocks
 
 import rigidsym
-from rigidsym.cli import main, parser
-from rigidsym.engines.compiler import ANY_MOMENTS, FLAGS, NATIVE
+from rigidsym._cli import main, parser
+from rigidsym._engines.compiler import ANY_MOMENTS, FLAGS, NATIVE
 from rigidsym.io.cases import parse_case
-from rigidsym.manoeuvre.manoeuvre import parse
-from rigidsym.manoeuvre.planning import solve
+from rigidsym.manoeuvre._manoeuvre import parse
+from rigidsym.manoeuvre._planning import solve
 
 KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "text", "python no-run", "c no-run"}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.

@@ -12,7 +12,7 @@ from functools import cache
 import pytest
 from document_texts import ROOT, blocks, commands
 
-from rigidsym.cli import main, parser, proofs
+from rigidsym._cli import main, parser, proofs
 
 NAME = "it names a command that needs arguments; it is run with them"
 TESTS = "it is the test command itself"

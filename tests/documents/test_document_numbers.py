@@ -8,15 +8,15 @@ import pytest
 from document_texts import ROOT, TEXTS, blocks, rows, words
 
 import rigidsym
-from rigidsym.codegen.header import MEASURED_FILE
-from rigidsym.codegen.seal import seal
-from rigidsym.codegen.trace import told
+from rigidsym._codegen.header import MEASURED_FILE
+from rigidsym._codegen.seal import seal
+from rigidsym._codegen.trace import told
 from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.paper import Ruling, verdicts
 from rigidsym.solution import sealed
-from rigidsym.validate.campaign import CASES, SEED
+from rigidsym.validate._campaign import CASES, SEED
+from rigidsym.validate._oracle import SECOND_SHARE, is_due
 from rigidsym.validate.faults import all_faults
-from rigidsym.validate.oracle import SECOND_SHARE, is_due
 from rigidsym.validate.strata import STRATA, count, draw
 
 LEDGER = json.loads(ledger_text())
@@ -113,7 +113,20 @@ def test_the_rooms_of_the_house_are_those_that_are_there():
     assert folders == {path.parent.name for path in ROOT.glob("rigidsym/*/__init__.py")}
     lines = re.findall(r"^ {2}(\w+\.py .*)", text, re.MULTILINE)
     modules = {name for line in lines for name in re.findall(r"\b\w+\.py\b", line)}
-    assert modules == {x.name for x in ROOT.glob("rigidsym/*.py") if not x.name.startswith("_")}
+    assert modules == {x.name for x in ROOT.glob("rigidsym/*.py") if x.name[:2] != "__"} - {
+        "_version.py"
+    }
+
+
+def test_the_page_of_what_is_stable_lists_the_public_modules():
+    paths = (ROOT / "rigidsym").rglob("*.py")
+    parts = (path.relative_to(ROOT).with_suffix("").parts for path in paths)
+    names = {".".join(one).removesuffix(".__init__") for one in parts}
+    public = {name for name in names if "._" not in name}
+    listed = {
+        name for row in rows("stability.md") for name in re.findall(r"`(rigidsym[\w.]*)`", row[0])
+    }
+    assert listed == {n for n in public if not n.startswith("rigidsym.generated.")}
 
 
 def test_every_schema_is_on_the_page_of_what_is_stable():

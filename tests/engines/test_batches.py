@@ -8,8 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rigidsym import InputError, TorqueFreeMotion, inputs, propagate
-from rigidsym.engines import batches
+from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym import _inputs as inputs
+from rigidsym._engines import batches
 from rigidsym.generated import torque_free
 
 BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 
-from rigidsym.engines import build, compiler, engine, forget
-from rigidsym.engines.c_engine import CEngine
-from rigidsym.engines.library import LibraryError, load, written_digest
-from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym._engines import build, compiler, engine, forget
+from rigidsym._engines.c_engine import CEngine
+from rigidsym._engines.library import LibraryError, load, written_digest
+from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym.errors import InputError
 
 SYSTEM = next(filter(None, map(shutil.which, compiler.NAMES)), None)
@@ -294,7 +294,7 @@ def test_threads_that_ask_at_once_hear_one_warning(monkeypatch):
 
 
 SCRIPT = """
-from rigidsym.engines import engine
+from rigidsym._engines import engine
 c = engine("c")
 q, omega = c.states(c.prepare((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (1.0, 0.0, 0.0, 0.0)), 0.5)
 print(type(c).__name__, *map(float.hex, map(float, [*q, *omega])))

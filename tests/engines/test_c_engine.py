@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
-from rigidsym.engines import EngineError, build, threads
-from rigidsym.engines.c_engine import CEngine
-from rigidsym.engines.compiler import CompilerError, find
-from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym._engines import EngineError, build, threads
+from rigidsym._engines.c_engine import CEngine
+from rigidsym._engines.compiler import CompilerError, find
+from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym.validate import strata
 
 NUMPY = NumpyEngine()

@@ -6,9 +6,9 @@ import re
 import numpy as np
 import pytest
 
-from rigidsym.engines import build
-from rigidsym.engines.compiler import CompilerError
-from rigidsym.engines.library import LibraryError, signatures
+from rigidsym._engines import build
+from rigidsym._engines.compiler import CompilerError
+from rigidsym._engines.library import LibraryError, signatures
 
 NAMES = ("c", "c-pi", "c-step")
 STATE, RATES = np.array([1.0, 0, 0, 0]), np.array([0.3, 0.5, -0.7])

@@ -7,7 +7,7 @@ from itertools import chain
 
 import pytest
 
-from rigidsym.engines import threads
+from rigidsym._engines import threads
 
 
 def spans(begin, end):

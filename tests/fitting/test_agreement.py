@@ -7,9 +7,9 @@ import pytest
 from simulated import TUMBLING, attitudes, rates
 
 import rigidsym
-from rigidsym.cli.command import main
+from rigidsym._cli.command import main
 from rigidsym.fitting import Directions
-from rigidsym.fitting.agreement import Verdict
+from rigidsym.fitting._agreement import Verdict
 from rigidsym.quaternions import conjugate, product, rotated
 
 SIGMA, SLOW = 0.02, 0.01

@@ -10,7 +10,7 @@ from simulated import TUMBLING, fitted, rates
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.fitting import Modelled
-from rigidsym.validate.fits import SIGMA, distance, simulated
+from rigidsym.validate._fits import SIGMA, distance, simulated
 
 NORMAL = 1.959963984540054
 

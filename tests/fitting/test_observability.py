@@ -5,7 +5,7 @@ import pytest
 from simulated import fitted
 
 import rigidsym
-from rigidsym.fitting.observability import is_bent
+from rigidsym.fitting._observability import is_bent
 
 SIGMA = 1e-4
 

@@ -5,8 +5,9 @@ import pytest
 from simulated import TUMBLING
 
 from rigidsym.errors import InputError
-from rigidsym.fitting.files import load, parse_csv, parse_message, parse_toml
-from rigidsym.io import aem, attitude_ephemeris, sampled
+from rigidsym.fitting._files import load, parse_csv, parse_message, parse_toml
+from rigidsym.io import _attitude_ephemeris as attitude_ephemeris
+from rigidsym.io import aem, sampled
 
 T = np.array([0.0, 1.5, 4.0])
 Q, OMEGA = TUMBLING(T)

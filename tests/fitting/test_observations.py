@@ -5,7 +5,7 @@ import pytest
 from simulated import TUMBLING
 
 from rigidsym.errors import InputError
-from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Rates
+from rigidsym.fitting._observations import Attitudes, Directions, Modelled, Rates
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotated
 
 T = np.linspace(0.0, 9.0, 7)

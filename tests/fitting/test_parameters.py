@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from rigidsym.fitting.parameters import Parameters, Point
-from rigidsym.fitting.rotations import inverse_right_jacobian, left_jacobian
+from rigidsym.fitting._parameters import Parameters, Point
+from rigidsym.fitting._rotations import inverse_right_jacobian, left_jacobian
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
 
 POINT = Point(

@@ -6,10 +6,10 @@ import pytest
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.fitting import Attitudes, Rates
-from rigidsym.fitting.files import load
-from rigidsym.fitting.published import YEARS, toutatis
+from rigidsym.fitting._files import load
+from rigidsym.fitting._published import YEARS, toutatis
 from rigidsym.quaternions import conjugate, product, rotation_vectors
-from rigidsym.solution.polhode import Mode
+from rigidsym.solution._polhode import Mode
 
 DAY = 86400.0
 # Takahashi, Busch and Scheeres (2013), table 2: ratios to the smallest moment, rates in deg/d at

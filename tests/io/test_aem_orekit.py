@@ -11,7 +11,7 @@ from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import paper_case
 from rigidsym.validate import peers
-from rigidsym.validate.peers import orekit_peer
+from rigidsym.validate.peers import _orekit_peer as orekit_peer
 
 NAMES = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
 PAPER = paper_case().motion

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from leap_seconds import TAI_MINUS_UTC
 
 from rigidsym import InputError
-from rigidsym.io import epochs
+from rigidsym.io import _epochs as epochs
 
 
 def after(epoch, seconds, system="UTC", digits=3):

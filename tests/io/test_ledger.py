@@ -4,10 +4,10 @@ from importlib import resources
 
 import pytest
 
-from rigidsym.cli import main
+from rigidsym._cli import main
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import SEAL, ledger_text, seal, sealed_text
-from rigidsym.solution import formulas
+from rigidsym.solution import _formulas as formulas
 
 
 @pytest.fixture

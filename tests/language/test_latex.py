@@ -11,7 +11,7 @@ from matplotlib.mathtext import MathTextParser
 from values import value_of
 
 from rigidsym.io.ledger import ledger_text
-from rigidsym.language.expression import (
+from rigidsym.language._expression import (
     Call,
     Name,
     Number,
@@ -20,7 +20,15 @@ from rigidsym.language.expression import (
     parse,
     rebuild,
 )
-from rigidsym.language.latex import MOST_TERMS, condition, hypotheses, latex, of, statements, symbol
+from rigidsym.language._latex import (
+    MOST_TERMS,
+    condition,
+    hypotheses,
+    latex,
+    of,
+    statements,
+    symbol,
+)
 from rigidsym.proof.claims import claims
 from rigidsym.proof.paper import EQUATIONS
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.manoeuvre.classical import difference, euler_angles
-from rigidsym.manoeuvre.flight.rotation import matrix
+from rigidsym.manoeuvre._classical import difference, euler_angles
+from rigidsym.manoeuvre.flight._rotation import matrix
 
 INERTIA = (0.0109, 0.04, 0.0506)
 MOTIONS = {

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 
-from rigidsym.cli import main
+from rigidsym._cli import main
 
 PLANNED = """
 inertia = ["0.0109", "0.04", "0.0506"]
@@ -49,7 +49,7 @@ def contents(directory):
 
 COMMANDS = """
 import sys
-from rigidsym.cli import main
+from rigidsym._cli import main
 for command in sys.argv[1].split(","):
     assert main([command, *sys.argv[2:]]) == 0
 """
@@ -214,7 +214,7 @@ def test_a_file_that_is_not_there(capsys):
 WITHOUT = """
 import sys
 sys.modules[sys.argv[1]] = None
-from rigidsym.cli import main
+from rigidsym._cli import main
 for command in sys.argv[2:]:
     assert main(command.split()) == 2
 """

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from random_manoeuvres import BODIES, TARGETS, arriving, manoeuvre, posed
 
-from rigidsym import engines
-from rigidsym.manoeuvre.directions import is_symmetry
-from rigidsym.manoeuvre.families import families, least
-from rigidsym.manoeuvre.manoeuvre import manoeuvre as ask
-from rigidsym.manoeuvre.problem import problem
-from rigidsym.manoeuvre.search import TooManyError
+from rigidsym import _engines as engines
+from rigidsym.manoeuvre._directions import is_symmetry
+from rigidsym.manoeuvre._families import families, least
+from rigidsym.manoeuvre._manoeuvre import manoeuvre as ask
+from rigidsym.manoeuvre._problem import problem
+from rigidsym.manoeuvre._search import TooManyError
 
 ENGINE = engines.engine("c")
 KINDS = len(BODIES) * len(TARGETS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre.manoeuvre import Limits, manoeuvre, parse
+from rigidsym.manoeuvre._manoeuvre import Limits, manoeuvre, parse
 
 GIVEN = {
     "inertia": ["0.0109", "0.04", "0.0506"],

@@ -24,9 +24,9 @@ def costs_by_brute_force(inertia, turn, spins, most, rng):
     """The least cost that random rates lead to, by the engine alone."""
     from random_manoeuvres import arriving
 
-    from rigidsym import engines
-    from rigidsym.manoeuvre.manoeuvre import manoeuvre
-    from rigidsym.manoeuvre.problem import problem
+    from rigidsym import _engines as engines
+    from rigidsym.manoeuvre._manoeuvre import manoeuvre
+    from rigidsym.manoeuvre._problem import problem
 
     asked = manoeuvre(inertia, START, turn, 1)
     one = problem(asked.inertia, asked.start, asked.target, engines.engine("c"))

@@ -119,7 +119,7 @@ def test_the_data_are_those_of_the_transfers():
 
 
 def inexact(number):
-    from rigidsym.inputs import exact_text
+    from rigidsym._inputs import exact_text
 
     return exact_text(Fraction(number))
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from random_manoeuvres import manoeuvre, posed
 
-from rigidsym import engines
-from rigidsym.manoeuvre.problem import between, problem, unit
+from rigidsym import _engines as engines
+from rigidsym.manoeuvre._problem import between, problem, unit
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import product, rotation_vectors
 

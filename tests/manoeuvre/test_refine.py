@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from random_manoeuvres import manoeuvre as manoeuvre_at_random
 
-from rigidsym import engines
+from rigidsym import _engines as engines
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.manoeuvre import manoeuvre
-from rigidsym.manoeuvre.problem import problem
-from rigidsym.manoeuvre.refine import miss, verified
+from rigidsym.manoeuvre._manoeuvre import manoeuvre
+from rigidsym.manoeuvre._problem import problem
+from rigidsym.manoeuvre._refine import miss, verified
 from rigidsym.motion import TorqueFreeMotion
 
 BODY = ("1", "2", "2.5")

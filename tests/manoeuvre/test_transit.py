@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from random_manoeuvres import BODIES, TARGETS, manoeuvre
 
-from rigidsym import engines
+from rigidsym import _engines as engines
 from rigidsym.manoeuvre import plan, solve
-from rigidsym.manoeuvre.directions import arcs, quadratic_form
-from rigidsym.manoeuvre.problem import problem
-from rigidsym.manoeuvre.transit import transits
+from rigidsym.manoeuvre._directions import arcs, quadratic_form
+from rigidsym.manoeuvre._problem import problem
+from rigidsym.manoeuvre._transit import transits
 from rigidsym.motion import TorqueFreeMotion
 
 ENGINE = engines.engine("numpy")

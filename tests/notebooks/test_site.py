@@ -14,7 +14,7 @@ from browsers import HANGS, chromium, needs_browser
 from sample_notebook import notebook
 
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.proof.kernel.rules import RULES
+from rigidsym.proof.kernel._rules import RULES
 from rigidsym.proof.paper import verdicts
 
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra docs)")
@@ -168,7 +168,7 @@ def test_the_formats_of_manoeuvres_are_described(html):
 def test_the_reference_has_what_plans_and_examines(html):
     every = pages(html)
     for name in ("rigidsym.plan", "rigidsym.principal_axes", "rigidsym.manoeuvre.Plan",
-                 "rigidsym.manoeuvre.flight.fly", "rigidsym.io.aem",
+                 "rigidsym.manoeuvre.flight._fly", "rigidsym.io.aem",
                  "rigidsym.validate.examine"):  # fmt: skip
         page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
         assert f'id="{name}"' in page, name

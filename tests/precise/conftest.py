@@ -5,7 +5,8 @@ import time
 
 import pytest
 
-from rigidsym.precise import adaptive, worker
+from rigidsym.precise import _adaptive as adaptive
+from rigidsym.precise import _worker as worker
 
 
 def _spent():

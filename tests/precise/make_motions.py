@@ -9,7 +9,7 @@ from pathlib import Path
 
 from mpmath import mp
 
-from rigidsym.precise.taylor import integrate
+from rigidsym.precise._taylor import integrate
 
 DIGITS = 40
 FILE = Path(__file__).with_name("motions.json")

@@ -10,9 +10,10 @@ from mpmath import mp
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.io.cases import Case, paper_case, parse_case
-from rigidsym.precise import METHODS, comparison
-from rigidsym.precise.comparison import DISTANCES, NAMES, compare
-from rigidsym.solution.polhode import Regime
+from rigidsym.precise import METHODS
+from rigidsym.precise import _comparison as comparison
+from rigidsym.precise._comparison import DISTANCES, NAMES, compare
+from rigidsym.solution._polhode import Regime
 
 PAPER = paper_case()
 SHORT = Case(PAPER.motion, (Fraction(5),))

@@ -15,12 +15,12 @@ from boxes import numbers, points
 from flint import arb, fmpq
 
 from rigidsym import InputError, TorqueFreeMotion
+from rigidsym._inputs import Uncertain, exact
 from rigidsym.errors import PrecisionError
-from rigidsym.inputs import Uncertain, exact
-from rigidsym.precise import functions
-from rigidsym.precise.balls import ball, has_digits, is_within, working
-from rigidsym.precise.functions import METHODS, amplitude, quarter_period
-from rigidsym.precise.taylor import integrate
+from rigidsym.precise import _functions as functions
+from rigidsym.precise._balls import ball, has_digits, is_within, working
+from rigidsym.precise._functions import METHODS, amplitude, quarter_period
+from rigidsym.precise._taylor import integrate
 from rigidsym.validate.strata import STRATA, draw
 
 SHARED = Path(__file__).parents[3] / "shared" / "reference"

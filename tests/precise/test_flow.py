@@ -9,11 +9,12 @@ from boxes import holds, numbers, points, sharp
 from flint import arb, arb_mat, ctx
 
 from rigidsym import InputError, TorqueFreeMotion
+from rigidsym._inputs import Uncertain
 from rigidsym.errors import PrecisionError
-from rigidsym.inputs import Uncertain
-from rigidsym.precise import flow, lohner
-from rigidsym.precise.balls import ball, working
-from rigidsym.precise.flow import rate_bounds
+from rigidsym.precise import _flow as flow
+from rigidsym.precise import _lohner as lohner
+from rigidsym.precise._balls import ball, working
+from rigidsym.precise._flow import rate_bounds
 
 BODY = ("0.0109", "0.04", "0.0506")
 ATTITUDE = (1, 2, -3, "0.5")

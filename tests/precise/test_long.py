@@ -15,11 +15,13 @@ from typing import Any
 import pytest
 from flint import arb, ctx
 
-from rigidsym import InputError, TorqueFreeMotion, inputs
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym import _inputs as inputs
 from rigidsym.errors import PrecisionError
-from rigidsym.precise import METHODS, worker
-from rigidsym.precise.balls import working
-from rigidsym.precise.motion import PreciseMotion
+from rigidsym.precise import METHODS
+from rigidsym.precise import _worker as worker
+from rigidsym.precise._balls import working
+from rigidsym.precise._motion import PreciseMotion
 
 PAPER = (("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
 MANY = 40_000  # a state takes some ten seconds

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, PrecisionError, TorqueFreeMotion
-from rigidsym.precise import METHODS, PreciseMotion, floating
-from rigidsym.precise.balls import has_digits, of_mpf, working
+from rigidsym.precise import METHODS, PreciseMotion
+from rigidsym.precise import _floating as floating
+from rigidsym.precise._balls import has_digits, of_mpf, working
 from rigidsym.validate.strata import STRATA, draw
 
 PAPER = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))

@@ -10,8 +10,8 @@ import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.precise import METHODS, PreciseMotion
-from rigidsym.precise.taylor import integrate
-from rigidsym.solution.polhode import Regime
+from rigidsym.precise._taylor import integrate
+from rigidsym.solution._polhode import Regime
 from rigidsym.validate.strata import STRATA, draw
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"

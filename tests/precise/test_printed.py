@@ -7,7 +7,7 @@ from flint import arb, ctx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigidsym.precise.printed import printed_ball, printed_rational
+from rigidsym.precise._printed import printed_ball, printed_rational
 
 
 def rational(value):

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from mpmath import mp, workdps
 
-from rigidsym.inputs import exact
-from rigidsym.precise import taylor
-from rigidsym.precise.taylor import integrate
+from rigidsym._inputs import exact
+from rigidsym.precise import _taylor as taylor
+from rigidsym.precise._taylor import integrate
 
 BODY = tuple(map(Fraction, ("0.0109", "0.04", "0.0506")))
 RATES = tuple(map(Fraction, ("0.05", "0.03", "-0.02")))

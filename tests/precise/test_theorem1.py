@@ -6,7 +6,7 @@ import mpmath
 import pytest
 
 from rigidsym import InputError, PrecisionError, TorqueFreeMotion
-from rigidsym.precise import theorem1
+from rigidsym.precise import _theorem1 as theorem1
 
 MOMENTS = ("2.1", "3", "4.3")
 RATES = {"largest": ("0.4", "0.3", "0.9"), "smallest": ("0.9", "0.3", "0.4")}

@@ -8,15 +8,16 @@ from itertools import permutations, product
 
 import pytest
 
-from rigidsym.codegen.seal import is_equal
+from rigidsym._codegen.seal import is_equal
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
-from rigidsym.language.expression import names, parse, put
-from rigidsym.language.sequence import FormulaSequence
-from rigidsym.language.specification import read
-from rigidsym.solution import load, polhode, sealed
-from rigidsym.solution.partition import GIVEN, ONES, ROOT, decisions
-from rigidsym.solution.signs import handedness
+from rigidsym.language._expression import names, parse, put
+from rigidsym.language._sequence import FormulaSequence
+from rigidsym.language._specification import read
+from rigidsym.solution import _polhode as polhode
+from rigidsym.solution import load, sealed
+from rigidsym.solution._partition import GIVEN, ONES, ROOT, decisions
+from rigidsym.solution._signs import handedness
 
 LEDGER = json.loads(ledger_text())
 

@@ -12,7 +12,7 @@ from values import value_of
 import rigidsym
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text
-from rigidsym.language.expression import (
+from rigidsym.language._expression import (
     Call,
     Name,
     Number,
@@ -21,8 +21,8 @@ from rigidsym.language.expression import (
     parse,
     to_text,
 )
-from rigidsym.language.sequence import FormulaSequence
-from rigidsym.language.specification import sequences
+from rigidsym.language._sequence import FormulaSequence
+from rigidsym.language._specification import sequences
 from rigidsym.solution import load, sealed
 
 PACKAGE = Path(rigidsym.__path__[0])

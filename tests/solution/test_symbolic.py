@@ -12,8 +12,8 @@ import rigidsym
 from rigidsym import InputError, TorqueFreeMotion, symbolic
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.language import functions
-from rigidsym.solution.symbolic import FORMS
-from rigidsym.solution.symbolic.symbols import Constant
+from rigidsym.solution._symbolic import FORMS
+from rigidsym.solution._symbolic.symbols import Constant
 
 # A motion for each form.
 ATTITUDE = ("0.5", "-0.1", "0.7", "0.3")

@@ -6,7 +6,7 @@ import pytest
 import rigidsym
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.splitting import METHODS, FieldPotential, GravityGradient, KeplerOrbit
-from rigidsym.validate.torques import APPLICATION, Case, error, measured
+from rigidsym.validate._torques import APPLICATION, Case, error, measured
 
 
 def rotation(p, q):

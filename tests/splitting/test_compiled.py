@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rigidsym
-from rigidsym.engines.compiler import compile_library, find
+from rigidsym._engines.compiler import compile_library, find
 from rigidsym.errors import InputError
 from rigidsym.splitting import (
     METHODS,
@@ -16,7 +16,9 @@ from rigidsym.splitting import (
     GravityGradient,
     KeplerOrbit,
     TorqueInC,
-    stepping,
+)
+from rigidsym.splitting import (
+    _stepping as stepping,
 )
 
 BODY = (2.0, 3.0, 4.0)
@@ -155,7 +157,7 @@ def test_threads_change_no_bit(monkeypatch):
     rates = np.array(RATES) * np.linspace(1.0, 2.0, 150)[:, None]
     start = BODY, START, rates, TORQUES["a dipole"], TIMES
     alone = rigidsym.integrate(*start, step=0.1, engine="c")
-    monkeypatch.setattr("rigidsym.engines.threads.threads", lambda states: 2)
+    monkeypatch.setattr("rigidsym._engines.threads.threads", lambda states: 2)
     assert apart(alone, rigidsym.integrate(*start, step=0.1, engine="c")) == 0
 
 
@@ -197,6 +199,6 @@ def test_ctrl_c_is_heard_between_calls_and_keeps_what_was_reached(monkeypatch):
 def test_it_serves_where_there_is_no_compiler(monkeypatch):
     torque = TORQUES["a dipole"]
     expected = rigidsym.integrate(BODY, START, RATES, torque, TIMES, step=0.5, engine="c")
-    monkeypatch.setattr("rigidsym.engines.integrator", lambda name: None)
+    monkeypatch.setattr("rigidsym._engines.integrator", lambda name: None)
     found = rigidsym.integrate(BODY, START, RATES, torque, TIMES, step=0.5, engine="c")
     assert 0 < apart(found, expected) < 1e-13

@@ -4,7 +4,7 @@ import pytest
 from splitting_words import defect, weak
 
 from rigidsym.errors import InputError
-from rigidsym.splitting.methods import METHODS, Method, checked
+from rigidsym.splitting._methods import METHODS, Method, checked
 
 ROUNDING = 1e-14
 CASES = pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.splitting.orbits import KeplerOrbit, elliptic_anomaly, hyperbolic_anomaly
+from rigidsym.splitting._orbits import KeplerOrbit, elliptic_anomaly, hyperbolic_anomaly
 
 TILTED = {"inclination": 0.4, "node": 1.0, "argument": 2.0, "epoch": 0.5}
 

@@ -5,12 +5,12 @@ from random import Random
 import numpy as np
 import pytest
 
-from rigidsym.cli import main
+from rigidsym._cli import main
 from rigidsym.errors import InputError
 from rigidsym.splitting import Trajectory
-from rigidsym.validate import torques
-from rigidsym.validate.applications import Application, Goal, Outcome
-from rigidsym.validate.torques import APPLICATION, Case, reference
+from rigidsym.validate import _torques as torques
+from rigidsym.validate._applications import Application, Goal, Outcome
+from rigidsym.validate._torques import APPLICATION, Case, reference
 
 GOAL = Goal(refused=0.02, most=3.0, part=0.99, worst=10.0)
 

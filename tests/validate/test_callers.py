@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from rigidsym import inputs
-from rigidsym.engines import ENGINES, batches, exactly
-from rigidsym.engines.numpy_engine import NumpyEngine
-from rigidsym.validate import entry_points
+from rigidsym import _inputs as inputs
+from rigidsym._engines import ENGINES, batches, exactly
+from rigidsym._engines.numpy_engine import NumpyEngine
+from rigidsym.validate import _entry_points as entry_points
 from rigidsym.validate.faults import BY_HAND
-from rigidsym.validate.faults.detection import mutated_engine
+from rigidsym.validate.faults._detection import mutated_engine
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])

@@ -13,24 +13,34 @@ from multiprocessing import active_children
 import pytest
 
 from rigidsym import InputError
-from rigidsym.io import files
+from rigidsym.io import _files as files
 from rigidsym.io.cases import load_case
 from rigidsym.validate import (
-    case_file,
-    checkpoint,
-    executors,
-    session,
-    validate,
-    validation,
+    _case_file as case_file,
 )
-from rigidsym.validate.bounds import BOUNDS
-from rigidsym.validate.campaign import Campaign, Progress, complete, tallied
-from rigidsym.validate.checkpoint import Checkpoint
-from rigidsym.validate.finding import measure_case
+from rigidsym.validate import (
+    _checkpoint as checkpoint,
+)
+from rigidsym.validate import (
+    _executors as executors,
+)
+from rigidsym.validate import (
+    _session as session,
+)
+from rigidsym.validate import (
+    _validation as validation,
+)
+from rigidsym.validate import (
+    validate,
+)
+from rigidsym.validate._bounds import BOUNDS
+from rigidsym.validate._campaign import Campaign, Progress, complete, tallied
+from rigidsym.validate._checkpoint import Checkpoint
+from rigidsym.validate._finding import measure_case
+from rigidsym.validate._tally import Tally
+from rigidsym.validate._validation import run, simplest
 from rigidsym.validate.strata import STRATA, count, draw
-from rigidsym.validate.strata.sample import MAX_ANGLE
-from rigidsym.validate.tally import Tally
-from rigidsym.validate.validation import run, simplest
+from rigidsym.validate.strata._sample import MAX_ANGLE
 
 NAMES = ("sphere", "rest")
 # Small pieces of work are interrupted as large ones are.
@@ -41,7 +51,7 @@ CHOSEN = {"targets": ["c"], "cases": CASES, "strata": NAMES}
 
 @pytest.fixture(autouse=True)
 def _small_chunks(monkeypatch):
-    monkeypatch.setattr("rigidsym.validate.campaign.CHUNK", CHUNK)
+    monkeypatch.setattr("rigidsym.validate._campaign.CHUNK", CHUNK)
 
 
 def small():

@@ -11,9 +11,10 @@ from contextlib import contextmanager
 import pytest
 
 from rigidsym import InputError
-from rigidsym.validate import executors, validate
-from rigidsym.validate.campaign import Campaign, Progress
-from rigidsym.validate.validation import run
+from rigidsym.validate import _executors as executors
+from rigidsym.validate import validate
+from rigidsym.validate._campaign import Campaign, Progress
+from rigidsym.validate._validation import run
 
 Client = pytest.importorskip("distributed", reason="Dask is not installed (extra cluster)").Client
 
@@ -56,7 +57,7 @@ def alone():
 def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
     alone, tmp_path, monkeypatch
 ):
-    monkeypatch.setattr("rigidsym.validate.campaign.CHUNK", CHUNK)
+    monkeypatch.setattr("rigidsym.validate._campaign.CHUNK", CHUNK)
     monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 600)
     campaign = Campaign.of(("numpy", "c"), CASES, strata=STRATA)
     progress, killed = Progress(), []

@@ -6,14 +6,14 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rigidsym.engines import engine
+from rigidsym._engines import engine
 from rigidsym.precise import PreciseMotion
-from rigidsym.precise.balls import ball, bits_of, working
-from rigidsym.validate.finding import Finding
-from rigidsym.validate.measure import measure
-from rigidsym.validate.oracle import enclose
+from rigidsym.precise._balls import ball, bits_of, working
+from rigidsym.validate._finding import Finding
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import enclose
+from rigidsym.validate._tally import Tally
 from rigidsym.validate.strata import draw
-from rigidsym.validate.tally import Tally
 
 STEP, DIGITS = Fraction(1, 10**100), 250
 MOTIONS = (

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
-from rigidsym.engines import engine
-from rigidsym.validate import STRATA, draw, examine, finding, measure_case, validate
+from rigidsym._engines import engine
+from rigidsym.validate import STRATA, draw, examine, measure_case, validate
+from rigidsym.validate import _finding as finding
 from rigidsym.validate.strata import in_doubles
-from rigidsym.view.validation import page
+from rigidsym.view._validation import page
 
 FEW = ("uniform", "spin")
 

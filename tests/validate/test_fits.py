@@ -5,8 +5,8 @@ import pytest
 from scipy.stats import binom, chi2
 
 import rigidsym
-from rigidsym.cli import main
-from rigidsym.validate.fits import APPLICATION, SIGMA, distance
+from rigidsym._cli import main
+from rigidsym.validate._fits import APPLICATION, SIGMA, distance
 
 SEED = 1
 LEVEL, CHANCE = 0.95, 0.01

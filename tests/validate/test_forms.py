@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.precise.motion import PreciseMotion
-from rigidsym.validate.forms import compare, fourier
+from rigidsym.precise._motion import PreciseMotion
+from rigidsym.validate._forms import compare, fourier
 
 T = np.linspace(-20.0, 20.0, 9)
 

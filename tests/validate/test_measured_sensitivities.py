@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from sensitivity_oracle import differences
 
-from rigidsym import engines
-from rigidsym.cli import main
-from rigidsym.validate import sensitivities
-from rigidsym.validate.implementations import missing
-from rigidsym.validate.sensitivities import (
+from rigidsym import _engines as engines
+from rigidsym._cli import main
+from rigidsym.validate import _sensitivities as sensitivities
+from rigidsym.validate._implementations import missing
+from rigidsym.validate._sensitivities import (
     BOUND,
     COLUMNS,
     LEAST,

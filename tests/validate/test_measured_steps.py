@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError
-from rigidsym.engines import exact_stepper
+from rigidsym._engines import exact_stepper
 from rigidsym.validate import validate
-from rigidsym.validate.bounds import BOUNDS, MEASURES, bounds_of
-from rigidsym.validate.finding import measure_case
-from rigidsym.validate.implementations import Steps
-from rigidsym.validate.measure import measure
-from rigidsym.validate.oracle import enclose
+from rigidsym.validate._bounds import BOUNDS, MEASURES, bounds_of
+from rigidsym.validate._finding import measure_case
+from rigidsym.validate._implementations import Steps
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import enclose
 from rigidsym.validate.strata import STRATA, Sample, draw, stepped
 
 TARGETS = ("numpy-step", "c-step")

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
-from rigidsym.engines import EngineError
+from rigidsym._engines import EngineError
 from rigidsym.validate import peers
-from rigidsym.validate.peers import PEERS, integrators
-from rigidsym.validate.peers.integrators import both_ways
-from rigidsym.validate.peers.protocol import Start, checked
+from rigidsym.validate.peers import PEERS
+from rigidsym.validate.peers import _integrators as integrators
+from rigidsym.validate.peers._integrators import both_ways
+from rigidsym.validate.peers._protocol import Start, checked
 
 # Distance of quaternions, relative to unity, and of rates, relative to |omega0|.
 WITHIN = {"heyoka": 1e-13, "dop853": 1e-12, "lsoda": 3e-11, "orekit": 1e-10}

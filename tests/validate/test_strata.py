@@ -11,11 +11,13 @@ import numpy as np
 import pytest
 from mpmath import mpf
 
-from rigidsym import InputError, TorqueFreeMotion, inputs
-from rigidsym.solution.polhode import Regime, classify, discriminant
-from rigidsym.validate.oracle import precise_motion
-from rigidsym.validate.strata import STRATA, count, draw, motions, samples
-from rigidsym.validate.strata.published import published
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym import _inputs as inputs
+from rigidsym.solution._polhode import Regime, classify, discriminant
+from rigidsym.validate._oracle import precise_motion
+from rigidsym.validate.strata import STRATA, count, draw, samples
+from rigidsym.validate.strata import _motions as motions
+from rigidsym.validate.strata._published import published
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"
 FEW, SEED = 16, 4

@@ -8,16 +8,17 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError
-from rigidsym.engines import EngineError, engine
-from rigidsym.validate import implementations, validate
-from rigidsym.validate.bounds import BOUNDS, MEASURES
-from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
-from rigidsym.validate.finding import measure_case
-from rigidsym.validate.measure import measure
-from rigidsym.validate.oracle import distance, enclose
-from rigidsym.validate.report import ValidationReport
+from rigidsym._engines import EngineError, engine
+from rigidsym.validate import _implementations as implementations
+from rigidsym.validate import validate
+from rigidsym.validate._bounds import BOUNDS, MEASURES
+from rigidsym.validate._campaign import DISAGREEMENT, ORACLES
+from rigidsym.validate._finding import measure_case
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import distance, enclose
+from rigidsym.validate._report import ValidationReport
 from rigidsym.validate.strata import STRATA, Sample, count, draw
-from rigidsym.view.validation import page
+from rigidsym.view._validation import page
 
 TARGETS = ("numpy", "c")
 UNIFORM = draw("uniform", 3, 5)

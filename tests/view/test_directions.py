@@ -7,8 +7,8 @@ import pytest
 
 from rigidsym import plan
 from rigidsym.manoeuvre import directions_of
-from rigidsym.manoeuvre.problem import problem
-from rigidsym.view.scenes.still import still
+from rigidsym.manoeuvre._problem import problem
+from rigidsym.view.scenes._still import still
 
 INERTIA = (0.0109, 0.04, 0.0506)
 START, TARGET = (1, 0, 0, 0), (0.5, -0.1, -0.5, 0.7)

@@ -8,15 +8,15 @@ from picture_motions import MOTIONS
 
 from rigidsym import InputError, Regime
 from rigidsym.quaternions import product, rotated
-from rigidsym.view.geometry import once, period, upright
+from rigidsym.view._geometry import once, period, upright
 from rigidsym.view.scenes import (
     momentum_sphere,
     rolling_ellipsoid,
     sphere_and_body,
     tumbling_body,
 )
-from rigidsym.view.scenes.body import edges
-from rigidsym.view.scenes.poinsot import rolling
+from rigidsym.view.scenes._body import edges
+from rigidsym.view.scenes._poinsot import rolling
 
 PICTURES = (momentum_sphere, rolling_ellipsoid, tumbling_body)
 MOVING = [name for name in MOTIONS if name != "rest"]

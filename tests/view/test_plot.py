@@ -9,7 +9,7 @@ import pytest
 from picture_motions import MOTIONS
 
 from rigidsym import InputError, Regime
-from rigidsym.view.plots.figure import svg
+from rigidsym.view._plots.figure import svg
 
 PNG = b"\x89PNG\r\n\x1a\n"
 

@@ -8,7 +8,7 @@ import pytest
 from picture_motions import MOTIONS
 
 from rigidsym.view.scenes import momentum_sphere, rolling_ellipsoid, tumbling_body
-from rigidsym.view.scenes.still import still
+from rigidsym.view.scenes._still import still
 
 pytest.importorskip("IPython", reason="IPython is not installed: extra `lab`")
 plotly_io = pytest.importorskip("plotly.io", reason="plotly is not installed: extra `lab`")

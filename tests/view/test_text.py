@@ -13,10 +13,10 @@ from rigidsym import TorqueFreeMotion, generate, plan
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.results import Tracked
+from rigidsym.manoeuvre.flight._results import Tracked
 from rigidsym.proof.paper import EQUATIONS, verdicts
 from rigidsym.solution import sealed
-from rigidsym.view.text import number
+from rigidsym.view._text import number
 
 BODY, RATES = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")
 SMALLEST = "circulation about the axis of smallest inertia"

@@ -17,11 +17,9 @@ PACKAGES = {
     "rigidsym.proof.kernel": "The kernel",
     "rigidsym.proof.checker": "The second checker",
     "rigidsym.proof.algebra": "Writing derivations",
+    "rigidsym.proof.steps": "Steps of a derivation",
     "rigidsym.proof.paper": "The printed equations",
     "rigidsym.solution": "The solution as data",
-    "rigidsym.codegen": "Generating code",
-    "rigidsym.codegen.seal": "The seal",
-    "rigidsym.engines": "Engines",
     "rigidsym.validate": "Validation",
 }
 # What a page begins with.

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterator
 
 from generate.text import code, fenced, plain, prose, table
-from rigidsym.cli import parser
+from rigidsym._cli import parser
 
 WIDTH = 80
 _HEAD = """# The command

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from generate.errata import badge, display, label, title
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.paper import Verdict, verdicts
-from rigidsym.proof.paper.table import counted
+from rigidsym.proof.paper._table import counted
 
 _HEAD = """# The paper, display by display
 

@@ -5,8 +5,8 @@ from typing import Any
 
 import rigidsym
 from generate.form import Format
-from rigidsym.fitting import report
-from rigidsym.fitting.published import toutatis
+from rigidsym.fitting import _report as report
+from rigidsym.fitting._published import toutatis
 
 
 def _fit() -> Any:

@@ -13,21 +13,23 @@ from generate import fits, manoeuvres
 from generate.form import Format
 from generate.outline import paths, sample
 from generate.text import code, fenced, prose, table
-from rigidsym.codegen import generate
-from rigidsym.io import tables as states
+from rigidsym._codegen import generate
+from rigidsym.io import _tables as states
 from rigidsym.io.cases import _KEYS, PAPER, parse_case
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.precise import comparison
+from rigidsym.precise import _comparison as comparison
 from rigidsym.proof.derivation import derive
-from rigidsym.proof.kernel import ledger as ledgers
+from rigidsym.proof.kernel import _ledger as ledgers
 from rigidsym.proof.paper import Verdict, judged, verdicts
-from rigidsym.proof.paper.verdicts import Ruling
-from rigidsym.validate import checkpoint, validate
-from rigidsym.validate.campaign import Campaign, Progress, complete
-from rigidsym.validate.executors import local
-from rigidsym.validate.faults import BY_HAND, detection
-from rigidsym.validate.faults import injection as faults
-from rigidsym.validate.report import SCHEMA as VALIDATION
+from rigidsym.proof.paper._verdicts import Ruling
+from rigidsym.validate import _checkpoint as checkpoint
+from rigidsym.validate import validate
+from rigidsym.validate._campaign import Campaign, Progress, complete
+from rigidsym.validate._executors import local
+from rigidsym.validate._report import SCHEMA as VALIDATION
+from rigidsym.validate.faults import BY_HAND
+from rigidsym.validate.faults import _detection as detection
+from rigidsym.validate.faults import _injection as faults
 
 _HEAD = """# File formats
 

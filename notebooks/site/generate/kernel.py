@@ -2,7 +2,7 @@
 
 from generate.text import code, fenced, plain, table
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.proof.kernel.rules import RULES
+from rigidsym.proof.kernel._rules import RULES
 
 _HEAD = """# Rules and assumptions
 
@@ -10,7 +10,7 @@ What [every fact](../trust.md) rests on.
 
 ## The eight rules
 
-As the docstrings of `rigidsym.proof.kernel.rules` draw them: premises above the line, conclusion
+As the docstrings of `rigidsym.proof.kernel._rules` draw them: premises above the line, conclusion
 below.
 """
 _ASSUMED = """## The assumptions

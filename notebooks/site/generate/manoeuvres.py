@@ -8,9 +8,11 @@ from typing import Any
 
 from generate.form import Format
 from generate.text import code, fenced, prose, table
-from rigidsym.manoeuvre import planning, solve
-from rigidsym.manoeuvre.flight import fly, read, results
-from rigidsym.manoeuvre.manoeuvre import FLIGHT, OWN, PAPER, Limits, open_manoeuvre
+from rigidsym.manoeuvre import _planning as planning
+from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre._manoeuvre import FLIGHT, OWN, PAPER, Limits, open_manoeuvre
+from rigidsym.manoeuvre.flight import _results as results
+from rigidsym.manoeuvre.flight import fly, read
 
 _KEYS = {
     "inertia": "three principal moments, kg m²",

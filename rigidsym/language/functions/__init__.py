@@ -1,15 +1,17 @@
 """Special functions for SymPy that it lacks: Jacobi's, Legendre's Pi over them, and thetas."""
 
-from rigidsym.language.functions import jacobi, thetas, third_kind
-from rigidsym.language.functions.jacobi import (
+from rigidsym.language.functions import _jacobi as jacobi
+from rigidsym.language.functions import _thetas as thetas
+from rigidsym.language.functions import _third_kind as third_kind
+from rigidsym.language.functions._jacobi import (
     jacobi_am,
     jacobi_cn,
     jacobi_dn,
     jacobi_epsilon,
     jacobi_sn,
 )
-from rigidsym.language.functions.thetas import theta_im, theta_re
-from rigidsym.language.functions.third_kind import jacobi_pi
+from rigidsym.language.functions._thetas import theta_im, theta_re
+from rigidsym.language.functions._third_kind import jacobi_pi
 
 __all__ = [
     "MPMATH",

@@ -9,9 +9,9 @@ from rigidsym.errors import require
 
 require("flying a manoeuvre", "scipy", "erfa", "ppigrf", "pydantic")
 
-from rigidsym.manoeuvre.flight.environment import Environment  # noqa: E402
-from rigidsym.manoeuvre.flight.fly import fly  # noqa: E402
-from rigidsym.manoeuvre.flight.run import Run  # noqa: E402
-from rigidsym.manoeuvre.flight.settings import Flight, read  # noqa: E402
+from rigidsym.manoeuvre.flight._environment import Environment  # noqa: E402
+from rigidsym.manoeuvre.flight._fly import fly  # noqa: E402
+from rigidsym.manoeuvre.flight._run import Run  # noqa: E402
+from rigidsym.manoeuvre.flight._settings import Flight, read  # noqa: E402
 
 __all__ = ["Environment", "Flight", "Run", "fly", "read"]

@@ -3,8 +3,8 @@
 Every claim is decided by the kernel.
 """
 
-from rigidsym.proof.algebra.builder import LedgerBuilder, equal, text
-from rigidsym.proof.algebra.parts import (
+from rigidsym.proof.algebra._builder import LedgerBuilder, equal, text
+from rigidsym.proof.algebra._parts import (
     Part,
     circle,
     double_angle,

@@ -7,7 +7,7 @@ them.  Where points are given, its own balls have to agree with a fact.  A speci
 theorems that have to be among the facts.  The checker reads ledgers; it cannot write them.
 """
 
-from rigidsym.proof.checker.records import Refused
-from rigidsym.proof.checker.rules import check, grades
+from rigidsym.proof.checker._records import Refused
+from rigidsym.proof.checker._rules import check, grades
 
 __all__ = ["Refused", "check", "grades"]

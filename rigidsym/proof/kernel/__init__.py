@@ -5,9 +5,9 @@ follows from its context by polynomial arithmetic over Q; what its names mean is
 Read the modules in this order: `language`, `ring`, `theta`, `statement`, `rules`, `ledger`.
 """
 
-from rigidsym.proof.kernel.language import KernelError
-from rigidsym.proof.kernel.ledger import Ledger, replay
-from rigidsym.proof.kernel.ring import Element, Ring
-from rigidsym.proof.kernel.statement import Context, Fact, Grade
+from rigidsym.proof.kernel._language import KernelError
+from rigidsym.proof.kernel._ledger import Ledger, replay
+from rigidsym.proof.kernel._ring import Element, Ring
+from rigidsym.proof.kernel._statement import Context, Fact, Grade
 
 __all__ = ["Context", "Element", "Fact", "Grade", "KernelError", "Ledger", "Ring", "replay"]

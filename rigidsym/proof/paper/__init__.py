@@ -1,9 +1,9 @@
 """The printed equations as values, and the verdict that the ledger gives on each."""
 
-from rigidsym.proof.paper.counterexample import Counterexample
-from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
-from rigidsym.proof.paper.prose import Judged, judged
-from rigidsym.proof.paper.verdicts import EQUATIONS, Ruling, Verdict, verdicts
+from rigidsym.proof.paper._counterexample import Counterexample
+from rigidsym.proof.paper._equation import Condition, Equation, Flaw, Reading, Root, Sense
+from rigidsym.proof.paper._prose import Judged, judged
+from rigidsym.proof.paper._verdicts import EQUATIONS, Ruling, Verdict, verdicts
 
 __all__ = [
     "EQUATIONS",

@@ -21,8 +21,8 @@ SymPy is never trusted: a wrong value is refused by `Ledger.add`, and a step tha
 raises `StepError`, in one line that names the step.
 """
 
-from rigidsym.proof.steps.algebra import coordinates, determinant, multiply
-from rigidsym.proof.steps.calculus import (
+from rigidsym.proof.steps._algebra import coordinates, determinant, multiply
+from rigidsym.proof.steps._calculus import (
     apart,
     coefficients,
     differentiate,
@@ -34,11 +34,11 @@ from rigidsym.proof.steps.calculus import (
     rewrite,
     roots,
 )
-from rigidsym.proof.steps.linear import solve, solve_family
-from rigidsym.proof.steps.matrices import Rate, matrix
-from rigidsym.proof.steps.record import Step, StepError
-from rigidsym.proof.steps.scope import Scope
-from rigidsym.proof.steps.variation import Variation, vary
+from rigidsym.proof.steps._linear import solve, solve_family
+from rigidsym.proof.steps._matrices import Rate, matrix
+from rigidsym.proof.steps._record import Step, StepError
+from rigidsym.proof.steps._scope import Scope
+from rigidsym.proof.steps._variation import Variation, vary
 
 __all__ = [
     "Rate",

@@ -7,9 +7,9 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from rigidsym.errors import InputError
-from rigidsym.validate.peers.integrators import HeyokaPeer, ScipyPeer
-from rigidsym.validate.peers.orekit_peer import OrekitPeer
-from rigidsym.validate.peers.protocol import Peer
+from rigidsym.validate.peers._integrators import HeyokaPeer, ScipyPeer
+from rigidsym.validate.peers._orekit_peer import OrekitPeer
+from rigidsym.validate.peers._protocol import Peer
 
 __all__ = ["PEERS", "Peer", "peer"]
 

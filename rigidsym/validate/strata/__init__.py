@@ -5,7 +5,7 @@ be drawn again alone.  Numbers are doubles or fractions and are taken at their e
 bodies can exist.
 """
 
-from rigidsym.validate.strata.sample import Sample, Stratum, stepped
-from rigidsym.validate.strata.table import STRATA, count, draw, in_doubles, samples
+from rigidsym.validate.strata._sample import Sample, Stratum, stepped
+from rigidsym.validate.strata._table import STRATA, count, draw, in_doubles, samples
 
 __all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "samples", "stepped"]

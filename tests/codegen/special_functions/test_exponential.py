@@ -7,7 +7,7 @@ import pytest
 from mpmath import mpf
 from values import value_of
 
-from rigidsym.codegen.special_functions import exponential
+from rigidsym._codegen.special_functions import exponential
 
 TERMS = exponential.coefficients(exponential.TERMS)
 NUMBERS = {constant.name: constant.hi for constant in exponential.constants()}

@@ -8,8 +8,8 @@ import pytest
 from mpmath import mpf
 from values import value_of
 
-from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.special_functions import (
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.special_functions import (
     angles,
     landen,
     nome,

@@ -5,7 +5,7 @@ import pytest
 from mpmath import mpc, mpf
 from values import value_of
 
-from rigidsym.codegen.special_functions import short_time
+from rigidsym._codegen.special_functions import short_time
 
 # p is 1: then |omega t| of 8 rad before STEPS doublings are this.
 TIME = mpf(8) / 2**short_time.STEPS

@@ -5,8 +5,8 @@ import pytest
 from mpmath import mpf
 from values import value_of
 
-from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.special_functions import carlson, landen
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.special_functions import carlson, landen
 from rigidsym.solution import sealed
 
 FUNCTIONS = {function.name: function for function in functions(sealed(), "pi")}

@@ -14,7 +14,7 @@ import sympy as sp
 from mpmath import mp
 from sympy.core.function import ArgumentIndexError
 
-from rigidsym.language.functions.jacobi import (
+from rigidsym.language.functions._jacobi import (
     MPMATH,
     NUMPY,
     jacobi_am,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.manoeuvre.comparison.collocation import (
+from rigidsym.manoeuvre._comparison.collocation import (
     Cost,
     Driven,
     Mesh,
@@ -18,7 +18,7 @@ from rigidsym.manoeuvre.comparison.collocation import (
     guessed,
     still,
 )
-from rigidsym.manoeuvre.comparison.optimiser import SETTINGS, Posed, defects, optimum
+from rigidsym.manoeuvre._comparison.optimiser import SETTINGS, Posed, defects, optimum
 
 INERTIA = np.array([0.3, 1.0, 0.8])
 ANGLE, LIMIT = 1.0, 10.0

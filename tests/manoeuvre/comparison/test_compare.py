@@ -12,24 +12,24 @@ from functools import partial
 import extra_optimal  # noqa: F401
 import pytest
 
-from rigidsym.cli import main
+from rigidsym._cli import main
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.comparison import compare, flights, optima
-from rigidsym.manoeuvre.comparison.cases import draw
-from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre.comparison.comparing import _Work
-from rigidsym.manoeuvre.comparison.optima import Attempt, Solved
-from rigidsym.manoeuvre.comparison.page import page
-from rigidsym.manoeuvre.comparison.results import spread
-from rigidsym.validate.executors import local
+from rigidsym.manoeuvre._comparison import compare, flights, optima
+from rigidsym.manoeuvre._comparison.cases import draw
+from rigidsym.manoeuvre._comparison.collocation import Cost, Model, Task
+from rigidsym.manoeuvre._comparison.comparing import _Work
+from rigidsym.manoeuvre._comparison.optima import Attempt, Solved
+from rigidsym.manoeuvre._comparison.page import page
+from rigidsym.manoeuvre._comparison.results import spread
+from rigidsym.validate._executors import local
 
 # Control at long periods makes flights quick.
 COMMAND = """
 import sys
 from fractions import Fraction
-from rigidsym.cli import main
-from rigidsym.manoeuvre.comparison import flights
+from rigidsym._cli import main
+from rigidsym.manoeuvre._comparison import flights
 flights.PERIOD = Fraction(1)
 sys.exit(main(["compare", "--manoeuvres", "1", "--workers", "1", "-o", sys.argv[1]]))
 """
@@ -156,7 +156,7 @@ def test_bad_options_are_refused_in_one_line(option, capsys):
 @pytest.mark.parametrize(("package", "extra"), [("casadi", "optimal"), ("erfa", "app")])
 def test_missing_packages_are_named_in_one_line(package, extra, tmp_path):
     code = (
-        f"import sys\nsys.modules[{package!r}] = None\nfrom rigidsym.cli import main\n"
+        f"import sys\nsys.modules[{package!r}] = None\nfrom rigidsym._cli import main\n"
         "sys.exit(main(['compare']))"
     )
     done = subprocess.run(

@@ -10,14 +10,14 @@ import pytest
 from manoeuvre_flights import NOTHING
 
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.comparison import flights
-from rigidsym.manoeuvre.comparison.cases import PAPER, Case, draw
-from rigidsym.manoeuvre.comparison.collocation import Mesh, Model, guessed
-from rigidsym.manoeuvre.comparison.flights import METHODS, Ways, exerted, ideal, measured
-from rigidsym.manoeuvre.flight.fly import fly
-from rigidsym.manoeuvre.flight.rotation import angle
-from rigidsym.manoeuvre.flight.settings import Controller, Flight
-from rigidsym.manoeuvre.manoeuvre import manoeuvre
+from rigidsym.manoeuvre._comparison import flights
+from rigidsym.manoeuvre._comparison.cases import PAPER, Case, draw
+from rigidsym.manoeuvre._comparison.collocation import Mesh, Model, guessed
+from rigidsym.manoeuvre._comparison.flights import METHODS, Ways, exerted, ideal, measured
+from rigidsym.manoeuvre._manoeuvre import manoeuvre
+from rigidsym.manoeuvre.flight._fly import fly
+from rigidsym.manoeuvre.flight._rotation import angle
+from rigidsym.manoeuvre.flight._settings import Controller, Flight
 
 CASE = Case(0, "paper", manoeuvre(PAPER, (1, 0, 0, 0), (0.8, 0.4, -0.2, 0.3), 60))
 STEPS = ("step", "step, slow")

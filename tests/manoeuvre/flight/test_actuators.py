@@ -8,9 +8,9 @@ from manoeuvre_flights import NOTHING, flown, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.actuators import Burns, bursts, next_torque, of_thrusters, of_wheels
-from rigidsym.manoeuvre.flight.rotation import matrix
-from rigidsym.manoeuvre.flight.settings import (
+from rigidsym.manoeuvre.flight._actuators import Burns, bursts, next_torque, of_thrusters, of_wheels
+from rigidsym.manoeuvre.flight._rotation import matrix
+from rigidsym.manoeuvre.flight._settings import (
     LEAST_RATE,
     LONGEST,
     MOST_MOMENTUM,

@@ -5,15 +5,15 @@ import numpy as np
 import pytest
 from manoeuvre_flights import known
 
-from rigidsym.manoeuvre.flight.control import (
+from rigidsym.manoeuvre.flight._control import (
     Wanted,
     feedback,
     feedforward,
     reference,
     torques,
 )
-from rigidsym.manoeuvre.flight.rotation import angle, cross, matrix, relative
-from rigidsym.manoeuvre.flight.settings import Controller
+from rigidsym.manoeuvre.flight._rotation import angle, cross, matrix, relative
+from rigidsym.manoeuvre.flight._settings import Controller
 
 INERTIA = np.array([1.0, 2.0, 3.0])
 STILL = np.zeros(3)

@@ -7,10 +7,10 @@ from scipy.integrate import solve_ivp
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import Environment, Flight
-from rigidsym.manoeuvre.flight.environment import LAYERS, Box, density, dipole, drag, radiation
-from rigidsym.manoeuvre.flight.sky import ASTRONOMICAL_UNIT, MU
+from rigidsym.manoeuvre.flight._environment import LAYERS, Box, density, dipole, drag, radiation
+from rigidsym.manoeuvre.flight._sky import ASTRONOMICAL_UNIT, MU
 from rigidsym.splitting import Tide
-from rigidsym.validate.peers.integrators import rates
+from rigidsym.validate.peers._integrators import rates
 
 INERTIA = np.array([0.0109, 0.04, 0.0506])
 START, OMEGA0 = [1.0, 0.0, 0.0, 0.0], [0.05, 0.03, -0.02]

@@ -9,9 +9,9 @@ from importlib import resources
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.io.messages import UNNAMED
-from rigidsym.manoeuvre.flight.settings import Flight, Thrusters, read
-from rigidsym.manoeuvre.manoeuvre import FLIGHT, PAPER, open_manoeuvre
+from rigidsym.io._messages import UNNAMED
+from rigidsym.manoeuvre._manoeuvre import FLIGHT, PAPER, open_manoeuvre
+from rigidsym.manoeuvre.flight._settings import Flight, Thrusters, read
 
 COMMENTED = {"thrusters", "message"}
 

@@ -8,8 +8,8 @@ from manoeuvre_flights import NOTHING, OMEGA0, flight, flown, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.rotation import angle, matrix
-from rigidsym.manoeuvre.flight.settings import Flight
+from rigidsym.manoeuvre.flight._rotation import angle, matrix
+from rigidsym.manoeuvre.flight._settings import Flight
 
 NO_CONTROL = {"natural_frequency": 0.0}
 CALM = {"disturbances": NOTHING}

@@ -14,12 +14,12 @@ from manoeuvre_flights import INERTIA, NOTHING, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre import plan
+from rigidsym.manoeuvre._manoeuvre import manoeuvre
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.results import Tracked
-from rigidsym.manoeuvre.flight.rotation import angle
-from rigidsym.manoeuvre.flight.run import predicted
-from rigidsym.manoeuvre.flight.settings import Thrusters
-from rigidsym.manoeuvre.manoeuvre import manoeuvre
+from rigidsym.manoeuvre.flight._results import Tracked
+from rigidsym.manoeuvre.flight._rotation import angle
+from rigidsym.manoeuvre.flight._run import predicted
+from rigidsym.manoeuvre.flight._settings import Thrusters
 
 DATED = {"creation_date": "2026-01-01T00:00:00"}
 

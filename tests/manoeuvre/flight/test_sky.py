@@ -8,9 +8,9 @@ import ppigrf
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre.flight import sky
-from rigidsym.manoeuvre.flight.settings import Orbit
-from rigidsym.manoeuvre.flight.sky import (
+from rigidsym.manoeuvre.flight import _sky as sky
+from rigidsym.manoeuvre.flight._settings import Orbit
+from rigidsym.manoeuvre.flight._sky import (
     ASTRONOMICAL_UNIT,
     MU,
     RADIUS,

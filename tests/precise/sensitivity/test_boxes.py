@@ -8,9 +8,9 @@ from boxes import holds, numbers, point_of
 from flint import arb
 
 from rigidsym import TorqueFreeMotion
+from rigidsym._inputs import Uncertain, middle, radius
 from rigidsym.errors import InputError, PrecisionError
-from rigidsym.inputs import Uncertain, middle, radius
-from rigidsym.precise.balls import ball, working
+from rigidsym.precise._balls import ball, working
 
 BODY, ATTITUDE = ("0.0109", "0.04", "0.0506"), ("1", "2", "-3", "0.5")
 # Moments and rates; of each box the motions are uncertain by a part of these.

@@ -6,9 +6,9 @@ from random import Random
 import pytest
 from flint import arb, arb_mat
 
-from rigidsym.precise.balls import ball, working
-from rigidsym.precise.functions import Quadrature, Theta
-from rigidsym.precise.sensitivity.elapsed import Elapsed, Range, elapsed, until_quarter
+from rigidsym.precise._balls import ball, working
+from rigidsym.precise._functions import Quadrature, Theta
+from rigidsym.precise._sensitivity.elapsed import Elapsed, Range, elapsed, until_quarter
 
 PARAMETERS = [("2", "1"), ("2", "1.999999"), ("1", "1e-20"), ("1", "0"), ("1", "1"), ("0", "0")]
 

@@ -8,11 +8,11 @@ from flint import arb, arb_mat
 
 import rigidsym
 from rigidsym import TorqueFreeMotion
-from rigidsym.inputs import Uncertain, middle, radius
-from rigidsym.precise.balls import ball, working
-from rigidsym.precise.boxed import BoxedMotion
-from rigidsym.precise.sensitivity.box import Box, Slab
-from rigidsym.precise.sensitivity.parts import MeanStates, Part, parts_of
+from rigidsym._inputs import Uncertain, middle, radius
+from rigidsym.precise._balls import ball, working
+from rigidsym.precise._boxed import BoxedMotion
+from rigidsym.precise._sensitivity.box import Box, Slab
+from rigidsym.precise._sensitivity.parts import MeanStates, Part, parts_of
 
 # Moments and rates, their radii as parts of the largest of each, times, and how much wider than the
 # sampled motions the balls may be.

@@ -4,8 +4,8 @@ from random import Random
 
 from flint import arb, arb_mat
 
-from rigidsym.precise import balls
-from rigidsym.precise.sensitivity.sloped import Sloped, power
+from rigidsym.precise import _balls as balls
+from rigidsym.precise._sensitivity.sloped import Sloped, power
 
 RADII, MIDDLES = (0.25, 0.5), (1.5, 4.0)
 

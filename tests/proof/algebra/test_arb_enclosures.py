@@ -9,8 +9,8 @@ import pytest
 from mpmath import mp, workdps
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.enclosures import BITS, FUNCTIONS, Evaluation, encloses, rational
-from rigidsym.proof.algebra.enclosures import agrees as agrees_there
+from rigidsym.proof.algebra._enclosures import BITS, FUNCTIONS, Evaluation, encloses, rational
+from rigidsym.proof.algebra._enclosures import agrees as agrees_there
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
 
 

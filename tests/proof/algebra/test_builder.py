@@ -1,7 +1,7 @@
 import pytest
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join, sign
-from rigidsym.proof.algebra.builder import definitions, facts, readings
+from rigidsym.proof.algebra._builder import definitions, facts, readings
 from rigidsym.proof.kernel import Grade, KernelError
 
 A = Part(

@@ -7,9 +7,9 @@ from sympy import ImmutableMatrix, sqrt
 from derivations.conjugacy import exponential
 from derivations.lie_algebra import from_quaternion
 from derivations.setting import Setting
-from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
+from rigidsym.proof.algebra._quaternion import conjugate, kinematics, product, rotated
 from rigidsym.proof.kernel import Context, Ledger
-from rigidsym.proof.steps.names import symbols
+from rigidsym.proof.steps._names import symbols
 
 # q' of (3) as in textbooks, row by row.
 TEXTBOOK = {

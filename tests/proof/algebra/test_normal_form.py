@@ -6,9 +6,9 @@ from random import Random
 import pytest
 
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra.normal_form import divide, nested, quotients
+from rigidsym.proof.algebra._normal_form import divide, nested, quotients
 from rigidsym.proof.kernel import Context, KernelError
-from rigidsym.proof.kernel.ring import at
+from rigidsym.proof.kernel._ring import at
 
 # The last relation leads with w*y, which the first reduces: w*x**2 hides from plain division.
 HIDDEN = Context(

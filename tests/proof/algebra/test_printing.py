@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import I, Integer, Poly, Rational, expand, sin, sqrt, symbols, sympify
 
-from rigidsym.proof.algebra.printing import printed
+from rigidsym.proof.algebra._printing import printed
 from rigidsym.proof.kernel import Context, Ledger
 
 x, y, z = symbols("x y z")

@@ -3,7 +3,7 @@ from fractions import Fraction
 import pytest
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra.repairs import Instant, Jet, repairs
+from rigidsym.proof.algebra._repairs import Instant, Jet, repairs
 
 CIRCLE = Part(
     {"c": "3/5", "s": "4/5", "w": "2", "k1": "3", "k2": "5"},

@@ -8,8 +8,9 @@ from dataclasses import replace
 import pytest
 from ledgers import unchecked
 
-from rigidsym.proof.algebra.enclosures import COUNT, encloses
-from rigidsym.proof.checker import Refused, check, enclosures
+from rigidsym.proof.algebra._enclosures import COUNT, encloses
+from rigidsym.proof.checker import Refused, check
+from rigidsym.proof.checker import _enclosures as enclosures
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
 
 NAMES = ("k_1", "rho", "a", "b", "K", "x", "n", "s")

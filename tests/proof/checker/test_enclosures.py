@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from ledgers import unchecked
 
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.checker.enclosures import FUNCTIONS, PRECISION
+from rigidsym.proof.checker._enclosures import FUNCTIONS, PRECISION
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
 
 SQUARES = "1 - m*jacobi_sn(u, m)**2*jacobi_sn(v, m)**2"

@@ -8,9 +8,9 @@ import pytest
 from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, unchecked, written
 
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.checker.language import Forms
+from rigidsym.proof.checker._language import Forms
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
-from rigidsym.proof.kernel.language import parse
+from rigidsym.proof.kernel._language import parse
 
 
 def accepted(contexts, facts) -> None:

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 from ledgers import prove, unchecked
 
-from rigidsym.cli import main
-from rigidsym.proof.coq import export
+from rigidsym._cli import main
+from rigidsym.proof._coq import export
 from rigidsym.proof.kernel import Context, Fact, Grade, Ledger
 
 PLANE = Context(

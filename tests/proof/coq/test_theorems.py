@@ -12,8 +12,8 @@ from document_texts import words
 from ledgers import written
 
 from rigidsym.io.ledger import ledger_text
-from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.coq import export
+from rigidsym.proof._coq import export
+from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.kernel import replay
 
 # The contexts that theorems in plain words rest on.
@@ -94,7 +94,7 @@ def test_the_axioms_are_those_of_the_page(compiled):
 
 @pytest.mark.parametrize("file", ["plain", "published"])
 def test_the_page_names_each_theorem(file):
-    text = resources.files("rigidsym.proof.coq").joinpath("assumptions", f"{file}.v").read_text()
+    text = resources.files("rigidsym.proof._coq").joinpath("assumptions", f"{file}.v").read_text()
     assert [name for name in listed(text) if f"`{name}`" not in words("trust.md")] == []
 
 

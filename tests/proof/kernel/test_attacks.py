@@ -12,7 +12,7 @@ from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, prove, written
 from sympy.polys.domains import QQ
 
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger, replay
-from rigidsym.proof.kernel.ring import at
+from rigidsym.proof.kernel._ring import at
 
 CIRCLE = Context(
     name="circle",

@@ -8,9 +8,9 @@ import pytest
 from derivations.theta_laws import ARGUMENTS, CIRCULAR, HYPERBOLIC, LAWS, RIEMANN, Family, prove
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.checker.theta import zero
+from rigidsym.proof.checker._theta import zero
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
-from rigidsym.proof.kernel.theta import vanishing
+from rigidsym.proof.kernel._theta import vanishing
 
 # Watson's identities, a step of Landen's, a Wronskian, and products over halves of the nome.
 WATSON = "theta4(a + c, q**2)*theta4(a - c, q**2) + theta1(a + c, q**2)*theta1(a - c, q**2)"

@@ -12,9 +12,9 @@ from derivations import CHAPTERS, printed
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import KernelError, Ledger
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.answers import Answers, asked, question
-from rigidsym.proof.paper.printed import PrintError
-from rigidsym.proof.paper.verdicts import verdict
+from rigidsym.proof.paper._answers import Answers, asked, question
+from rigidsym.proof.paper._printed import PrintError
+from rigidsym.proof.paper._verdicts import verdict
 
 # Changes that leave the meaning as it is, each with a reason; and what is not said in formulas.
 HARMLESS = {

@@ -2,9 +2,9 @@
 
 import pytest
 
-from rigidsym.language.expression import to_text
+from rigidsym.language._expression import to_text
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.printed import PrintError, Statement, Words, parse
+from rigidsym.proof.paper._printed import PrintError, Statement, Words, parse
 
 LINES = [(e.number, text) for e in EQUATIONS for text in (e.latex, e.repair) if text]
 

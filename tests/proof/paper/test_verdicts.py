@@ -10,13 +10,13 @@ import pytest
 import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.kernel import replay
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
-from rigidsym.proof.paper.answers import Answers, question
-from rigidsym.proof.paper.table import counted, details, row
-from rigidsym.proof.paper.verdicts import needed_units, ruling_of
-from rigidsym.proof.paper.verdicts import verdict as verdict_on
+from rigidsym.proof.paper._answers import Answers, question
+from rigidsym.proof.paper._table import counted, details, row
+from rigidsym.proof.paper._verdicts import needed_units, ruling_of
+from rigidsym.proof.paper._verdicts import verdict as verdict_on
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}

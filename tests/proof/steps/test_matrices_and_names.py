@@ -6,12 +6,12 @@ import pytest
 import sympy
 from sympy import I, Identity, ImmutableMatrix, MatAdd, MatMul, ZeroMatrix
 
-from rigidsym.language.expression import parse
-from rigidsym.language.functions.jacobi import jacobi_sn
+from rigidsym.language._expression import parse
+from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, half_angle, jacobi
 from rigidsym.proof.steps import Rate, Scope, StepError, matrix
-from rigidsym.proof.steps.matrices import part_name, split
-from rigidsym.proof.steps.names import collected, positive, read, symbol, symbols
+from rigidsym.proof.steps._matrices import part_name, split
+from rigidsym.proof.steps._names import collected, positive, read, symbol, symbols
 
 x, y, a = symbols("x y a")
 NAMES = ("P", "Q", "S")

@@ -11,14 +11,12 @@ from rigidsym.proof.steps import (
     Scope,
     StepError,
     apart,
-    calculus,
     coefficients,
     coordinates,
     determinant,
     differentiate,
     eliminate,
     integrate,
-    linear,
     match,
     matrix,
     multiply,
@@ -30,7 +28,13 @@ from rigidsym.proof.steps import (
     solve_family,
     vary,
 )
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps import (
+    _calculus as calculus,
+)
+from rigidsym.proof.steps import (
+    _linear as linear,
+)
+from rigidsym.proof.steps._names import symbol, symbols
 
 x, y, z, a, b, v = symbols("x y z a b v")
 FREE = Part(witness=dict(zip("xyzabv", "231512", strict=True)), units=("a", "a - b"))

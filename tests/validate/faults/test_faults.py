@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError
-from rigidsym.codegen.ir import Constant
-from rigidsym.language.expression import parse, to_text
-from rigidsym.validate.bounds import bounds_of
+from rigidsym._codegen.ir import Constant
+from rigidsym.language._expression import parse, to_text
+from rigidsym.validate._bounds import bounds_of
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import Reference
+from rigidsym.validate._sensitivities import share
 from rigidsym.validate.faults import BY_HAND, KINDS, Fault, StaleFaultError, all_faults, inject
-from rigidsym.validate.faults.detection import (
+from rigidsym.validate.faults._detection import (
     CRASHED,
     RAISED,
     Detection,
@@ -27,11 +30,8 @@ from rigidsym.validate.faults.detection import (
     references,
     steps_references,
 )
-from rigidsym.validate.faults.drawn import HARMLESS, changes, drawn, every, is_lost
-from rigidsym.validate.faults.fault import FILES
-from rigidsym.validate.measure import measure
-from rigidsym.validate.oracle import Reference
-from rigidsym.validate.sensitivities import share
+from rigidsym.validate.faults._drawn import HARMLESS, changes, drawn, every, is_lost
+from rigidsym.validate.faults._fault import FILES
 from rigidsym.validate.strata import STRATA
 
 TARGETS = tuple(FILES)

@@ -13,13 +13,13 @@ from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 
 from derivations import FORWARD
 from derivations.setting import Setting
-from rigidsym.cli import main
+from rigidsym._cli import main
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.derivation import Derivation, derive
 from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
-from rigidsym.proof.steps.names import symbol, symbols
-from rigidsym.view.article import FORMATS, article, numbers
-from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.proof.steps._names import symbol, symbols
+from rigidsym.view._article import FORMATS, article, numbers
+from rigidsym.view._article.mathematics import latex, pretty
 
 # What may stick out of a line, in points of TeX.
 STICKS_OUT = 1.0
@@ -89,7 +89,7 @@ def test_no_line_is_ragged(derivation, form):
 
 PROGRAM = """
 from rigidsym.proof.derivation import derive
-from rigidsym.view.article import article
+from rigidsym.view._article import article
 chapters = derive(("euler_lax", "kinematics")).chapters
 print(article(chapters, "text"), article(chapters, "latex"), sep="\\f")
 """

@@ -6,7 +6,7 @@ from manoeuvre_flights import INERTIA, known, short
 
 from rigidsym import plan
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.results import Tracked
+from rigidsym.manoeuvre.flight._results import Tracked
 
 TARGET = ("0.5", "-0.1", "-0.5", "0.7")
 

@@ -20,8 +20,8 @@ from rigidsym.proof.claims import Claim, claims, load_ipython_extension
 from rigidsym.proof.derivation import Chapter, Derivation
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
-from rigidsym.validate.report import Failure, ValidationReport
-from rigidsym.view.html.cards import TINTS
+from rigidsym.validate._report import Failure, ValidationReport
+from rigidsym.view._html.cards import TINTS
 
 LEDGER = json.loads(ledger_text())
 FACTS = claims()

@@ -7,10 +7,10 @@ import pytest
 from html_cards import Elements
 from validation_reports import STRATA, direct, failed, passed, whole, with_peer
 
-from rigidsym.validate import report as reports
-from rigidsym.view import validation
-from rigidsym.view.validation import COLUMNS, Column, page
-from rigidsym.view.validation.figures import fitted
+from rigidsym.validate import _report as reports
+from rigidsym.view import _validation as validation
+from rigidsym.view._validation import COLUMNS, Column, page
+from rigidsym.view._validation.figures import fitted
 
 HOSTILE = """</title><script src="https://x.example/y.js">&'"""
 

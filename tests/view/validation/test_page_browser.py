@@ -6,7 +6,7 @@ import pytest
 from browsers import chromium, needs_browser
 from validation_reports import failed, passed, with_peer
 
-from rigidsym.view.validation import page
+from rigidsym.view._validation import page
 
 pytestmark = needs_browser
 PAGES = {"passed": passed, "failed": failed, "peers": lambda: with_peer(passed())}

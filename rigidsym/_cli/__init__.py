@@ -1,0 +1,5 @@
+"""The `rigidsym` command."""
+
+from rigidsym._cli.command import main, parser
+
+__all__ = ["main", "parser"]

@@ -1,0 +1,98 @@
+"""The commands `plan`, `track`, `figures`, `compare` and `fit`."""
+
+from argparse import Namespace
+from typing import Any
+
+from rigidsym._cli.output import deliver, packages, progress, say, say_written, table
+
+
+def plan(options: Namespace) -> int:
+    """Print the cheapest natural motions of a manoeuvre."""
+    from rigidsym.io._files import probe
+    from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
+
+    asked, _ = open_manoeuvre(options.manoeuvre)
+    if options.output:
+        probe(options.output)
+    with packages():
+        from rigidsym.manoeuvre import solve
+    found = solve(asked, options.all)
+    deliver(options, found, lambda: table(found.title, *found.table()))
+    return 0
+
+
+def track(options: Namespace) -> int:
+    """Fly a manoeuvre in closed loop; return 1 where it misses the target."""
+    with packages():
+        from rigidsym.manoeuvre.flight._results import track
+    from rigidsym.io._files import probe
+
+    if options.output:
+        probe(options.output)
+    with packages():
+        found = track(options.manoeuvre, progress("track"))
+    deliver(options, found, lambda: table("rigidsym track", ("", "flown"), found.rows()))
+    return 1 if found.missed else 0
+
+
+def figures(options: Namespace) -> int:
+    """Draw the paper's figures."""
+    with packages():
+        from rigidsym.manoeuvre._figures import figures
+    from rigidsym.io._files import probe
+
+    probe(options.output)
+    with packages():
+        found = figures(progress("figures"))
+        written = found.write(options.output)
+    table("rigidsym figures", ("figure", "this shows"), found.rows())
+    say_written(written)
+    return 0
+
+
+def compare(options: Namespace) -> int:
+    """Compare flight methods over random manoeuvres."""
+    with packages():
+        from rigidsym.manoeuvre._comparison import compare
+    from rigidsym.io._files import probe
+
+    if options.output:
+        probe(options.output)
+    found = compare(
+        options.manoeuvres, options.seed, workers=options.workers, progress=progress("compare")
+    )
+
+    def show() -> None:
+        for one in found.tables():
+            table(*one)
+        print(found.conclusion)
+
+    deliver(options, found, show)
+    return 0
+
+
+def fit(options: Namespace) -> int:
+    """Fit a motion to a file of observations; return 1 without convergence or agreement."""
+    with packages():
+        from rigidsym.fitting import fit
+        from rigidsym.fitting._files import load
+    from rigidsym.io._files import probe
+
+    if options.output:
+        probe(options.output)
+    errors = {"attitudes": options.sigma_attitudes, "rates": options.sigma_rates}
+    file = load(options.observations, {k: x for k, x in errors.items() if x is not None})
+    names = ("inertia", "moments", "loss", "starts", "fastest", "delta_chi2")
+    asked = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
+    arguments: dict[str, Any] = {**file.arguments(), **asked, "progress": progress("fit")}
+    found = fit(**arguments)
+
+    def show() -> None:
+        print(found.title)
+        for one in found.tables():
+            table(*one)
+
+    if options.json and (found.agreement.message or found.nonlinearity.flagged):
+        say(found.title)
+    deliver(options, found, show)
+    return 0 if found.converged and not found.agreement.hopeless else 1

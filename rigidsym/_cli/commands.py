@@ -1,0 +1,421 @@
+"""The table of all commands: names, arguments, help texts and examples, in the order of the help.
+
+The parser, the completion of shells and the reference on the site are computed from this table.
+Functions are named as "module:function" of `rigidsym._cli` and imported when they run.  Nothing
+here imports a heavy module, which keeps `rigidsym --help` fast.
+"""
+
+import argparse
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+_MOST = 999_999_999
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """An argument: its names, and the keywords of `ArgumentParser.add_argument`."""
+
+    names: tuple[str, ...]
+    keywords: dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Arguments below a title of their own in the help; without a title they exclude each other."""
+
+    title: str
+    arguments: tuple[Argument, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """A command: the function it runs, its summary, an example, and its arguments."""
+
+    name: str
+    run: str
+    summary: str
+    example: str
+    arguments: tuple[Argument | Group, ...]
+
+
+def as_path(text: str) -> Path:
+    """Return the path of a file or directory; the type of an argument."""
+    if not text:
+        raise argparse.ArgumentTypeError("'' must name a file or directory")
+    return Path(text)
+
+
+def as_count(text: str) -> int:
+    """Return a positive whole number; the type of an argument."""
+    if not re.fullmatch(r"[0-9]+(_[0-9]+)*", text) or not 1 <= int(text[:20]) <= _MOST:
+        rule = f"must be a whole number, at least 1 and at most {_MOST}"
+        raise argparse.ArgumentTypeError(f"{text!r:.40} {rule}")
+    return int(text)
+
+
+def as_seconds(text: str) -> float:
+    """Return a positive time, s; the type of an argument."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r:.40} must be a positive number of seconds")
+    return seconds
+
+
+def _command(
+    name: str, run: str, summary: str, example: str, *arguments: Argument | Group
+) -> Command:
+    return Command(name, run, summary, example, arguments)
+
+
+def _group(*arguments: Argument, title: str = "") -> Group:
+    return Group(title, arguments)
+
+
+def _value(name: str, metavar: str, help: str, **keywords: Any) -> Argument:
+    return Argument((name,), {"metavar": metavar, "help": help, **keywords})
+
+
+def _count(name: str, metavar: str, help: str, **keywords: Any) -> Argument:
+    return _value(name, metavar, help, type=as_count, **keywords)
+
+
+def _switch(name: str, help: str) -> Argument:
+    return Argument((name,), {"action": "store_true", "help": help})
+
+
+def _choice(name: str, choices: tuple[str, ...], help: str, **keywords: Any) -> Argument:
+    return Argument((name,), {"choices": choices, "help": help, **keywords})
+
+
+def _output(metavar: str, help: str, **keywords: Any) -> Argument:
+    keywords = {"metavar": metavar, "type": as_path, "help": help, **keywords}
+    return Argument(("-o", "--output"), keywords)
+
+
+_JSON = _switch("--json", "print JSON and nothing else to stdout")
+_ANY_BODY = _switch("--allow-nonphysical", "accept moments of bodies that cannot exist")
+_MANOEUVRE = _value("manoeuvre", "MANOEUVRE.toml", "a file, or `paper`")
+_LEDGER = "a ledger; the sealed one by default"
+_WORKERS = _count("--workers", "W", "processes; one for each core by default")
+
+MESSAGE = {
+    "epoch": ("EPOCH", "time of t = 0, YYYY-MM-DDThh:mm:ss[.d…]; needed here or in the case file"),
+    "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
+    "object-name": ("NAME", "UNKNOWN by default"),
+    "object-id": ("ID", "such as 2000-052A; UNKNOWN by default"),
+    "originator": ("NAME", "maker of the message; RIGIDSYM by default"),
+    "creation-date": ("DATE", "UTC; the time of writing by default"),
+    "ref-frame-a": ("FRAME", "the inertial frame, EME2000 by default"),
+    "ref-frame-b": ("FRAME", "the axes of the body, SC_BODY_1 by default"),
+}
+"Options of `propagate --format aem` that are text: arguments of `rigidsym.io.aem`."
+STATE_FORMATS = ("csv", "json", "npz", "aem")
+RULINGS = ("holds", "holds-if", "misprint", "ambiguous", "open")
+ARTICLES = ("text", "markdown", "latex", "html")
+TEMPLATES = ("motion.toml", "slew.toml", "observations.csv", "observations.toml")
+SHELLS = ("bash", "zsh", "tcsh")
+SETTING = {
+    "sequence": ("I-J-I", "axes of the rotations; 1-2-1 by default"),
+    "axis": ("I", "axis to which the momentum is rotated; the outer axis by default"),
+    "factor": ("F", "factor of the basis (4), 1/2 or 1; 1/2 by default"),
+    "sign": ("S", "sign of the basis (4), 1 or -1; 1 by default"),
+    "order": ("I-J-K", "order of i, j, k in the basis; 1-2-3 by default"),
+    "lagrangian": ("L", "a Lagrangian with wheels: ... + h1*Omega1"),
+}
+"Options of `derive` for another derivation."
+
+COMMANDS = (
+    _command(
+        "reproduce",
+        "general:reproduce",
+        "derive, check, generate, validate and report",
+        "reproduce -o reproduce",
+        _output("DIR", "directory of the results", default="reproduce"),
+    ),
+    _command(
+        "errata",
+        "proofs:errata",
+        "the verdict on each printed equation",
+        "errata --verdict misprint",
+        _value(
+            "equations",
+            "EQUATION",
+            "equations to show in full, as 10 or 'Lemma 1'; a table of all by default",
+            nargs="*",
+        ),
+        _choice("--verdict", RULINGS, "show only these; all by default"),
+        _JSON,
+    ),
+    _command(
+        "derive",
+        "proofs:derive",
+        "prove the claims and write the ledger",
+        "derive -o ledger.json",
+        _value("chapters", "CHAPTER", "chapters; all by default", nargs="*"),
+        _group(
+            _output("FILE", "file of the ledger, or of the article"),
+            _switch("--in-place", "seal the ledger of the package itself anew"),
+        ),
+        _JSON,
+        _switch(
+            "--mutants",
+            "count all mutants again; without it, and unless --in-place is given, facts that are "
+            "unchanged keep the counts of the sealed ledger",
+        ),
+        _switch("--show", "print the derivation line by line in the terminal"),
+        _choice("--format", ARTICLES, "write an article, to stdout or --output"),
+        _group(
+            *(_value(f"--{name}", *texts) for name, texts in SETTING.items()),
+            title="another derivation, up to Theorem 1",
+        ),
+    ),
+    _command(
+        "check",
+        "proofs:check",
+        "replay the certificates of a ledger in a fresh kernel",
+        "check --independent",
+        _value("ledger", "LEDGER", _LEDGER, nargs="?", type=as_path),
+        _switch("--independent", "use the second checker, on python-flint"),
+        _switch("--facts", "check no specification, as for another derivation"),
+    ),
+    _command(
+        "export",
+        "proofs:export",
+        "write a ledger for another prover",
+        "export coq -o coq",
+        _choice("prover", ("coq",), "coq", metavar="PROVER"),
+        _output("DIR", "directory of its files", required=True),
+        _value("--ledger", "LEDGER", _LEDGER, type=as_path),
+        _switch("--check", "run the prover by make, which takes minutes"),
+    ),
+    _command(
+        "audit",
+        "proofs:audit",
+        "what is trusted and not decided, theorem by theorem",
+        "audit",
+        _JSON,
+    ),
+    _command(
+        "codegen",
+        "code:codegen",
+        "write a numeric module",
+        "codegen c -o attitude",
+        _value("target", "TARGET", "numpy or c"),
+        _value("--form", "FORM", "theta, step, or the paper's: pi", default="theta"),
+        _group(
+            _output("DIR", "directory of the files"),
+            _switch("--in-place", "replace the modules of the package itself"),
+        ),
+        _group(
+            _switch("--check", "compare with the files in DIR, or in the package"),
+            _switch("--stdout", "print the module"),
+        ),
+    ),
+    _command(
+        "trace",
+        "code:trace",
+        "a generated line's facts and equations; an equation's lines",
+        "trace --equation 34",
+        _value("place", "FILE[:LINE]", "a generated file, or a line of it", nargs="?"),
+        _value("--equation", "NUMBER", "an equation, as the paper numbers it"),
+    ),
+    _command(
+        "compare-forms",
+        "validation:compare_forms",
+        "theta functions, the third kind and Fourier series, side by side",
+        "compare-forms -o forms",
+        _output("DIR", "directory of JSON, Markdown and a figure"),
+        _JSON,
+    ),
+    _command(
+        "validate",
+        "validation:validate",
+        "measure generated modules against the derivation",
+        "validate numpy --stratum separatrix --cases 50",
+        _value(
+            "targets",
+            "TARGET",
+            "numpy, c; by default both, or numpy alone where there is no C compiler",
+            nargs="*",
+        ),
+        _count("--cases", "N", "samples of each stratum; 15 by default"),
+        _count("--digits", "D", "digits of the oracle; 40 by default"),
+        _value("--seed", "S", "seed of the cases; 1 by default", type=int),
+        _value(
+            "--stratum", "NAME", "only this stratum, repeatable; all by default", action="append"
+        ),
+        _value(
+            "--peer",
+            "NAME",
+            "heyoka, dop853, lsoda…, beside the targets; none by default",
+            action="append",
+        ),
+        _group(
+            _value("--case", "CASE", "one case, STRATUM:INDEX or FILE.toml, at each time"),
+            _switch("--faults", "test which injected faults are detected"),
+            _switch("--sensitivity", "measure sensitivities, column by column"),
+            _switch("--fits", "measure the errors of fits"),
+            _switch("--torques", "measure the tolerances of integrate, torque by torque"),
+            _switch("--resume", "continue the campaign in -o DIR"),
+        ),
+        _group(_WORKERS, _value("--scheduler", "ADDRESS", "a Dask cluster, as tcp://…")),
+        _output("DIR", "directory of JSON, Markdown and a page"),
+        _JSON,
+        _switch("--record", "record the results for the modules that codegen writes next"),
+    ),
+    _command(
+        "propagate",
+        "states:propagate",
+        "states of one motion",
+        "propagate paper --digits 50 -o states.csv",
+        _value("case", "CASE.toml", "a case file, or `paper`"),
+        _count("--digits", "D", "significant digits, all certain; float64 by default"),
+        _switch("--enclose", "compute balls, middles and radii, to 50 digits or D"),
+        _value(
+            "--method",
+            "M",
+            "theta by default, carlson, landen, quadrature, mpmath or theorem1 (both without "
+            "balls); flow for uncertain inputs",
+        ),
+        _value(
+            "--max-seconds",
+            "S",
+            "time limit for all the digits; no limit by default",
+            type=as_seconds,
+        ),
+        _choice(
+            "--format",
+            STATE_FORMATS,
+            "npz holds doubles, aem is the CCSDS attitude ephemeris message; by default the suffix "
+            "of FILE, and csv for stdout",
+        ),
+        _output("FILE", "file to write instead of stdout"),
+        _ANY_BODY,
+        _group(
+            *(_value(f"--{name}", *texts) for name, texts in MESSAGE.items()),
+            Argument(
+                ("--no-rates",),
+                {
+                    "dest": "rates",
+                    "action": "store_false",
+                    "default": None,
+                    "help": "write quaternions only",
+                },
+            ),
+            title="options of --format aem, which override [message] of the case file",
+        ),
+    ),
+    _command(
+        "methods",
+        "states:methods",
+        "cost and accuracy of the methods for many digits",
+        "methods paper --digits 50 200",
+        _value("case", "CASE", "a case file", nargs="?", default="paper"),
+        _count("--digits", "D", "15 50 200 1000 by default", nargs="+"),
+        _output("DIR", "directory of JSON and a plot"),
+        _JSON,
+        _ANY_BODY,
+    ),
+    _command(
+        "plan",
+        "applications:plan",
+        "natural motions from one attitude to another",
+        "plan paper --all 3",
+        _MANOEUVRE,
+        _count("--all", "N", "number of motions, the cheapest first", default=1),
+        _output("DIR", "directory of JSON and case files"),
+        _JSON,
+    ),
+    _command(
+        "track",
+        "applications:track",
+        "fly a manoeuvre in closed loop",
+        "track paper -o flight",
+        _MANOEUVRE,
+        _output("DIR", "directory of states and pictures"),
+        _JSON,
+    ),
+    _command(
+        "figures",
+        "applications:figures",
+        "the paper's Figures 1 to 3",
+        "figures -o figures",
+        _output("DIR", "directory of the pictures", default="figures"),
+    ),
+    _command(
+        "compare",
+        "applications:compare",
+        "natural motions, quaternion feedback, optimal control",
+        "compare --manoeuvres 5 -o comparison",
+        _count("--manoeuvres", "N", "random manoeuvres; 20 take some minutes", default=20),
+        _count("--seed", "S", "seed of the manoeuvres", default=1),
+        _WORKERS,
+        _output("DIR", "directory of JSON, Markdown and a picture"),
+        _JSON,
+    ),
+    _command(
+        "fit",
+        "applications:fit",
+        "the free motion that observations show",
+        "fit toutatis -o toutatis",
+        _value(
+            "observations",
+            "OBSERVATIONS",
+            "a file: .toml, .csv or .aem; or `toutatis` or `t-handle`",
+        ),
+        _value("--inertia", "HOW", "ratios by default, known or tensor"),
+        _value(
+            "--moments",
+            "C",
+            "principal moments, kg m^2; needed where they are known",
+            type=float,
+            nargs=3,
+        ),
+        *(
+            _value(
+                f"--sigma-{kind}",
+                unit,
+                f"errors of {kind}; needed for files that have no errors",
+                type=float,
+            )
+            for kind, unit in (("attitudes", "RAD"), ("rates", "RAD/S"))
+        ),
+        _value("--loss", "L", "linear by default, soft_l1, huber, cauchy or arctan"),
+        _count("--starts", "N", "starts of the search; 2000 by default"),
+        _value(
+            "--fastest",
+            "RAD/S",
+            "the largest rate to search; by default derived from the observations",
+            type=float,
+        ),
+        _value(
+            "--delta-chi2",
+            "X",
+            "limit of chi2 of alternatives above the best; 9 by default",
+            type=float,
+        ),
+        _output("DIR", "directory of JSON, a case file and a page"),
+        _JSON,
+    ),
+    _command(
+        "init",
+        "general:init",
+        "write a template with comments",
+        "init motion.toml",
+        _choice("template", TEMPLATES, ", ".join(TEMPLATES), metavar="TEMPLATE"),
+        _output("FILE", "file to write; TEMPLATE in this directory by default"),
+    ),
+    _command(
+        "completion",
+        "general:completion",
+        "a script by which a shell completes this command",
+        "completion bash > ~/.local/share/bash-completion/completions/rigidsym",
+        _choice("shell", SHELLS, ", ".join(SHELLS), metavar="SHELL"),
+    ),
+)

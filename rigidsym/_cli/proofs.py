@@ -1,0 +1,321 @@
+"""The commands `derive`, `check`, `export`, `audit` and `errata`."""
+
+import json
+import sys
+from argparse import Namespace
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rigidsym._cli.commands import SETTING
+from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
+from rigidsym.errors import InputError, LedgerError
+
+if TYPE_CHECKING:
+    from rigidsym.proof._coq import Export
+    from rigidsym.proof.derivation import Derivation
+    from rigidsym.proof.paper import Verdict
+    from rigidsym.proof.paper._prose import Judged
+
+ERRATA_SCHEMA = "rigidsym.errata/2"
+
+
+def derive(options: Namespace) -> int:
+    """Derive chapters; print them as a table, JSON or an article, and write the ledger."""
+    from derivations.setting import setting_of
+    from rigidsym.proof.derivation import DerivationError, derive, sealed_counts
+
+    if options.in_place and (options.chapters or any(getattr(options, x) for x in SETTING)):
+        raise InputError("in-place", "given", "is for all chapters of the paper's derivation")
+    chosen = {name: value for name in SETTING if (value := getattr(options, name)) is not None}
+    reading = options.show or options.format is not None
+    if reading and options.json:
+        raise InputError("json", "given", "is not for --show and --format")
+    try:
+        setting = setting_of(chosen) if chosen or reading else None
+        sealed = "" if options.mutants or options.in_place else sealed_counts()
+        derivation = derive(options.chapters, progress("derive"), setting, sealed)
+    except DerivationError as error:
+        say(f"rigidsym derive: {error}")
+        return 1
+    if reading:
+        return _article(derivation, options.format or "text", options.output)
+    if options.json:
+        print(derivation.to_json(), end="")
+    else:
+        _chapters(derivation)
+    sys.stdout.flush()
+    _mutants(derivation)
+    _seal(derivation, options, sealed=setting is None and not options.chapters)
+    return 0
+
+
+def _chapters(derivation: "Derivation") -> None:
+    """Print each chapter with its numbers of computed and of guessed facts."""
+    rows = []
+    for chapter in derivation.chapters:
+        facts, computed = len(chapter.facts), chapter.computed
+        if not facts:
+            continue
+        counts = (str(computed), str(facts - computed), f"{chapter.seconds:.2f} s")
+        rows.append((chapter.name, chapter.title, *counts))
+    table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
+
+
+def _mutants(derivation: "Derivation") -> None:
+    """Report how many mutants are counted, and which counts are of an earlier run."""
+    facts = derivation.mutants
+    if not facts:
+        return
+    mutants = sum(sum(fates.values()) for fates in facts.values())
+    kept = len(facts) - derivation.recounted
+    counted = f"{mutants} of {len(facts)} facts are counted"
+    if kept:
+        counted += f", {kept} facts as sealed and not again (--mutants counts all)"
+    say(f"mutants: {counted}")
+
+
+def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
+    from rigidsym.io._files import write_text
+    from rigidsym.view._article import article
+
+    try:
+        text = article(derivation.chapters, form)
+    except ImportError as error:
+        say(f"rigidsym derive: --format {form} needs {error.name}: pip install 'rigidsym[docs]'")
+        return 1
+    if output is None:
+        print(text, end="")
+    else:
+        say(f"article: {write_text(output, text)}")
+    return 0
+
+
+def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
+    """Write the ledger of all chapters to its place, or to the user's file."""
+    from rigidsym.io._files import write_text
+    from rigidsym.io.ledger import SEAL, seal
+    from rigidsym.proof.derivation import sealed_path
+
+    if options.output is not None:
+        say(f"ledger: {write_text(options.output, derivation.ledger)}")
+    elif not sealed:
+        say("the ledger is sealed by all chapters together: not written")
+    elif options.in_place:
+        path = write_text(sealed_path(), derivation.ledger)
+        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        say(f"ledger: {path}")
+    else:
+        say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
+
+
+def _compared(ledger: str) -> str:
+    from rigidsym.io.ledger import ledger_text
+
+    try:
+        same = ledger == ledger_text()
+    except LedgerError:
+        same = False
+    return f"the ledger is {'the one that is' if same else 'NOT the one that is'} sealed"
+
+
+def check(options: Namespace) -> int:
+    """Print facts by grade; return 1 where the ledger is refused, or a fact is only assumed."""
+    from rigidsym.io.ledger import specification_text
+
+    grades = _independent_grades if options.independent else _kernel_grades
+    specification = "" if options.facts else specification_text()
+    found = grades(_ledger_text(options.ledger), specification)
+    if found is None:
+        return 1
+    counts = ", ".join(f"{count} {grade}" for grade, count in found.items())
+    print(
+        f"{counts} facts: accepted{', and they prove the specification' if specification else ''}"
+    )
+    if assumed := found.get("ASSUMED"):
+        say(f"rigidsym check: {assumed} ASSUMED: facts must be ENCLOSED at least")
+    return 1 if assumed else 0
+
+
+def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
+    from collections import Counter
+
+    from rigidsym.language._specification import Unproved, require
+    from rigidsym.proof.algebra._enclosures import encloses
+    from rigidsym.proof.kernel import KernelError, replay
+
+    try:
+        ledger = replay(text, encloses)
+        require(specification, json.loads(text))
+    except (KernelError, Unproved) as error:
+        say(f"rigidsym check: refused: {error}")
+        return None
+    return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
+
+
+def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
+    from rigidsym.proof.checker import Refused, grades
+
+    try:
+        return grades(text, specification)
+    except Refused as error:
+        say(f"rigidsym check: refused by the independent checker: {error}")
+        return None
+
+
+def replayed() -> str:
+    """Return the sealed ledger; raise LedgerError unless the independent checker accepts it."""
+    from rigidsym.io.ledger import specification_text
+    from rigidsym.proof.checker import Refused, check
+
+    text = _ledger_text(None)
+    try:
+        check(text, specification_text())
+    except Refused as error:
+        raise LedgerError(f"ledger: refused by the independent checker: {error}") from None
+    return text
+
+
+def _ledger_text(path: Path | None) -> str:
+    from rigidsym.io._files import read_text
+    from rigidsym.io.ledger import ledger_text
+
+    return ledger_text() if path is None else read_text("ledger", path)
+
+
+def export(options: Namespace) -> int:
+    """Write a ledger for Coq, and let Coq decide it with --check."""
+    from rigidsym.io._files import write_text
+    from rigidsym.proof._coq import export
+    from rigidsym.proof.algebra._enclosures import encloses
+    from rigidsym.proof.kernel import KernelError, replay
+
+    try:
+        ledger = replay(_ledger_text(options.ledger), encloses)
+    except KernelError as error:
+        say(f"rigidsym export: refused by the kernel, nothing is written: {error}")
+        return 1
+    written = export(ledger)
+    for name, text in written.files.items():
+        write_text(options.output / name, text)
+    say(f"wrote {len(written.files)} files to {options.output}")
+    _exported(written)
+    return _make(options.output) if options.check else 0
+
+
+def _exported(written: "Export") -> None:
+    """Print how many facts of each rule are theorems in Coq, and which are not."""
+    from rigidsym.proof._coq import SUPPOSED
+
+    total = sum(written.exported.values())
+    counts = ", ".join(f"{count} {rule}" for rule, count in sorted(written.exported.items()))
+    print(f"{total} facts are stated in Coq: {counts}")
+    if supposed := {rule: n for rule, n in written.exported.items() if rule in SUPPOSED}:
+        rules = ", ".join(sorted(supposed))
+        print(f"{sum(supposed.values())} are hypotheses there of all that rests on them: {rules}")
+    reasons: dict[str, list[str]] = {}
+    for fact, reason in written.left_out.items():
+        reasons.setdefault(reason, []).append(fact)
+    for reason, facts in reasons.items():
+        print(f"{len(facts)} are not: {reason}: {', '.join(facts)}")
+
+
+def _make(directory: Path) -> int:
+    """Run Coq by make; return 1 where it refuses, or is not installed."""
+    from os import cpu_count
+    from shutil import which
+    from subprocess import run
+
+    missing = [tool for tool in ("make", "coqc", "coq_makefile") if which(tool) is None]
+    if missing:
+        package = "make" if missing == ["make"] else "coq libcoq-coquelicot"
+        say(f"rigidsym export: --check needs {missing[0]} (Debian: apt-get install {package})")
+        return 1
+    done = run(["make", "-C", str(directory), "-j", str(cpu_count() or 1)], check=False)
+    say("accepted by Coq" if done.returncode == 0 else "rigidsym export: refused by Coq")
+    return min(done.returncode, 1)
+
+
+def audit(options: Namespace) -> int:
+    """Print what is trusted, theorem by theorem."""
+    from dataclasses import asdict
+
+    from rigidsym._codegen.lines import RUNTIMES, handwritten
+    from rigidsym.io.ledger import ledger_data, specification_text
+    from rigidsym.proof._audit import audit, totals
+
+    audits = audit(specification_text(), ledger_data(replayed()))
+    counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
+    if options.json:
+        theorems = [asdict(one) for one in audits]
+        data = {
+            "schema": "rigidsym.audit/1",
+            "theorems": theorems,
+            "totals": counts,
+            "lines": lines,
+        }
+        print(json.dumps(data, indent=1))
+        return 0
+    for one in audits:
+        print(f"{one.theorem}: {one.title}")
+        for kind, things in one.trusted.items():
+            print("".join(f"  {kind}: {thing}\n" for thing in things), end="")
+    print("in all: " + ", ".join(f"{count} {kind}" for kind, count in counts.items()))
+    print("by hand: " + ", ".join(f"{count} lines beside {name}" for name, count in lines.items()))
+    return 0
+
+
+def errata(options: Namespace) -> int:
+    """Print the verdicts on the printed equations and on claims in the paper's prose."""
+    from rigidsym.io.ledger import ledger_data
+    from rigidsym.proof.paper import judged, verdicts
+    from rigidsym.proof.paper._table import details
+
+    ledger = ledger_data(replayed())
+    ruled = _chosen(verdicts(ledger), options)
+    chosen = bool(options.equations or options.verdict)
+    prose = [] if chosen else judged(ledger)
+    if options.json:
+        data = {
+            "schema": ERRATA_SCHEMA,
+            "equations": [verdict.to_json() for verdict in ruled],
+            "prose": [claim.to_json() for claim in prose],
+        }
+        print(json.dumps(data, indent=1))
+    elif options.equations:
+        numbers = (f"({verdict.equation.number})" for verdict in ruled)
+        entries = (list(details(verdict)) for verdict in ruled)
+        page("\n".join(map(entries_text, numbers, entries)))
+    else:
+        page(_overview(ruled, prose))
+    return 0
+
+
+def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
+    """Return the verdicts that are asked for; raise InputError for an unknown equation."""
+    numbers = {verdict.equation.number.lower(): verdict for verdict in ruled}
+    wanted = [name.strip("()").lower() for name in options.equations]
+    for name, given in zip(wanted, options.equations, strict=True):
+        if name not in numbers:
+            known = ", ".join(verdict.equation.number for verdict in ruled)
+            raise InputError("equation", given, f"must be one of: {known}")
+    found = [numbers[name] for name in wanted] if wanted else [*ruled]
+    ruling = (options.verdict or "").replace("-", " ")
+    return [verdict for verdict in found if not ruling or verdict.ruling == ruling]
+
+
+def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
+    from rigidsym.proof.paper._table import COLUMNS, counted, row
+
+    parts = [
+        f"{counted(ruled)}; all about one of them: rigidsym errata 10\n",
+        table_text("rigidsym errata", COLUMNS, [row(verdict) for verdict in ruled]),
+    ]
+    rows = []
+    for one in prose:
+        decided_by = (*one.facts, *(f"`{command}`" for command in one.prose.commands))
+        rows.append((one.prose.claim, one.judgement, one.prose.reason, "\n".join(decided_by)))
+    if rows:
+        columns = ("claim in words", "judgement", "reason", "decided by")
+        parts.append(table_text("in the paper's prose", columns, rows))
+    return "".join(parts)

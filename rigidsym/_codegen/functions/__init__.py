@@ -1,0 +1,5 @@
+"""Functions of a numeric module, made of the solution's formulas in order."""
+
+from rigidsym._codegen.functions.assembly import constants, finished, functions, stated
+
+__all__ = ["constants", "finished", "functions", "stated"]

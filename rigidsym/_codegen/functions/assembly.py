@@ -1,0 +1,118 @@
+"""From the solution to the functions a target prints.
+
+A motion's constants come from extended numbers: `_initial_state` finds the invariants and the
+descended functions at t = 0, and, by the modulus, `_circular_constants` or `_hyperbolic_constants`
+the rest.  States are doubles, in two functions for each branch: `_<branch>_angles` finds what
+changes with time, and `_<branch>_state` the state from that.
+"""
+
+from dataclasses import replace
+from functools import cache
+
+import mpmath
+
+from rigidsym._codegen.forms import PI, STEP, THETA
+from rigidsym._codegen.functions import pi, theta
+from rigidsym._codegen.functions.common import circulation, discriminant, start, steady
+from rigidsym._codegen.functions.sensitivity import sensitivity
+from rigidsym._codegen.functions.step import step
+from rigidsym._codegen.ir import Constant, Function, Let
+from rigidsym._codegen.names import INITIAL
+from rigidsym._codegen.passes import live, products, share
+from rigidsym._codegen.special_functions import (
+    angles,
+    carlson,
+    exponential,
+    landen,
+    nome,
+    reduction,
+)
+from rigidsym.solution import Solution
+
+
+def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
+    """Return all functions of a form, in an order in which each calls those before it."""
+    return tuple(map(finished, stated(solution, form)))
+
+
+def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
+    """Return all functions as they are stated, before anything is left out or shared."""
+    carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
+
+    def cited(let: Let) -> Let:
+        """Put the equations that the facts of a line carry before its references."""
+        equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
+        return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
+
+    return tuple(
+        replace(function, lets=tuple(map(cited, function.lets)))
+        for function in _stated(solution, form)
+    )
+
+
+def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
+    if form == STEP:
+        return step(solution)
+    own = _pi(solution) if form == PI else _theta(solution)
+    return (
+        exponential.function(),
+        discriminant(solution),
+        circulation(solution),
+        start(solution, pi.GIVEN if form == PI else INITIAL),
+        landen.step(solution),
+        landen.ladder(),
+        *own,
+        *steady(solution),
+    )
+
+
+def _theta(solution: Solution) -> tuple[Function, ...]:
+    """Return the functions that the theta form alone has."""
+    return (
+        nome.root_ratio(),
+        angles.half_turns(),
+        angles.logarithm(),
+        *theta.circular(solution),
+        *theta.hyperbolic(solution),
+        *sensitivity(solution),
+    )
+
+
+def _pi(solution: Solution) -> tuple[Function, ...]:
+    """Return the functions that the Pi form alone has."""
+    return (
+        angles.half_turns(),
+        angles.logarithm(),
+        landen.complete(),
+        carlson.third_kind(),
+        *pi.circular(solution),
+        *pi.hyperbolic(solution),
+    )
+
+
+def finished(function: Function) -> Function:
+    """Keep the lines that the results need, without powers and with common parts shared."""
+    formulas = live(function.lets, function.results)
+    done = replace(function, lets=share(products(formulas)), formulas=formulas)
+    numbers = {constant.name for constant in constants() if constant.lo is not None}
+    return replace(done, extended=function.extended | (numbers & done.used()))
+
+
+@cache
+def constants() -> tuple[Constant, ...]:
+    """Return the named numbers that functions use."""
+    with mpmath.workdps(60):
+        pi_hi, log_2 = float(mpmath.pi), float(mpmath.ln2)
+        pi_lo, log_2_lo = float(mpmath.pi - pi_hi), float(mpmath.ln2 - log_2)
+    return (
+        Constant("pi", pi_hi, pi_lo, "pi"),
+        Constant("unity", 1.0, 0.0, "1"),
+        Constant("pi_hi", pi_hi, None, "pi"),
+        Constant("pi_lo", pi_lo, None, "pi - pi_hi"),
+        Constant("log_2", log_2, log_2_lo, "log_2"),
+        Constant("never", 1e300, None, "the exponent of what has vanished"),
+        *angles.constants(),
+        *reduction.constants(),
+        *exponential.constants(),
+        *pi.numbers(),
+    )

@@ -1,0 +1,184 @@
+"""The rates' changes."""
+
+from rigidsym._codegen.functions.sensitivity.moduli import EXTENDED, GIVEN, START, coefficients
+from rigidsym._codegen.functions.sensitivity.real import ELAPSED, PASSED
+from rigidsym._codegen.ir import Function, Let, let
+from rigidsym._codegen.names import RATES
+from rigidsym._codegen.passes import renamed, select
+from rigidsym.solution import Solution
+from rigidsym.solution._formulas import AXES
+
+ALONG = ("over", *(f"{rate}_{way}" for way in "kr" for rate in RATES))
+_ALONG_ALPHAS = tuple(f"alpha_{x}" for x in AXES)
+_ALONG_KEPT = (
+    *(*START, *_ALONG_ALPHAS, "k", "kappa_a", "kappa_d", "p", "r"),
+    *("share", "half_over_p", "reach"),
+)
+_ALONG_TIMED = (*ELAPSED, *PASSED, "t", *RATES)
+CHANGES = (*RATES, *(f"c_{x}" for x in AXES))
+RESULTS = (
+    *(f"{rate}_by_{change}" for rate in RATES for change in CHANGES),
+    *(f"excess_{x}" for x in AXES),
+)
+_ALPHAS = (
+    *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"tilt_by_c_{x}" for x in AXES),
+    *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
+)
+_KEPT = (
+    *START,
+    *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
+    *(
+        "g_a",
+        "g_d",
+        "k",
+        "kappa_a",
+        "kappa_d",
+        "p",
+        "apart",
+        "p_by_Omega_a",
+        "p_by_Omega_b",
+        "r_by_Omega_d",
+    ),
+    *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
+)
+# By the rate of another axis, the product's: that of the axis whose coefficient stands below.
+_MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
+# What changes with time.
+_TIMED = (*ELAPSED, *ALONG, "t", *RATES)
+
+
+def along(solution: Solution) -> tuple[Function, ...]:
+    """State the constants of a motion, and both directions at a time."""
+    constants = Function(
+        "_along_constants",
+        "Constants of both directions; reach: the p t^2 beyond which phases are known.",
+        (*(name for name in GIVEN if name != "E_b"), "reach"),
+        tuple(_constants_along(solution)),
+        _ALONG_KEPT,
+        frozenset(EXTENDED),
+        rounds=True,
+    )
+    state = Function(
+        "_along_state",
+        "Changes of the rates where p and r grow alike, and where r does.",
+        (*_ALONG_TIMED, *_ALONG_KEPT),
+        tuple(_state_along(solution)),
+        ALONG,
+    )
+    return constants, state
+
+
+def _constants_along(solution: Solution) -> list[Let]:
+    names = ("k", "kappa_a", "kappa_d", "p", "r")
+    divisors = ("alpha_b", "alpha_d", "Omega_a0", "p")
+    passing = select(
+        solution.sequences["passing"], ("share", "half_over_p"), (*divisors, *names, *START)
+    )
+    return [
+        *coefficients(solution, _ALONG_ALPHAS),
+        *select(solution.sequences["columns"], names, (*_ALONG_ALPHAS, *EXTENDED)),
+        *map(_there, divisors),
+        *renamed(passing, {name: f"{name}_there" for name in divisors}),
+    ]
+
+
+def _there(name: str) -> Let:
+    """State a divisor, or 1 where it is zero and its quotient is not taken."""
+    return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
+
+
+def _state_along(solution: Solution) -> list[Let]:
+    given = (*_ALONG_TIMED, *_ALONG_KEPT)
+    every = select(solution.sequences["sensitivity"], ALONG, given)
+    passing = [f"{rate}_p" for rate in RATES]
+    known = (*given, "over")
+    made = select(solution.sequences["passing"], passing, known)
+    return [
+        *renamed(every, {f"{rate}_r": f"any_{rate}_r" for rate in RATES}),
+        let("Omega_a_there = choose(size(Omega_a), 0, 1, Omega_a)"),
+        *renamed(made, {"Omega_a": "Omega_a_there"}),
+        let("lobe = choose(2, turned, 0, Omega_b*Omega_b0)"),
+        let("crossed = choose(reach, p*(t*t), lobe, 1)"),
+        *(
+            let(f"{rate}_r = choose(crossed, 0, {rate}_k - {rate}_p, any_{rate}_r)")
+            for rate in RATES
+        ),
+    ]
+
+
+def columns(solution: Solution) -> tuple[Function, ...]:
+    """State the constants of a motion, and the columns at a time."""
+    constants = Function(
+        "_columns_constants",
+        "Constants of sensitivities of the rates, at t = 0.",
+        GIVEN,
+        tuple(_constants_of_columns(solution)),
+        _KEPT,
+        frozenset(EXTENDED),
+        rounds=True,
+    )
+    state = Function(
+        "_columns_state",
+        "Changes of the rates, and integrals of their squares, from functions of the time.",
+        (*_TIMED, *_KEPT),
+        tuple(_state_of_columns(solution)),
+        RESULTS,
+    )
+    return constants, state
+
+
+def _constants_of_columns(solution: Solution) -> list[Let]:
+    names = [name for name in _KEPT if name not in (*START, "alpha_divisor", *_ALPHAS)]
+    return [
+        *coefficients(solution, _ALPHAS),
+        *select(solution.sequences["columns"], names, (*_ALPHAS, *EXTENDED)),
+        # Where all moments are equal the excess is zero, whatever it is divided by.
+        let("alpha_divisor = choose(rounded(size(alpha_b)), 0, 1, alpha_b)"),
+    ]
+
+
+def _state_of_columns(solution: Solution) -> list[Let]:
+    given = (*_TIMED, *_KEPT)
+    excesses = select(
+        solution.sequences["excesses"], ("excess_a", "excess_d"), (*given, "excess_b")
+    )
+    columns = select(solution.sequences["sensitivity"], RESULTS, given)
+    return [
+        *renamed(columns, {name: f"any_{name}" for name in (*_MIDDLE, "excess_b")}),
+        *_middle(solution, given),
+        *_excess(solution, given),
+        *renamed(excesses, {"alpha_b": "alpha_divisor"}),
+    ]
+
+
+def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
+    """State the middle rate's columns: as products, where their factors are no smaller.
+
+    Near spin about b these keep all digits, and the general form is a difference of large numbers.
+    """
+    lets = [let("b_divisor = choose(size(Omega_b), 0, 1, Omega_b)")]
+    known = (*given, "Omega_d_by_Omega_a", "Omega_a_by_Omega_d")
+    for name, (x, y) in _MIDDLE.items():
+        product = f"middle_by_Omega_{y}"
+        made = select(solution.sequences["middle"], (product,), known)
+        divisors = {"Omega_b": "b_divisor", f"alpha_{x}": f"{x}_divisor"}
+        lets += [
+            let(f"{x}_divisor = choose(size(alpha_{x}), 0, 1, alpha_{x})"),
+            *renamed(made, divisors),
+            let(f"{x}_size = size(alpha_b*Omega_{x})"),
+            let(f"{name} = choose({x}_size, size(alpha_{x}*Omega_b), {product}, any_{name})"),
+        ]
+    return lets
+
+
+def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
+    """State the integral of the middle rate's square, near a spin about b without the time."""
+    spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
+    return [
+        let("p_divisor = choose(size(p), 0, 1, p)"),
+        let("C_ahead = choose(C_t, 0, 0, C_t)"),
+        *renamed(spun, {"p": "p_divisor", "C_t": "C_ahead"}),
+        let("spinning = choose(C_t, 0, 0, k)"),
+        let("excess_b = choose(spinning, kappa_a + kappa_d, any_excess_b, excess_spun)"),
+    ]

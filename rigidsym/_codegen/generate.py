@@ -1,0 +1,60 @@
+"""`generate(target)`: the files of a numeric module, as values; writing them is separate."""
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypedDict
+
+from rigidsym._codegen.forms import THETA, checked, key
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.lines import Place
+from rigidsym._codegen.targets import builder
+from rigidsym.io._files import write_text
+from rigidsym.solution import Solution, sealed
+
+
+class Manifest(TypedDict):
+    """The module's key, a digest of all that decides it, and the digests of its files by name."""
+
+    target: str
+    digest: str
+    sha256: dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Generated:
+    """The files of a target by name, the map from lines to equations, and a manifest."""
+
+    files: Mapping[str, str]
+    map: Mapping[str, list[Place]]
+    manifest: Manifest
+
+    def __repr__(self) -> str:
+        sizes = (f"{name} ({text.count(chr(10))} lines)" for name, text in self.files.items())
+        target, digest = self.manifest["target"], self.manifest["digest"]
+        return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
+
+    def texts(self) -> dict[str, str]:
+        """Return every file to write, the map among them."""
+        stem = str(self.manifest["target"])
+        described = {"manifest": self.manifest, "lines": self.map}
+        return {**self.files, f"{stem}.map.json": json.dumps(described, indent=1) + "\n"}
+
+    def write(self, directory: str | Path) -> list[Path]:
+        """Write all files into a directory, each moved into place whole; returns their paths."""
+        return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
+
+
+def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
+    """Generate the numeric module of a target, from the sealed ledger unless a solution is given.
+
+    form: "theta" or "pi", in which the solution is written.  Raises InputError (a ValueError) for
+    an unknown target or form.
+    """
+    build = builder(target)
+    module = build(functions(solution or sealed(), checked(form)), constants(), form)
+    digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
+    manifest: Manifest = {"target": key(target, form), "digest": module.digest, "sha256": digests}
+    return Generated(module.files, module.places(), manifest)

@@ -1,0 +1,232 @@
+"""The passes from formulas to lets that can be printed: each is a pure function of its input."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+
+from rigidsym._codegen.ir import Function, Let, is_extended
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    children,
+    names,
+    put,
+    rebuild,
+    to_text,
+)
+from rigidsym.solution import Formula
+
+_SHARED = "common_"
+
+
+def select(
+    formulas: Iterable[Formula], results: Iterable[str], given: Iterable[str]
+) -> tuple[Let, ...]:
+    """Input: a sequence, the names wanted and the names given.  Output: the lets in between."""
+    known, wanted, kept = set(given), set(results), []
+    for formula in reversed(tuple(formulas)):
+        if formula.name in wanted and formula.name not in known:
+            wanted |= set(names(formula.expression))
+            kept.append(Let((formula.name,), formula.expression, formula.source, (formula.fact,)))
+    return tuple(reversed(kept))
+
+
+def specialise(lets: Iterable[Let], values: Mapping[str, int]) -> tuple[Let, ...]:
+    """Input: lets, and integers for some names.  Output: the lets with those put in and folded."""
+    constants: dict[Expression, Expression] = {
+        Name(n): Number(value) for n, value in values.items()
+    }
+    return tuple(
+        Let(let.targets, _folded(let.expression, constants), let.source, let.facts) for let in lets
+    )
+
+
+def _folded(expression: Expression, constants: Mapping[Expression, Expression]) -> Expression:
+    if expression in constants:
+        return constants[expression]
+    parts = tuple(_folded(part, constants) for part in children(expression))
+    match rebuild(expression, parts):
+        case Operation("*", Number(0), _) | Operation("*", _, Number(0)):
+            return Number(0)
+        case Operation("*", Number(1), other) | Operation("*", other, Number(1)):
+            return other
+        case Operation("+", Number(0), other) | Operation("+" | "-", other, Number(0)):
+            return other
+        case Operation("-", Number(0), other):
+            return Call("neg", (other,))
+        case Operation("/", Number(0), _) | Call("neg", (Number(0),)):
+            return Number(0)
+        case Operation("/", other, Number(1)) | Call("neg", (Call("neg", (other,)),)):
+            return other
+        case folded:
+            return folded
+
+
+def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
+    """Input: lets, and new names for some quantities.  Output: the lets under these names."""
+    meaning = {old: Name(name) for old, name in new.items()}
+    return tuple(
+        Let(
+            tuple(new.get(target, target) for target in let.targets),
+            put(let.expression, meaning),
+            let.source,
+            let.facts,
+        )
+        for let in lets
+    )
+
+
+def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
+    """Input: lets.  Output: those of the kept names, with the others put into them."""
+    meaning: dict[str, Expression] = {}
+    wanted, found = set(kept), []
+    for let in lets:
+        expression = put(let.expression, meaning)
+        (target,) = let.targets
+        if target in wanted:
+            found.append(Let(let.targets, expression, let.source, let.facts))
+        else:
+            meaning[target] = expression
+    return tuple(found)
+
+
+def coefficient(expression: Expression, of: str, among: Iterable[str], over: str) -> Expression:
+    """Input: what is linear in some names over another.  Output: what multiplies `of`/`over`."""
+    values: dict[Expression, Expression] = {Name(n): Number(int(n == of)) for n in among}
+    values[Name(over)] = Number(1)
+    return _folded(expression, values)
+
+
+def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
+    """Input: lets, and the names wanted.  Output: the lets that these need, each name set once."""
+    wanted, kept = set(results), []
+    for let in reversed(tuple(lets)):
+        if wanted & set(let.targets):
+            wanted |= set(names(let.expression))
+            kept.append(let)
+    targets = Counter(target for let in kept for target in let.targets)
+    repeated = sorted(name for name, count in targets.items() if count > 1)
+    if repeated:
+        raise ValueError(f"{', '.join(repeated)}: set more than once")
+    return tuple(reversed(kept))
+
+
+def products(lets: Iterable[Let]) -> tuple[Let, ...]:
+    """Input: lets with whole powers.  Output: the same by multiplication."""
+    return tuple(
+        Let(let.targets, _multiplied(let.expression), let.source, let.facts) for let in lets
+    )
+
+
+def _multiplied(expression: Expression) -> Expression:
+    match rebuild(expression, tuple(map(_multiplied, children(expression)))):
+        case Operation("**", base, Number(power)) if power > 0:
+            product = base
+            for _ in range(power - 1):
+                product = Operation("*", product, base)
+            return product
+        case Operation("**", _, power):
+            raise ValueError(f"{to_text(expression)}: {to_text(power)} is not a whole power")
+        case other:
+            return other
+
+
+def fuse(function: Function) -> tuple[Let, ...]:
+    """Input: a function.  Output: its lets with a*b + c of doubles as one `fma`, c the rest."""
+    extended = function.all_extended()
+    return tuple(
+        Let(let.targets, _fused(let.expression, extended), let.source, let.facts)
+        for let in function.lets
+    )
+
+
+def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
+    small = rebuild(expression, tuple(_fused(part, extended) for part in children(expression)))
+    match small:
+        case Operation("+", Operation("*", a, b), c) | Operation("+", c, Operation("*", a, b)):
+            fused = Call("fma", (a, b, c))
+        case Operation("-", Operation("*", a, b), c):
+            fused = Call("fma", (a, b, Call("neg", (c,))))
+        case Operation("-", c, Operation("*", a, b)):
+            fused = Call("fma", (Call("neg", (a,)), b, c))
+        case _:
+            return small
+    return small if is_extended(expression, extended) else fused
+
+
+def unfused(expression: Expression) -> Expression:
+    """Input: an expression after `fuse`.  Output: with products and sums again."""
+    match rebuild(expression, tuple(map(unfused, children(expression)))):
+        case Call("fma", (a, b, c)):
+            return Operation("+", Operation("*", a, b), c)
+        case other:
+            return other
+
+
+def share(lets: Iterable[Let]) -> tuple[Let, ...]:
+    """Input: lets.  Output: the same, common subexpressions named common_1, ... before first use.
+
+    The provenance of a shared let is the union over its users.
+    """
+    lets = tuple(lets)
+    parts = {part for let in lets for part in _compound(let.expression)}
+    counts = Counter(child for part in parts for child in children(part))
+    counts.update(let.expression for let in lets)
+    users: dict[Expression, list[Let]] = {}
+    for let in lets:
+        for part in set(_compound(let.expression)):
+            users.setdefault(part, []).append(let)
+    named: dict[Expression, Name] = {}
+    shared: list[Let] = []
+    for let in lets:
+        expression = _shared(let.expression, counts, users, named, shared)
+        shared.append(Let(let.targets, expression, let.source, let.facts))
+    return tuple(shared)
+
+
+def _is_shared(name: str) -> bool:
+    return name.startswith(_SHARED) and name[len(_SHARED) :].isdigit()
+
+
+def _compound(expression: Expression) -> Iterator[Expression]:
+    """Yield the expression and its parts, without single names and numbers."""
+    if isinstance(expression, Operation | Call):
+        yield expression
+    for part in children(expression):
+        yield from _compound(part)
+
+
+def _shared(
+    expression: Expression,
+    counts: Counter[Expression],
+    users: Mapping[Expression, list[Let]],
+    named: dict[Expression, Name],
+    shared: list[Let],
+) -> Expression:
+    if expression in named:
+        return named[expression]
+    parts = tuple(_shared(part, counts, users, named, shared) for part in children(expression))
+    small = rebuild(expression, parts)
+    if counts[expression] < 2 or not isinstance(expression, Operation):
+        return small
+    number = sum(_is_shared(let.targets[0]) for let in shared) + 1
+    named[expression] = Name(f"{_SHARED}{number}")
+    source = tuple(dict.fromkeys(s for let in users[expression] for s in let.source))
+    facts = tuple(dict.fromkeys(f for let in users[expression] for f in let.facts))
+    shared.append(Let((named[expression].name,), small, source, facts))
+    return named[expression]
+
+
+def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
+    """Input: lets after `share`.  Output: the lets before it; what `share` named is put back."""
+    meaning: dict[str, Expression] = {}
+    expanded = []
+    for let in lets:
+        expression = put(let.expression, meaning)
+        if _is_shared(let.targets[0]):
+            meaning[let.targets[0]] = expression
+        else:
+            expanded.append(Let(let.targets, expression, let.source, let.facts))
+    return tuple(expanded)

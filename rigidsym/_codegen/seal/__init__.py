@@ -1,0 +1,46 @@
+"""The seal: the kernel decides, formula by formula, that what is printed is what was derived.
+
+Code generation selects, renames, shares, folds and multiplies out.  Each module here undoes some of
+these and compares with the ledger, or with what a special function states:
+
+    structure  every name is set once, before it is used, and every line is needed; functions take
+               and give numbers in the order that the runtimes count on; lines put together again
+               are the formulas that ledger and special functions state
+    facts      formulas that name a fact, definition or reading of the ledger are it
+    states     rows, gains and states together are the ledger's attitude and rates
+    text       printed files read back: numbers, signatures, lines and tables are what they print,
+               in order, and all else is what the package has written by hand, word for word;
+               digests are those of the files, and the map says of each line what its comment says
+
+Not seen: whether a special function (nome, theta series, angles and their reduction) is the
+standard one that it stands for, which its proved bounds and tests speak of, and what the runtimes
+make of it all.  Of these the arithmetic of pairs is held against exact arithmetic by tests.
+"""
+
+from rigidsym._codegen.forms import THETA
+from rigidsym._codegen.functions import constants, finished, stated
+from rigidsym._codegen.seal import facts, states, structure
+from rigidsym._codegen.seal.equality import is_equal
+from rigidsym._codegen.seal.text import seal_text
+from rigidsym.solution import Solution
+
+__all__ = ["is_equal", "seal", "seal_text"]
+
+
+def seal(solution: Solution, form: str = THETA) -> int:
+    """Decide every formula that generated code stands for; return how many decisions there were.
+
+    Raises InputError, naming it, for the first formula that the lines do not give.
+    """
+    origin = stated(solution, form)
+    every = tuple(map(finished, origin))
+    structure.check_order(every, {number.name for number in constants()})
+    structure.check_interfaces(every, form)
+    claims = [
+        *structure.sharing_claims(origin, every),
+        *facts.claims(solution, every, form),
+        *states.claims(solution, every, form),
+    ]
+    for claim in claims:
+        claim.decide()
+    return len(claims)

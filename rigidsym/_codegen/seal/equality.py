@@ -1,0 +1,108 @@
+"""Equality of expressions as rational functions, decided in a ring of the kernel.
+
+Calls are names there: equal ones have equal names.  A `Claim` is one such decision.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import count
+
+from rigidsym._codegen.ir import Let
+from rigidsym.errors import InputError
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Name,
+    Operation,
+    children,
+    names,
+    rebuild,
+    to_text,
+)
+from rigidsym.proof.kernel import Context, KernelError, Ring
+
+DIFFERS = "what is printed is not what was derived"
+
+
+def is_equal(left: Expression, right: Expression) -> bool:
+    """Return True where two expressions are equal as rational functions of names and calls."""
+    if left == right:
+        return True
+    atoms: dict[Expression, str] = {}
+    left, right = (_by_names(expression, atoms) for expression in (left, right))
+    generators = sorted({*names(left), *names(right)})
+    units = {to_text(unit) for side in (left, right) for unit in _denominators(side)}
+    try:
+        ring = _ring(generators, tuple(sorted(units)))
+        return not (ring.read(to_text(left)) - ring.read(to_text(right))).numerator
+    except KernelError:
+        return False
+
+
+def _by_names(expression: Expression, atoms: dict[Expression, str]) -> Expression:
+    """Put a name in place of each call, the same for equal ones."""
+    parts = tuple(_by_names(part, atoms) for part in children(expression))
+    match rebuild(expression, parts):
+        case Call("neg", (operand,)):
+            return Call("neg", (operand,))
+        case Call() as call:
+            return Name(_atom(call, atoms))
+        case other:
+            return other
+
+
+def _atom(call: Call, atoms: dict[Expression, str]) -> str:
+    """Return the name of a call, which calls of the same function and equal arguments share."""
+    for other, name in atoms.items():
+        if isinstance(other, Call) and _are_same(call, other):
+            return name
+    return atoms.setdefault(call, f"call_{len(atoms)}")
+
+
+def _are_same(one: Call, other: Call) -> bool:
+    if one.function != other.function or len(one.arguments) != len(other.arguments):
+        return False
+    return all(map(is_equal, one.arguments, other.arguments))
+
+
+def _denominators(expression: Expression) -> Iterable[Expression]:
+    if isinstance(expression, Operation) and expression.operator == "/":
+        yield expression.right
+    for part in children(expression):
+        yield from _denominators(part)
+
+
+def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
+    """Open a ring of the kernel; its sample point consists of primes, where no unit vanishes."""
+    witness = dict(zip(generators, map(str, _primes(len(generators))), strict=True))
+    return Context("seal", tuple(generators), witness, units=units).open()
+
+
+def _primes(size: int) -> list[int]:
+    found: list[int] = []
+    for candidate in count(101):
+        if len(found) == size:
+            return found
+        if all(candidate % d for d in range(2, 1 + int(candidate**0.5))):
+            found.append(candidate)
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """A claim that the printed form of a formula, at a place, equals the derived one."""
+
+    place: str
+    formula: str
+    derived: Expression
+    printed: Expression
+
+    def decide(self) -> None:
+        """Raise InputError, naming place and formula, unless both are equal."""
+        if not is_equal(self.derived, self.printed):
+            raise InputError(self.place, self.formula, DIFFERS)
+
+
+def formulas_of(lets: tuple[Let, ...]) -> dict[str, Expression]:
+    """Return expressions by the name they set, where that is one."""
+    return {let.targets[0]: let.expression for let in lets if len(let.targets) == 1}

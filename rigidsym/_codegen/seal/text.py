@@ -1,0 +1,108 @@
+"""Printed files read back: text written by hand, digests, and the map of derived lines."""
+
+import hashlib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from rigidsym._codegen import header
+from rigidsym._codegen.forms import split
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.generate import Generated
+from rigidsym._codegen.ir import KINDS
+from rigidsym._codegen.lines import Place, note
+from rigidsym._codegen.targets import reader
+from rigidsym.errors import InputError
+from rigidsym.solution import Solution
+
+_NOTE = re.compile(rf"(?:  # | /\* )((?:{'|'.join(KINDS)})\b.*?)(?: \*/)?$")
+
+
+def seal_text(generated: Generated, solution: Solution) -> int:
+    """Read the files of a module back; returns how many derived lines there are.
+
+    Raises InputError, naming function or line, where one is not what the lets say or the map tells,
+    where what is written by hand is not what the package brings, and where a digest is that of
+    other files.
+    """
+    target, form = split(generated.manifest["target"])
+    decided = reader(target)(generated.files, functions(solution, form), constants(), form)
+    _check_digests(generated)
+    _check_places(generated)
+    return decided
+
+
+@dataclass(frozen=True)
+class Between:
+    """The text of a file between two parts written by hand, and the number of its first line."""
+
+    file: str
+    line: int
+    text: str
+
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.text.split("\n")
+
+    def at(self, line: int) -> str:
+        """Return a line by its number in the file."""
+        return self._lines[line - self.line]
+
+
+def between(file: str, text: str, first: str, last: str) -> Between:
+    """Return the text of a file between its first and its last part, which end with their lines.
+
+    Raises InputError, naming the line, where a part is not there word for word.
+    """
+    lines, head, tail = (x.split("\n") for x in (text, first.removesuffix("\n"), last))
+    for number, wanted in enumerate(head):
+        _check_by_hand(file, lines, number, wanted)
+    for back, wanted in enumerate(reversed(tail), 1):
+        _check_by_hand(file, lines, len(lines) - back, wanted)
+    if len(head) + len(tail) > len(lines):
+        raise InputError(file, f"{len(lines)} lines", "are too few for what is written by hand")
+    middle = lines[len(head) : len(lines) - len(tail)]
+    return Between(file, len(head) + 1, "".join(f"{line}\n" for line in middle))
+
+
+def _check_by_hand(file: str, lines: list[str], number: int, wanted: str) -> None:
+    line = lines[number] if 0 <= number < len(lines) else "the end of the file"
+    if line != wanted:
+        rule = f"is not the line written by hand, {wanted.strip() or 'an empty one'}"
+        raise InputError(f"{file}:{number + 1}", line.strip() or "an empty line", rule)
+
+
+def _check_digests(generated: Generated) -> None:
+    """Raise InputError for a digest that is not that of the files."""
+    manifest, files = generated.manifest, dict(generated.files)
+    found = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
+    for name in sorted({*found, *manifest["sha256"]}):
+        if found.get(name) != manifest["sha256"].get(name):
+            raise InputError("sha256", name, "is not what the manifest says")
+    target, digest = manifest["target"], manifest["digest"]
+    unsealed = {name: header.unsealed(text, target, digest) for name, text in files.items()}
+    if header.sealed(unsealed, target) != (files, digest):
+        raise InputError("digest", digest, "is not that of the files")
+
+
+def _check_places(generated: Generated) -> None:
+    """Raise InputError, naming the line, where the map and the text differ."""
+    for name, text in generated.files.items():
+        told = {place["line"]: place for place in generated.map.get(name, ())}
+        _check_comments(name, text.split("\n"), told)
+
+
+def _check_comments(file: str, lines: list[str], told: Mapping[int, Place]) -> None:
+    noted = {number: _note(line) for number, line in enumerate(lines, 1) if _note(line)}
+    for number in sorted({*noted, *told}):
+        place = told.get(number)
+        said = note(place["kind"], place["facts"], place["equations"]) if place else "no line"
+        if said != noted.get(number, ""):
+            raise InputError(f"{file}:{number}", said, f"the line says {noted.get(number)}")
+
+
+def _note(line: str) -> str:
+    """Return the comment behind a line of code."""
+    found = _NOTE.search(line)
+    return found[1] if found else ""

@@ -1,0 +1,69 @@
+"""Arctangent and logarithm of extended numbers, by series after algebraic halvings.
+
+The first terms are extended numbers; the rest, below 2^-53 of the sum, are doubles.  What the
+series leave out is below 2^-106 of the sum: `series_tail` bounds it.
+"""
+
+from fractions import Fraction
+
+from rigidsym._codegen.ir import Constant, Function, Let, let
+from rigidsym._codegen.special_functions.polynomials import horner
+
+_EXTENDED, _TERMS = 8, 17
+# tan(pi/32) and tanh(log(2)/8) are below this after the halvings.
+LARGEST = Fraction(99, 1000)
+ARCTAN = "DLMF 4.24.3"
+LOGARITHM = "DLMF 4.38.5"
+
+
+def series_tail() -> Fraction:
+    """Bound sum_{n >= TERMS} x^(2 n)/(2 n + 1) where x is at most LARGEST."""
+    square = LARGEST**2
+    return square**_TERMS / (2 * _TERMS + 1) / (1 - square)
+
+
+def constants() -> list[Constant]:
+    """Return 1/3, 1/5, ... as they are used."""
+    odd = [2 * n + 1 for n in range(1, _TERMS)]
+    return [_constant(f"over_{n}", Fraction(1, n), f"1/{n}", n <= 2 * _EXTENDED + 1) for n in odd]
+
+
+def _constant(name: str, value: Fraction, meaning: str, extended: bool) -> Constant:
+    hi = float(value)
+    return Constant(name, hi, float(value - Fraction(hi)) if extended else None, meaning)
+
+
+def half_turns() -> Function:
+    """Return theta/pi where s = sin(theta), c = cos(theta) >= 0."""
+    lets = [let("t1 = s/(1 + c)", "DLMF 4.21.28")]
+    lets += [let(f"t{k + 1} = t{k}/(1 + sqrt(1 + t{k}*t{k}))", "DLMF 4.21.28") for k in range(1, 4)]
+    lets += _series("t4", "-", ARCTAN)
+    lets += [let("angle = 16*t4*series/pi", ARCTAN)]
+    summary = "theta/pi where s and c >= 0 are the sine and cosine of theta."
+    return Function("_half_turns", summary, ("s", "c"), tuple(lets), ("angle",), frozenset("sc"))
+
+
+def logarithm() -> Function:
+    """Return log x for x > 0."""
+    lets = [
+        let("e = exponent(x)", "DLMF 4.8"),
+        let("f = sqrt(mantissa(x))", "DLMF 4.8"),
+        let("t4 = (f - 1)/(f + 1)", LOGARITHM),
+        *_series("t4", "+", LOGARITHM),
+        let("log_x = e*log_2 + 4*t4*series", LOGARITHM),
+    ]
+    summary = "log(x) for x > 0."
+    return Function("_logarithm", summary, ("x",), tuple(lets), ("log_x",), frozenset("x"))
+
+
+def _series(variable: str, sign: str, source: str) -> list[Let]:
+    """Return 1 +- z/3 + z^2/5 +- ..., z the square of the variable."""
+    names = [f"over_{2 * n + 1}" for n in range(1, _TERMS)]
+    return [
+        let(
+            f"z = {variable}*{variable}" if sign == "+" else f"z = -({variable}*{variable})", source
+        ),
+        let("z_d = rounded(z)", source),
+        let(f"tail = {horner('z_d', names[_EXTENDED:])}", source),
+        let(f"series = {horner('z', ['1', *names[:_EXTENDED], 'tail'])}", source),
+    ]

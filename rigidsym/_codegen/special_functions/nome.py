@@ -1,0 +1,106 @@
+"""The nome by its series in (1 - root k')/(1 + root k')/2, one Landen step further down.
+
+q(k_next) = q(k)^2, and with e = k^2/(2 (1 + k') (1 + root k')^2) at that level
+
+    q = e (1 + 2 e^4 + 15 e^8 + 150 e^12 + ...)        (DLMF 19.5.5 with 20.9)
+
+All terms are positive.  For k^2 <= 1/2 above, k_next^2 is below 3/100 at that level, so that k' and
+its root, which are no less than 1 - k_next^2, leave e < 1/500.
+"""
+
+from fractions import Fraction
+
+from rigidsym._codegen.ir import Function, let
+from rigidsym._codegen.special_functions.polynomials import horner
+
+TERMS = 4
+_SOURCE = "DLMF 20.9.1"
+LARGEST = Fraction(1, 500)
+
+
+def series_tail() -> Fraction:
+    """Bound what TERMS leave out of q/e, e at most LARGEST, relative to it: q/e >= 1.
+
+    With e = q R(q^4) as in `coefficients`, let L be a lower bound for |R| where |q| = r = 3/5; |e|
+    is at least r L there, and e has the zero q = 0 alone within.  By Rouche's theorem q is analytic
+    in e where |e| < r L, with |q| < r, and by Cauchy's estimate the coefficient of e^(4 n) in q/e
+    is at most (r L)^(-4 n)/L: a geometric series.
+    """
+    radius = Fraction(3, 5)
+    p = radius**4
+    over, under = 1 - p**2 / (1 - p**4), 1 + 2 * p / (1 - p**3)
+    least = over / under
+    ratio = (LARGEST / (radius * least)) ** 4
+    return ratio**TERMS / (1 - ratio) / least
+
+
+def coefficients(count: int) -> list[int]:
+    """Return 1, 2, 15, 150, ..., the reversed series of a quotient of thetas.
+
+    >>> coefficients(6)
+    [1, 2, 15, 150, 1707, 20910]
+    """
+    # In p = q^4, e = q R(p) has e^4 = p R(p)^4; the coefficient of e^(4 n) in q/e is asked for.
+    over = [0] * count
+    n = 0
+    while n * (n + 1) < count:
+        over[n * (n + 1)] += 1
+        n += 1
+    under = [0] * count
+    n = 0
+    while n * n < count:
+        under[n * n] += 1 if n == 0 else 2
+        n += 1
+    ratio = _times(over, _inverse(under))
+    found = [1]
+    while len(found) < count:
+        # q = e (sum found_k e^(4 k)) must satisfy q R(q^4) = e: the next coefficient mends it.
+        trial = [*found, 0]
+        found.append(-_composed(ratio, trial)[len(found)])
+    return found
+
+
+def _composed(ratio: list[int], found: list[int]) -> list[int]:
+    """Return coefficients in w = e^4 of (q/e) R(q^4) where q/e has the coefficients found."""
+    size = len(found)
+    fourth = _times(_times(found, found), _times(found, found))
+    argument = [0, *fourth[: size - 1]]
+    total, power = [0] * size, [1] + [0] * (size - 1)
+    for factor in ratio[:size]:
+        total = [a + factor * b for a, b in zip(total, power, strict=True)]
+        power = _times(power, argument)
+    return _times(found, total)
+
+
+def _times(a: list[int], b: list[int]) -> list[int]:
+    size = min(len(a), len(b))
+    return [sum(a[j] * b[k - j] for j in range(k + 1)) for k in range(size)]
+
+
+def _inverse(a: list[int]) -> list[int]:
+    found = [1]
+    for k in range(1, len(a)):
+        found.append(-sum(a[j] * found[k - j] for j in range(1, k + 1)))
+    return found
+
+
+def root_ratio() -> Function:
+    """Return r = k/root q(k), which is 4 at k = 0."""
+    terms = [str(value) for value in coefficients(TERMS)]
+    lets = (
+        let("root_kc = sqrt(kc)", "DLMF 19.8.12"),
+        let("k_next = (k/(1 + kc))*(k/(1 + kc))", "DLMF 19.8.12", facts=("landen.k_next",)),
+        let(
+            "kc_next = 2*root_kc/(1 + kc)",
+            "DLMF 19.8.12",
+            facts=("definition landen.kc_next",),
+        ),
+        let("root = 1 + sqrt(kc_next)", _SOURCE),
+        let("f = 2*(1 + kc_next)*root*root", _SOURCE),
+        let("e = k_next*k_next/f", _SOURCE),
+        let("e2 = e*e", _SOURCE),
+        let("e4 = e2*e2", _SOURCE),
+        let(f"r = (1 + kc)/sqrt(sqrt(({horner('e4', terms)})/f))", _SOURCE),
+    )
+    summary = "k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2."
+    return Function("_root_ratio", summary, ("k", "kc"), lets, ("r",), frozenset(("k", "kc")))

@@ -1,0 +1,142 @@
+"""Angles that grow with time, reduced before any sine."""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import cache
+from math import factorial
+
+import mpmath
+from flint import arb
+from mpmath import mpf
+
+from rigidsym._codegen.ir import EXACT_DIFFERENCE, EXACT_PRODUCT, EXACT_SUM, Constant, Let, let
+from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, horner, interpolated
+
+TERMS = 8
+# What whole half turns do to sine and cosine; the sign they leave.
+TURNS = "DLMF 4.16"
+_SINE = [f"sine_{k}" for k in range(TERMS)]
+_COSINE = [f"cosine_{k}" for k in range(TERMS)]
+_FARTHEST = Fraction(65, 128)
+_RANGE = Fraction(0), _FARTHEST**2
+
+
+def constants() -> list[Constant]:
+    """Return the coefficients of the polynomials."""
+    sines, cosines = sine_coefficients(TERMS), cosine_coefficients(TERMS)
+    return [
+        *(
+            Constant(n, c, None, f"sin(pi f)/f, z^{k + 1}")
+            for k, (n, c) in enumerate(zip(_SINE, sines, strict=True))
+        ),
+        *(
+            Constant(n, c, None, f"cos(pi f), z^{k + 1}")
+            for k, (n, c) in enumerate(zip(_COSINE, cosines, strict=True))
+        ),
+    ]
+
+
+def product(
+    name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
+) -> list[Let]:
+    """State name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra.
+
+    There is no of_lo unless `later`.
+    """
+    terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
+    small = " + (".join(filter(None, terms))
+    small += ")" * small.count("(")
+    return [
+        let(f"{name} = {factor}_hi*{of}", EXACT_PRODUCT),
+        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})", EXACT_PRODUCT),
+    ]
+
+
+def total(name: str, one: str, other: str) -> list[Let]:
+    """Return name + name_error = one + other exactly (Knuth's sum of two)."""
+    lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
+    return [
+        let(f"{name} = {one} + {other}", EXACT_SUM),
+        let(f"{name}_other = {name} - {one}", EXACT_SUM),
+        let(f"{name}_error = {lost}", EXACT_SUM),
+    ]
+
+
+def whole(name: str, value: str) -> list[Let]:
+    """Return the nearest whole number, and the rest, which is exact."""
+    return [
+        let(f"{name}_whole = nearest({value})", TURNS),
+        let(f"{name}_rest = {value} - {name}_whole", TURNS, EXACT_DIFFERENCE),
+    ]
+
+
+def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
+    """Return sine of pi times half_turns, with a sign."""
+    square = f"{half_turns}_square"
+    return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
+
+
+def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
+    """Return sine and cosine of pi times half_turns, whose whole part is given apart."""
+    square, sign = f"{angle}_square", f"{angle}_sign"
+    return [
+        _square(square, half_turns),
+        let(f"{sign} = alternating({whole})", TURNS),
+        _sine(square, half_turns, sign, sine),
+        let(f"{cosine} = {sign}*(1 + {square}*({horner(square, _COSINE)}))", "DLMF 4.19.2"),
+    ]
+
+
+def _square(square: str, half_turns: str) -> Let:
+    return let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2")
+
+
+def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
+    return let(
+        f"{sine} = {sign}*({half_turns}*pi_hi"
+        f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
+        "DLMF 4.19.1",
+    )
+
+
+@cache
+def sine_coefficients(count: int) -> tuple[float, ...]:
+    """Return the doubles S_0 ... of S, `count` of them."""
+    return _fitted(lambda z: _sine_ratio(z) - mpmath.pi, count)
+
+
+@cache
+def cosine_coefficients(count: int) -> tuple[float, ...]:
+    """Return the doubles C_0 ... of C, `count` of them."""
+    return _fitted(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
+
+
+def _sine_ratio(z: mpf) -> mpf:
+    f = mpmath.sqrt(z)
+    return mpmath.sin(mpmath.pi * f) / f
+
+
+def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
+    """Return coefficients of a polynomial p with z p(z) near the function."""
+    with mpmath.workdps(DIGITS):
+        first = float(interpolated(lambda z: function(z) / z, *_RANGE, count)[0])
+        rest = interpolated(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
+        return (first, *map(float, rest))
+
+
+def sine_bound(coefficients: Sequence[float]) -> float:
+    """Bound |f (pi + z S(z)) - sin(pi f)|."""
+    return distance(coefficients, lambda k: _taylor(2 * k + 3), *_RANGE, weight=_sine_weight)
+
+
+def cosine_bound(coefficients: Sequence[float]) -> float:
+    """Bound |1 + z C(z) - cos(pi f)|."""
+    return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
+
+
+def _sine_weight(z: arb) -> arb:
+    return abs(z) * _FARTHEST.numerator / _FARTHEST.denominator
+
+
+def _taylor(power: int) -> arb:
+    return (-1) ** (power // 2) * arb.pi() ** power / factorial(power)

@@ -1,0 +1,166 @@
+"""X, Y and J of a step for short times, by their Taylor series.
+
+X' = Y and Y' = -e_1 X + 2 e_2 X^3 give X/t and Y as series in a = e_1 t^2 and b = e_2 t^4.  J, the
+integral of X^2/(1 - nu X^2) dt, is one in x = X^2 by 1/Y (Legendre's, DLMF 18.12.11) and the
+geometric series:
+
+    J = X^3 sum of c_j x^j/(2 j + 3),    c_j = d_j + nu c_{j-1},    1/Y = sum of d_j x^j
+
+Where e_1 = p - r/2 and e_2 = (r/4)^2, 0 <= r <= p <= |omega|^2 for bodies that can exist: l_a, l_b
+and l_d are 1 at most by the triangle inequality of moments.  `STEPS` doublings bring |omega t| of
+8 rad to p t^2 = `LARGEST`, from which all bounds follow.
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+
+from rigidsym._codegen.ir import Let, let
+from rigidsym._codegen.special_functions.polynomials import horner
+
+STEPS = 5
+# So many of them are extended.
+LAST = 2
+TERMS, J_TERMS = 8, 12
+# p t^2 at the shortest time.
+LARGEST = Fraction(8, 2**STEPS) ** 2
+_PARTS = 16
+_TAYLOR, _LEGENDRE = "DLMF 22.10.1", "DLMF 18.12.11"
+# A coefficient by the powers of e_1 and e_2.
+Polynomial = dict[tuple[int, int], Fraction]
+
+
+@cache
+def series() -> tuple[Polynomial, ...]:
+    """Return the coefficients of t, t^3, t^5, ... in X."""
+    found: list[Polynomial] = [{(0, 0): Fraction(1)}]
+    for n in range(TERMS - 1):
+        total: Polynomial = {}
+        for (i, j), c in found[n].items():
+            _add(total, (i + 1, j), -c)
+        for c, power in _cubes(found, n - 1):
+            _add(total, (power[0], power[1] + 1), 2 * c)
+        found.append({p: c / ((2 * n + 2) * (2 * n + 3)) for p, c in total.items()})
+    return tuple(found)
+
+
+def _add(total: Polynomial, power: tuple[int, int], value: Fraction) -> None:
+    total[power] = total.get(power, Fraction(0)) + value
+
+
+def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[int, int]]]:
+    """Return the terms of t^(2 n + 3) in X^3."""
+    for i in range(n + 1):
+        for j in range(n + 1 - i):
+            for (a, b), x in found[i].items():
+                for (c, d), y in found[j].items():
+                    for (e, f), z in found[n - i - j].items():
+                        yield x * y * z, (a + c + e, b + d + f)
+
+
+def elapsed() -> list[Let]:
+    """State X_0/t less 1 and Y_0 less 1 at `first_t`, by e_1 and e_2 rounded."""
+    return [
+        let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
+        let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
+        let(f"more_X = {_sum([1] * TERMS)}", _TAYLOR),
+        let(f"more_Y = {_sum([2 * n + 1 for n in range(TERMS)])}", _TAYLOR),
+        let("X = first_t*(unity + more_X)", _TAYLOR),
+        let("Y = unity + more_Y", _TAYLOR),
+    ]
+
+
+def _sum(factors: list[int]) -> str:
+    """Return the terms after the first, with a factor each, by Horner's scheme in a_2."""
+    by_power: dict[int, dict[int, Fraction]] = {}
+    for factor, coefficient in list(zip(factors, series(), strict=True))[1:]:
+        for (i, j), c in coefficient.items():
+            by_power.setdefault(j, {})[i] = factor * c
+    rows = []
+    for j in range(max(by_power) + 1):
+        row = by_power[j]
+        values = [_number(row.get(i, Fraction(0))) for i in range(max(row) + 1)]
+        rows.append(f"({horner('a_1', values)})")
+    return horner("a_2", rows)
+
+
+def _number(value: Fraction) -> str:
+    if value.denominator == 1:
+        return f"({value.numerator})" if value < 0 else str(value.numerator)
+    return f"({value.numerator})/{value.denominator}"
+
+
+def third_kind() -> list[Let]:
+    """State the imaginary part of rate J, where rate and nu are complex."""
+    lets = [
+        let("square_X = X*X", _LEGENDRE),
+        let("d_0 = 1", _LEGENDRE),
+        let("d_1 = e_1/2", _LEGENDRE),
+    ]
+    for j in range(2, J_TERMS):
+        first, second = f"{2 * j - 1}/{2 * j}", f"{j - 1}/{j}"
+        lets.append(
+            let(f"d_{j} = ({first})*(e_1*d_{j - 1}) - ({second})*(e_2*d_{j - 2})", _LEGENDRE)
+        )
+    lets += [let("c_0_re = 1", _LEGENDRE), let("c_0_im = 0", _LEGENDRE)]
+    for j in range(1, J_TERMS):
+        b = j - 1
+        lets += [
+            let(f"c_{j}_re = d_{j} + (nu_re*c_{b}_re - nu_im*c_{b}_im)", _LEGENDRE),
+            let(f"c_{j}_im = nu_re*c_{b}_im + nu_im*c_{b}_re", _LEGENDRE),
+        ]
+    for part in ("re", "im"):
+        values = [f"(1/{2 * j + 3})*c_{j}_{part}" for j in range(J_TERMS)]
+        lets.append(let(f"J_{part} = X*square_X*({horner('square_X', values)})", _LEGENDRE))
+    return [
+        *lets,
+        let("chi = rate_re*J_im + rate_im*J_re"),
+        let("E_re = 1 - chi*chi/2*(1 - chi*chi/12)", "DLMF 4.19.2"),
+        let("E_im = chi*(1 - chi*chi/6*(1 - chi*chi/20))", "DLMF 4.19.1"),
+    ]
+
+
+@cache
+def elapsed_tail() -> Fraction:
+    """Bound what TERMS leave out of X and Y, relative to them.
+
+    With all signs positive, f'' = e_1 f + 2 e_2 f^3 has coefficients that are no smaller, and grow
+    with e_1 and e_2: r is between 0 and p in `_PARTS` parts, in each of which both are at their
+    largest.  Beyond 4 TERMS it is f'' = f + f^3/2, p being 1, whose f is sqrt(2) tan(s/sqrt(2)):
+    tan(x)/x has less than 2 (4/9)^n.  X/t and Y are 1 - LARGEST at least.
+    """
+    count, share = 4 * TERMS, 2 * LARGEST / 9
+    beyond = 2 * (2 * count + 1) * share**count / (1 - share) ** 2
+    return (max(map(_left_out, range(_PARTS))) + beyond) / (1 - LARGEST)
+
+
+def _left_out(part: int) -> Fraction:
+    """Bound the terms of Y from TERMS to 4 TERMS over one part of the values of r."""
+    r, further = Fraction(part, _PARTS), Fraction(part + 1, _PARTS)
+    found = _majorant(1 - r / 2, further**2 / 16)
+    return sum(((2 * n + 1) * found[n] * LARGEST**n for n in range(TERMS, 4 * TERMS)), Fraction(0))
+
+
+def _majorant(e_1: Fraction, e_2: Fraction) -> list[Fraction]:
+    """Return the coefficients of t, t^3, ... in f, where f'' = e_1 f + 2 e_2 f^3."""
+    found = [Fraction(1)]
+    squares: list[Fraction] = []
+    for n in range(4 * TERMS - 1):
+        cubes = sum((found[i] * squares[n - 1 - i] for i in range(n)), Fraction(0))
+        squares.append(sum((found[i] * found[n - i] for i in range(n + 1)), Fraction(0)))
+        found.append((e_1 * found[n] + 2 * e_2 * cubes) / ((2 * n + 2) * (2 * n + 3)))
+    return found
+
+
+def third_kind_tail() -> Fraction:
+    """Bound what is left out in psi/2 after all doublings.
+
+    1/Y is a product of two (1 - a x)^(-1/2) with a <= p, so that d_j <= p^j; |nu| <= h <= p/4 then
+    gives |c_j| <= (4/3) p^j.  X <= t; the rate is h z z' with |z| <= 1 and |z'| <= |omega|, since
+    the momentum's direction turns no faster; an angle chi by three terms of sine and cosine each is
+    wrong by chi^7/500 at most.
+    """
+    rate = Fraction(1, 4) * Fraction(8, 2**STEPS) ** 3
+    left_out = Fraction(4, 3) * LARGEST**J_TERMS / (2 * J_TERMS + 3) / (1 - LARGEST)
+    chi = rate * Fraction(1, 3) / (1 - LARGEST) ** 2
+    return 2**STEPS * (rate * left_out + chi**7 / 500)

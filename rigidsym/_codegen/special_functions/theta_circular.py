@@ -1,0 +1,193 @@
+"""Theta functions as polynomials in x = cos 2v, for k_1^2 <= 1/2, where the nome Q^2 is small.
+
+Q is the nome of m, Q^2 that of k_1^2, and h+- = sqrt(Q) e^(+-b), so that in the series of DLMF 20.2
+
+    theta_4(v - i rho b | Q^2) = 1 + sum (-1)^n (p_2n cos 2nv + i rho d_2n sin 2nv)
+    theta_1(v - i rho b | Q^2) =     sum (-1)^n (p_2n+1 sin (2n+1)v - i rho d_2n+1 cos (2n+1)v)
+
+the coefficients are p_k, d_k = Q^(k(k-1)/2) (h+^k +- h-^k).  The same with nome Q and b = 0 serves
+the rates and N^2 (Watson's identity).  h+ < 1 since b is below a quarter of the period, and
+Q < 0.208, so p_8 is below 2^-62.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from rigidsym._codegen.ir import Let, let
+from rigidsym._codegen.special_functions.polynomials import horner, linear
+
+# The largest k of p_k and d_k in a state; `Lambda` needs more of them.
+STATE, SECULAR = 7, 10
+_SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.4"), "DLMF 20.7.14"
+
+
+def powers() -> list[Let]:
+    """Return p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
+    lets = [let("up1 = h_plus", *_SERIES), let("down1 = h_minus", *_SERIES)]
+    lets += [let("step_up1 = h_plus*Q", *_SERIES), let("step_down1 = h_minus*Q", *_SERIES)]
+    for k in range(2, SECULAR + 1):
+        for way in ("up", "down"):
+            lets.append(let(f"{way}{k} = {way}{k - 1}*step_{way}{k - 1}", *_SERIES))
+            if k < SECULAR:
+                lets.append(let(f"step_{way}{k} = step_{way}{k - 1}*Q", *_SERIES))
+    for k in range(1, SECULAR + 1):
+        lets += [let(f"p{k} = up{k} + down{k}", *_SERIES), let(f"d{k} = up{k} - down{k}", *_SERIES)]
+    return lets
+
+
+def zeta() -> list[Let]:
+    """Return zeta = Im theta_4'/theta_4 at v = -i b, over the quarter period."""
+    even = range(2, SECULAR + 1, 2)
+    slope = linear({f"d{k}": -((-1) ** (k // 2)) * k for k in even})
+    value = linear({"1": 1} | {f"p{k}": (-1) ** (k // 2) for k in even})
+    return [let(f"zeta = g*({slope})/({value})", "DLMF 20.2.4")]
+
+
+def coefficients() -> list[Let]:
+    """Return the coefficients of the polynomials in x, from p_k, d_k and Q."""
+    even, odd = range(2, STATE + 1, 2), range(1, STATE + 1, 2)
+    signs = {k: (-1) ** (k // 2) for k in range(STATE + 1)}
+    cosines = {"1": _chebyshev(0)} | {f"p{k}": _scaled(_chebyshev(k // 2), signs[k]) for k in even}
+    sines = {f"d{k}": _scaled(_second(k // 2 - 1), 2 * signs[k]) for k in even}
+    odd_sines = {f"p{k}": _scaled(_over_sine(k // 2), signs[k]) for k in odd}
+    odd_cosines = {f"d{k}": _scaled(_over_cosine(k // 2), -signs[k]) for k in odd}
+    return [
+        *_table("T4_re", cosines),
+        *_table("T4_im", sines, "rho"),
+        *_table("T1_re", odd_sines),
+        *_table("T1_im", odd_cosines, "rho"),
+        *rates(),
+    ]
+
+
+def rates() -> list[Let]:
+    """Return theta_1 to theta_4 of real v and nome Q, the first two over 2 Q^(1/4)."""
+    lets = [let("Q2 = Q*Q", *_SERIES), let("Q4 = Q2*Q2", *_SERIES), let("Q6 = Q4*Q2", *_SERIES)]
+    lets += [let("Q9 = Q4*Q4*Q", *_SERIES), let("Q12 = Q6*Q6", *_SERIES)]
+    lets += [let("Q16 = Q12*Q4", *_SERIES), let("Q20 = Q16*Q4", *_SERIES)]
+    even = {"1": _chebyshev(0), "Q4": _scaled(_chebyshev(2), 2), "Q16": _scaled(_chebyshev(4), 2)}
+    odd = {"Q": _scaled(_chebyshev(1), 2), "Q9": _scaled(_chebyshev(3), 2)}
+    sines = {
+        name: _scaled(_over_sine(n), (-1) ** n)
+        for n, name in enumerate(("1", "Q2", "Q6", "Q12", "Q20"))
+    }
+    lets += _table("even", {name: row[::2] for name, row in even.items()})
+    lets += _table("odd", {name: row[1::2] for name, row in odd.items()})
+    lets += _table("sine_even", {name: row[::2] for name, row in sines.items()})
+    lets += _table("sine_odd", {name: row[1::2] for name, row in sines.items()})
+    return lets
+
+
+def at_zero() -> list[Let]:
+    """Return theta_2, theta_3, theta_4 of zero, nome Q; theta_2 over 2 Q^(1/4)."""
+    return [
+        let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2"),
+        let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3"),
+        let("odd_sum = 2*Q + 2*Q9 + 2*Q9*Q16", "DLMF 20.2.3"),
+        let("three = even_sum + odd_sum", "DLMF 20.2.3"),
+        let("four = even_sum - odd_sum", "DLMF 20.2.4"),
+    ]
+
+
+def constants() -> list[Let]:
+    """State the values at zero, and theta_3 of i b, nome Q."""
+    lets = at_zero()
+    # e^(2 n b) Q^(n^2) = Q^(n^2 - n) h_plus^(2 n)
+    lets += [let("h2_plus = h_plus*h_plus", _WATSON), let("h2_minus = h_minus*h_minus", _WATSON)]
+    for way in ("plus", "minus"):
+        inner = f"h2_{way}"
+        nested = f"{inner}*(1 + Q2*{inner}*(1 + Q4*{inner}*(1 + Q6*{inner}*(1 + Q4*Q4*{inner}))))"
+        lets.append(let(f"side_{way} = {nested}", _WATSON))
+    return [*lets, let("watson = 1 + side_plus + side_minus", _WATSON)]
+
+
+def values() -> list[Let]:
+    """State all thetas of a state, by sin v and cos v."""
+    return [
+        *argument(),
+        let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
+        let(f"T4_im = sin_v*cos_v*({horner('x', names('T4_im'))})", "DLMF 20.2.4"),
+        let(f"T1_re = sin_v*({horner('x', names('T1_re'))})", "DLMF 20.2.1"),
+        let(f"T1_im = cos_v*({horner('x', names('T1_im'))})", "DLMF 20.2.1"),
+        *rate_values(),
+    ]
+
+
+def argument() -> list[Let]:
+    """Return cos 2v, and its square."""
+    return [
+        let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
+        let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
+    ]
+
+
+def rate_values() -> list[Let]:
+    """Return theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
+    return [
+        let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
+        let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
+        let("theta4_v = sum_even - sum_odd", "DLMF 20.2.4"),
+        let("theta3_v = sum_even + sum_odd", "DLMF 20.2.3"),
+        let(f"part_even = {horner('x2', names('sine_even'))}", "DLMF 20.2.1"),
+        let(f"part_odd = x*({horner('x2', names('sine_odd'))})", "DLMF 20.2.1"),
+        let("theta1_v = sin_v*(part_even + part_odd)", "DLMF 20.2.1"),
+        let("theta2_v = cos_v*(part_even - part_odd)", "DLMF 20.2.2"),
+    ]
+
+
+def names(form: str) -> list[str]:
+    """Return the coefficients of one polynomial, lowest first."""
+    return [f"{form}_{j}" for j in range(_LENGTHS[form])]
+
+
+_LENGTHS = {
+    **{"T4_re": 4, "T4_im": 3, "T1_re": 4, "T1_im": 4},
+    **{"even": 3, "odd": 2, "sine_even": 3, "sine_odd": 2},
+}
+
+
+def _table(form: str, rows: Mapping[str, Sequence[int]], factor: str = "") -> list[Let]:
+    """State the coefficient of each power of x: a sum of symbols times whole numbers."""
+    lets = []
+    for j, name in enumerate(names(form)):
+        text = linear({symbol: row[j] if j < len(row) else 0 for symbol, row in rows.items()})
+        lets.append(let(f"{name} = {f'{factor}*({text})' if factor else text}", *_SERIES))
+    return lets
+
+
+def _scaled(row: Sequence[int], factor: int) -> list[int]:
+    return [factor * value for value in row]
+
+
+def _chebyshev(n: int) -> list[int]:
+    """Return cos 2nv in powers of x."""
+    return _recurrence([1], [0, 1], n)
+
+
+def _second(n: int) -> list[int]:
+    """Return sin 2(n+1)v / sin 2v in powers of x."""
+    return _recurrence([1], [0, 2], n)
+
+
+def _over_sine(n: int) -> list[int]:
+    """Return sin (2n+1)v / sin v in powers of x."""
+    return _recurrence([1], [1, 2], n)
+
+
+def _over_cosine(n: int) -> list[int]:
+    """Return cos (2n+1)v / cos v in powers of x."""
+    return _recurrence([1], [-1, 2], n)
+
+
+def _recurrence(before: list[int], after: list[int], n: int) -> list[int]:
+    """Return the n-th of the polynomials with P_(n+1) = 2 x P_n - P_(n-1)."""
+    for _ in range(n):
+        doubled = [0, *(2 * value for value in after)]
+        longer = [*before, *[0] * (len(doubled) - len(before))]
+        before, after = after, [a - b for a, b in zip(doubled, longer, strict=True)]
+    return before
+
+
+def series_tail() -> float:
+    """Bound what a state leaves out of its thetas: twice the first term, p_8 or Q^25."""
+    largest = 0.208
+    return 2 * max(2 * largest ** (STATE * (STATE + 1) // 2), 2 * largest**25)

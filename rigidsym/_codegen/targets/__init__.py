@@ -1,0 +1,39 @@
+"""The languages that modules are written in: one folder each, with all that is its own.
+
+The folder of a target `x` has
+
+    module.py      build(functions, constants, form).  Input: functions of lets, the numbers they
+                   name, and the form of the solution that they are.  Output: the module, its files
+                   and the let behind each derived line.
+    read_back.py   check(files, functions, constants, form).  Input: the files as printed, and what
+                   they print.  Output: how many lines read back as their lets.
+
+and whatever these use: an emitter, a runtime written by hand.  TARGETS lists it.
+"""
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+
+from rigidsym._codegen.ir import Constant, Function
+from rigidsym._codegen.lines import Module
+from rigidsym.errors import InputError
+
+Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
+Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
+
+TARGETS = ["numpy", "c"]
+
+
+def builder(target: str) -> Build:
+    """Return the `build` of a target; raise InputError for an unknown one."""
+    if not isinstance(target, str) or target not in TARGETS:
+        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    return import_module(f"{__name__}.{target}.module").build
+
+
+def reader(target: str) -> Check:
+    """Return the `check` of a target; raise InputError for one that cannot be read back."""
+    try:
+        return import_module(f"{__name__}.{target}.read_back").check
+    except ModuleNotFoundError:
+        raise InputError("target", target, "has no read_back.py: it cannot be sealed") from None

@@ -1,0 +1,85 @@
+"""Return codes of the C functions: names, numbers and messages, for header and source."""
+
+from typing import NamedTuple
+
+from rigidsym._codegen.forms import STEP
+
+
+class Code(NamedTuple):
+    """A refusal: the field, the rule it breaks, and a remark for the header."""
+
+    field: str
+    rule: str
+    remark: str = ""
+
+
+# Words are those of `rigidsym._inputs` and of the NumPy module, where these refuse the same.
+_CODES = {
+    "OK": Code("", "success"),
+    "NOT_FINITE": Code("", "every number must be finite", "times, too"),
+    "INERTIA": Code("inertia", "principal moments must be positive"),
+    "THIN": Code(
+        "inertia",
+        "principal moments differ by more than binary64 can follow",
+        "one is below 2^@min_moment_ratio@ of another",
+    ),
+    "ATTITUDE": Code("attitude0", "a zero quaternion is no attitude"),
+    "SEPARATRIX": Code(
+        "t",
+        "nearer to the separatrix than binary64 can follow so long",
+        "or to spin about the middle axis",
+    ),
+    "TIME": Code("t", "beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64"),
+    "RATES": Code("omega0", "rates beyond what binary64 can hold", "2^@max_rate@ rad/s"),
+    "ARITHMETIC": Code(
+        "arithmetic",
+        "sums are reordered or not rounded to nearest",
+        "by this build's options, or by the processor",
+    ),
+    "GROWTH": Code(
+        "t",
+        "on the way to spin about the middle axis squares of changes leave binary64",
+    ),
+    "NONPHYSICAL": Code(
+        "inertia",
+        "no body has a principal moment larger than the sum of the other two"
+        " (-DALLOW_NONPHYSICAL lets it pass)",
+    ),
+    "UNPREPARED": Code("motion", "torque_free_motion_init has not made it"),
+    "ANGLE": Code(
+        "dt", "|omega dt| must be at most 8 rad", "or a body that cannot exist turns faster still"
+    ),
+}
+_OF_STEPS = {
+    "ATTITUDE": _CODES["ATTITUDE"]._replace(field="q"),
+    "UNPREPARED": Code("body", "torque_free_body_init has not made it"),
+}
+# In the order of their numbers, from 0 on.
+_MOTIONS = (
+    *("OK", "NOT_FINITE", "INERTIA", "THIN", "ATTITUDE", "SEPARATRIX", "TIME", "RATES"),
+    *("ARITHMETIC", "GROWTH", "NONPHYSICAL", "UNPREPARED"),
+)
+_STEPS = (
+    *("OK", "NOT_FINITE", "INERTIA", "THIN", "ATTITUDE", "ANGLE", "ARITHMETIC"),
+    *("NONPHYSICAL", "UNPREPARED"),
+)
+
+
+def filled(text: str, form: str) -> str:
+    """Fill the marks of a form's enumeration of codes, and of their messages."""
+    own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
+    codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
+    texts = {
+        "field": {name: x.field for name, x in codes.items() if x.field},
+        "rule": {name: x.rule for name, x in codes.items()},
+        "message": {n: f"{x.field}: {x.rule}" if x.field else x.rule for n, x in codes.items()},
+    }
+    members = [
+        f"    {prefix}_{name} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
+        for number, (name, x) in enumerate(codes.items())
+    ]
+    text = text.replace("@codes@", "\n".join(members))
+    for what, said in texts.items():
+        cases = [f'    case {prefix}_{name}: return "{words}";' for name, words in said.items()]
+        text = text.replace(f"@{what}s@", "\n".join(cases))
+    return text

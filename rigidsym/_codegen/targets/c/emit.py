@@ -1,0 +1,142 @@
+"""Lets as C99: double-doubles by calls, doubles by operators.
+
+`pieces` prints a function of lets within its frames; `read_back` reads a line of it.
+"""
+
+from rigidsym._codegen.ir import CALLS, Constant, Function, is_extended
+from rigidsym._codegen.lines import Lines, comment, flat_results
+from rigidsym._codegen.passes import fuse
+from rigidsym._codegen.targets.c.frames import Frame, branch, frames_of, lane_structs
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    to_text,
+)
+
+# The type of extended numbers by what begins the names of its functions.
+_TYPES = {"dd": "double_double", "exact": "exact", "double": "double"}
+_VERBS = {"+": "add", "-": "sub", "*": "mul", "/": "div"}
+_DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponential"}
+
+
+def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
+    """Turn operations on extended numbers into calls; `number` is their prefix, `dd` or `exact`."""
+    match expression:
+        case Name() | Number():
+            return expression
+        case Operation(symbol, left, right) if symbol in _VERBS:
+            parts = (lowered(left, extended, number), lowered(right, extended, number))
+            if not is_extended(expression, extended):
+                return Operation(symbol, *parts)
+            kinds = "".join("x" if is_extended(part, extended) else "d" for part in (left, right))
+            return Call(f"{number}_{_VERBS[symbol]}_{kinds}", parts)
+        case Call("choose", (x, y, *values)) if is_extended(expression, extended):
+            condition = (lowered(x, extended, number), lowered(y, extended, number))
+            lifted = tuple(_lifted(value, extended, number) for value in values)
+            return Call(f"{number}_choose", condition + lifted)
+        case Call(function, arguments) if function.startswith("_"):
+            lift = _lifted if is_extended(expression, extended) else lowered
+            return Call(function[1:], tuple(lift(each, extended, number) for each in arguments))
+        case Call(function, arguments) if function in CALLS:
+            given = tuple(lowered(argument, extended, number) for argument in arguments)
+            if any(is_extended(argument, extended) for argument in arguments):
+                return Call(f"{number}_{function}", given)
+            return Call(_DOUBLE_CALLS.get(function, function), given)
+    raise ValueError(f"{to_text(expression)}: C cannot say this")
+
+
+def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
+    """Return an expression as an extended number."""
+    text = lowered(expression, extended, number)
+    return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
+
+
+def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
+    """Print a function: its signature, a line for each of its lets, and its end.
+
+    Lines are indented as far as the blocks that the signature opens.
+    """
+    extended, indent = function.all_extended(), _indent(signature)
+    text, lets = list(signature), {}
+    for let in fuse(function):
+        is_double_double = is_extended(let.expression, extended)
+        code = to_text(lowered(let.expression, extended, number), real=True)
+        if len(let.targets) > 1:
+            text.append(f"{indent}{_TYPES[number]} {', '.join(let.targets)};")
+            code = f"{code[:-1]}, {', '.join(f'&{target}' for target in let.targets)})"
+        else:
+            kind = _TYPES[number] if is_double_double else "double"
+            code = f"const {kind} {let.targets[0]} = {code}"
+        note = comment(let)
+        lets[len(text)] = let
+        text.append(f"{indent}{code};{note and f' /* {note} */'}")
+    return Lines((*text, *ends), lets)
+
+
+def _indent(lines: list[str]) -> str:
+    return "    " * sum(line.endswith("{") for line in lines)
+
+
+def constant_text(constant: Constant) -> str:
+    """Print the definition of a named number."""
+    hi = _literal(constant.hi)
+    if constant.lo is None:
+        return f"static const double {constant.name} = {hi}; /* {constant.meaning} */"
+    lo = _literal(constant.lo)
+    return f"static const double_double {constant.name} = {{{hi}, {lo}}}; /* {constant.meaning} */"
+
+
+def _literal(value: float) -> str:
+    return repr(value) if "." in repr(value) or "e" in repr(value) else f"{value!r}.0"
+
+
+def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
+    """Print the named numbers that are used, the structs of arrays, and all functions in order."""
+    used = {name for function in functions for name in function.used()}
+    head = [constant_text(c) for c in constants if c.name in used]
+    head.append("")
+    for statement in lane_structs(functions):
+        if head[-1] == "}":
+            head[-1] = f"}} {statement}"
+        else:
+            head.append(f"    {statement}" if statement.endswith("];") else statement)
+    head.append("")
+    return [Lines(tuple(head), {}), *(part for f in functions for part in pieces(f, functions))]
+
+
+def pieces(function: Function, among: tuple[Function, ...]) -> list[Lines]:
+    """Print a function among all of its module, `_discriminant` for two kinds of numbers."""
+    return [_framed(frame) for frame in frames_of(function, among)]
+
+
+def _framed(frame: Frame) -> Lines:
+    head, *before = frame.before
+    begin, _, parameters = head.removesuffix(") {").partition("(")
+    inside = ",\n    ".join(map(", ".join, batched(parameters.split(", "))))
+    text = [f"/* {frame.function.summary} */", *f"{begin}({inside})".split("\n"), "{"]
+    for statement in before:
+        text.append(f"{_indent(text)}{statement}")
+    indent, ends = _indent(text), []
+    for statement in frame.after:
+        indent = indent.removesuffix("    ") if statement == "}" else indent
+        ends.append(f"{indent}{statement}")
+    return function_lines(frame.function, frame.number, text, [*ends, ""])
+
+
+def branch_struct(function: Function) -> str:
+    """Print the constants that a function leaves, as a struct."""
+    lines = [f"    double {', '.join(row)};" for row in batched(flat_results(function))]
+    return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(function)};"])
+
+
+def batched(items: list[str], width: int = 84) -> list[list[str]]:
+    """Split the items into rows that stay below a width."""
+    rows: list[list[str]] = [[]]
+    for item in items:
+        if rows[-1] and len(", ".join([*rows[-1], item])) > width:
+            rows.append([])
+        rows[-1].append(item)
+    return rows

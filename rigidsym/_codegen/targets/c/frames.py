@@ -1,0 +1,224 @@
+"""C around the lines of a function: its head, the numbers it reads, and where results go.
+
+A function of one motion takes parameters, or reads arrays by index and a struct of constants.  A
+function of several bodies side by side is a loop over the members of structs of arrays: an extended
+number is two members, `<name>_hi` and `<name>_lo`, and a function that takes it as a double reads
+the first.  The constants of motions have structs of their own, in the order of one motion's.
+
+Functions of steps take the number of bodies.  Those of motions fill all lanes, as many as a
+register holds, even for one motion: a compiler should make vectors alone of lines this long, and no
+second copy.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from rigidsym._codegen.ir import Function
+from rigidsym._codegen.lines import flat_results
+
+_MOTIONS = ("_initial_state", "_circular_constants", "_hyperbolic_constants")
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A function as C has it, and the statements before and after its lines.
+
+    number: the prefix of operations on its extended numbers.
+    """
+
+    name: str
+    function: Function
+    number: str
+    before: tuple[str, ...]
+    after: tuple[str, ...]
+
+
+def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
+    """Yield the frames of all functions in order."""
+    for function in functions:
+        yield from frames_of(function, functions)
+
+
+def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame]:
+    """Yield the frame of one function of a module; `_discriminant` has one for each number."""
+    name = function.name[1:]
+    if takes_several(function):
+        yield _side_by_side(function, pairs(among))
+    elif name == "discriminant":
+        every = replace(function, extended=frozenset(function.parameters))
+        yield _valued(f"{name}_dd", every, "double_double", "dd")
+        yield _valued(f"{name}_exact", every, "exact", "exact")
+    elif len(function.results) == 1 and not function.extended:
+        yield _valued(name, function, "double", "dd", "static INLINED")
+    elif function.rounds:
+        yield _constants(name, function)
+    elif name.endswith(("_angles", "_state")):
+        (constants,) = (f for f in among if f.name == f"_{branch(function)}_constants")
+        yield _loop(name, function, {*flat_results(constants)})
+    elif len(function.results) == 1:
+        yield _valued(name, function, "double_double", "dd")
+    else:
+        yield _handing_out(name, function)
+
+
+def branch(function: Function) -> str:
+    """Return the first word of a function's name: circular, hyperbolic or steady."""
+    return function.name.split("_")[1]
+
+
+def struct(function: Function) -> tuple[str, ...]:
+    """Return the struct of the constants that a function leaves, as statements."""
+    members = f"double {', '.join(flat_results(function))};"
+    return "typedef struct {", members, "}", f"torque_free_{branch(function)};"
+
+
+def _head(kind: str, name: str, parameters: Iterable[str]) -> str:
+    return f"{kind} {name}({', '.join(parameters)}) {{"
+
+
+def _given(function: Function, extended: str = "double_double") -> list[str]:
+    kinds = {True: extended, False: "double"}
+    return [f"{kinds[name in function.extended]} {name}" for name in function.parameters]
+
+
+def _valued(
+    name: str, function: Function, kind: str, number: str, storage: str = "static"
+) -> Frame:
+    head = _head(f"{storage} {kind}", name, _given(function, kind))
+    return Frame(name, function, number, (head,), (f"return {function.results[0]};", "}"))
+
+
+def _handing_out(name: str, function: Function) -> Frame:
+    extended = function.all_extended()
+    kinds = {True: "double_double", False: "double"}
+    outputs = [f"{kinds[result in extended]} *{result}_out" for result in function.results]
+    stores = [f"*{result}_out = {result};" for result in function.results]
+    head = _head("static void", name, [*_given(function), *outputs])
+    return Frame(name, function, "dd", (head,), (*stores, "}"))
+
+
+def _constants(name: str, function: Function) -> Frame:
+    """Store each result as a member of a struct, rounded, or as two where it is split."""
+    extended = function.all_extended()
+    values: dict[str, str] = {}
+    for result in function.results:
+        if result in function.split:
+            values |= {f"{result}_hi": f"{result}.hi", f"{result}_lo": f"{result}.lo"}
+        else:
+            values[result] = f"dd_rounded({result})" if result in extended else result
+    stores = [f"motion->{member} = {value};" for member, value in values.items()]
+    head = _head(
+        "static void", name, [*_given(function), f"torque_free_{branch(function)} *motion"]
+    )
+    return Frame(name, function, "dd", (head,), (*stores, "}"))
+
+
+def _loop(name: str, function: Function, members: set[str]) -> Frame:
+    """Read and write by index what changes with time; read the rest from a struct."""
+    used = function.used()
+    changing = [x for x in function.parameters if x not in members]
+    kept = [x for x in function.parameters if x in members and x in used]
+    parameters = [f"const torque_free_{branch(function)} *motion", "size_t n"]
+    parameters += [f"const double *restrict {x}_in" for x in changing]
+    parameters += [f"double *restrict {x}_out" for x in function.results]
+    before = [_head("static void", name, parameters)]
+    before += [f"const double {x} = motion->{x};" for x in kept]
+    before += ["for (size_t i = 0; i < n; i++) {"]
+    before += [f"const double {x} = {x}_in[i];" for x in changing]
+    stores = [f"{x}_out[i] = {x};" for x in function.results]
+    return Frame(name, function, "dd", tuple(before), (*stores, "}", "}"))
+
+
+# --- several bodies side by side
+
+
+def takes_several(function: Function) -> bool:
+    """Return True for a function that takes several bodies at once."""
+    return _is_step(function) or function.name in _MOTIONS
+
+
+def _is_step(function: Function) -> bool:
+    return function.name.startswith("_step_")
+
+
+def _has_struct(function: Function) -> bool:
+    return function.name.endswith("_constants")
+
+
+def pairs(functions: Iterable[Function]) -> frozenset[str]:
+    """Return the names that are extended numbers for some function of several bodies."""
+    own = filter(takes_several, functions)
+    return frozenset(name for f in own for name in (*f.extended, *_split(f)))
+
+
+def _split(function: Function) -> frozenset[str]:
+    """Return the results that are handed on as two doubles."""
+    if function.rounds:
+        return function.split
+    return function.all_extended() & {*function.results}
+
+
+def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
+    """Yield the members that hold the numbers."""
+    for name in names:
+        yield from (f"{name}_hi", f"{name}_lo") if name in extended else (name,)
+
+
+def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
+    """Return the frame of a function of several bodies; `extended` is the result of `pairs`."""
+    name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
+    place = "x->" if is_step else "lane->"
+    if is_step:
+        head = _head("static void", name, ("size_t n", "lanes *x"))
+    elif has_struct:
+        own = f"{_struct_name(function)} *restrict motion"
+        head = _head("static FLAT void", name, ("const lanes *restrict lane", own))
+    else:
+        head = _head("static FLAT void", name, ("lanes *lane",))
+    loop = f"for (size_t i = 0; i < {'n' if is_step else 'LANES'}; i++) {{"
+    loads = [_load(x, place, function, extended) for x in function.parameters]
+    to = "motion->" if has_struct else place
+    split, own = _split(function), function.all_extended()
+    stores = []
+    for x in function.results:
+        if x in split:
+            stores += [f"{to}{x}_{half}[i] = {x}.{half};" for half in ("hi", "lo")]
+        else:
+            stores.append(f"{to}{x}[i] = {f'dd_rounded({x})' if x in own else x};")
+    return Frame(name, function, "dd", (head, loop, *loads), (*stores, "}", "}"))
+
+
+def _struct_name(function: Function) -> str:
+    return f"{branch(function)}_lanes"
+
+
+def _load(name: str, place: str, function: Function, extended: frozenset[str]) -> str:
+    if name in function.extended:
+        return f"const double_double {name} = {{{place}{name}_hi[i], {place}{name}_lo[i]}};"
+    member = f"{name}_hi" if name in extended else name
+    return f"const double {name} = {place}{member}[i];"
+
+
+def members(functions: tuple[Function, ...]) -> list[str]:
+    """Return the members of the struct, in the order in which functions name them."""
+    extended, found = pairs(functions), dict[str, None]()
+    for function in filter(takes_several, functions):
+        found |= dict.fromkeys(_flat(function.parameters, extended))
+        if not _has_struct(function):
+            found |= dict.fromkeys(_flat(function.results, _split(function)))
+    return list(found)
+
+
+def lane_structs(functions: tuple[Function, ...]) -> list[str]:
+    """Return the structs of arrays as statements, a member each."""
+    own = tuple(filter(takes_several, functions))
+    # `turned` is the runtime's: -1 where a and d have changed places.
+    more = ("turned",) if any(map(_is_step, own)) else ()
+    found = _lane_struct("lanes", (*members(own), *more))
+    for function in filter(_has_struct, own):
+        found += _lane_struct(_struct_name(function), flat_results(function))
+    return found
+
+
+def _lane_struct(name: str, arrays: Iterable[str]) -> list[str]:
+    return ["typedef struct {", *(f"double {array}[LANES];" for array in arrays), "}", f"{name};"]

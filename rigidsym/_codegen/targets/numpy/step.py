@@ -1,0 +1,260 @@
+"""The hand-written runtime of the NumPy module of steps: which axis is which, scaling and shapes.
+
+Its text stands in the generated module after the pairs and the derived functions; here it is
+importable only as far as linting goes.
+"""
+
+import math
+
+import numpy as np
+
+from rigidsym._codegen.targets.numpy.stubs import (
+    LAST,
+    MAX_STEP,
+    MIN_MOMENT_RATIO,
+    STEPS,
+    _DoubleDouble,
+    _largest,
+    _ldexp,
+    _power,
+    _product_error,
+    _reversed,
+    _sqrt,
+    _step_attitude,
+    _step_body,
+    _step_doubled,
+    _step_first,
+    _step_front,
+    _step_kick,
+    _step_last_projected,
+    _step_last_second_half,
+    _step_projected,
+    _step_rates,
+    _step_second_half,
+    _step_shortest,
+    _step_shortest_before,
+    _step_start,
+    _taken,
+    _two_sum,
+    _where,
+)
+
+# --- runtime ---
+# Bodies at a time: what is computed of them fits the cache.
+_BLOCK = 4096
+_MASK = 2**64 - 1
+# Of bodies, by axis.
+_COLUMNS = ("moments", "alphas", "squares", "axes")
+
+
+class _RefusedError(ValueError):
+    """An input that breaks a rule: its field, the rule, and the first body that does.
+
+    Bodies are counted through the leading axes.
+    """
+
+    def __init__(self, field, rule, body):
+        super().__init__(field, rule, body)
+        self.field, self.rule, self.body, self.time = field, rule, body, None
+
+    def __str__(self):
+        return f"{self.field}: {self.rule}"
+
+
+@np.errstate(invalid="ignore")
+def prepare(inertia):
+    """Prepare the constants of bodies, for `step`; inertia (B, 3) in kg m^2, positive.
+
+    Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
+    are not positive and finite, or of too different size.
+    """
+    inertia = np.asarray(inertia, float)
+    if inertia.ndim == 1:
+        moments = inertia.tolist()
+        axes = sorted(range(3), key=lambda k: -moments[k])
+        c, turned = [moments[k] for k in axes], (axes[1] - axes[0]) % 3 == 1
+    else:
+        order = np.argsort(-inertia, axis=-1, kind="stable")
+        c, axes = ([*x.T.copy()] for x in (np.take_along_axis(inertia, order, -1), order))
+        turned = (axes[1] - axes[0]) % 3 == 1
+    rule = "principal moments must be positive"
+    _refuse("inertia", rule, (c[0] < math.inf) & (c[1] > 0) & (c[2] > 0))
+    rule = "principal moments differ by more than binary64 can follow"
+    _refuse("inertia", rule, c[2] / c[0] >= MIN_MOMENT_RATIO)
+    exponent = -_power(c[0])
+    c = [_ldexp(x, exponent) for x in c]
+    pairs = [_DoubleDouble(x, 0 * x) for x in c]
+    apart = [_DoubleDouble(*_two_sum(c[x], -c[y])) for x, y in ((0, 1), (0, 2), (1, 2))]
+    epsilon = _where(turned, 1.0, -1.0)
+    values = _paired(_step_body(*pairs, *apart, epsilon))
+    return {
+        "moments": pairs,
+        "alphas": values[:3],
+        "squares": values[3:],
+        "epsilon": epsilon,
+        "axes": axes,
+    }
+
+
+def _refuse(field, rule, good):
+    """Raise an error for the first body that is not good."""
+    if good is not True:
+        for body in np.flatnonzero(np.logical_not(good))[:1]:
+            raise _RefusedError(field, rule, int(body))
+
+
+def _paired(values):
+    """Make pairs from doubles hi, lo, hi, lo, ..."""
+    return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
+
+
+def step(bodies, q, omega, dt, out):
+    """Move B bodies freely for dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
+
+    bodies: of `prepare`, for one body or B of them.  q may have any length but zero, and is
+    returned a unit quaternion; out, a pair of such arrays, may be (q, omega).  Raises ValueError
+    for what is not finite, a zero quaternion, and |omega dt| beyond 2^3 rad.
+    """
+    dt = np.broadcast_to(dt, len(q))
+    for name, values in (("q", q), ("omega", omega), ("dt", dt[:, None])):
+        _refuse(name, "every number must be finite", np.isfinite(values).all(axis=-1))
+    _refuse("q", "a zero quaternion is no attitude", np.any(q != 0, axis=-1))
+    for first in range(0, len(q), _BLOCK):
+        some = slice(first, min(first + _BLOCK, len(q)))
+        try:
+            _some(_of(bodies, some), q[some], omega[some], dt[some], [x[some] for x in out])
+        except _RefusedError as error:
+            raise _RefusedError(error.field, error.rule, first + error.body) from None
+
+
+def step_one(body, q, omega, dt):
+    """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
+
+    Raises ValueError or ArithmeticError where `step` refuses a body, and for numbers that leave
+    binary64 on the way.
+    """
+    if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
+        raise _RefusedError("q", "every number must be finite, and one not zero", 0)
+    found, rates, axes = _stepped(body, q, omega, dt)
+    q, omega = [*found], [*rates]
+    for k, axis in enumerate(axes):
+        q[1 + axis], omega[axis] = found[1 + k], rates[k]
+    return q, omega
+
+
+def _of(bodies, some):
+    """Return the constants of some of the bodies; one body serves all."""
+    if len(bodies["epsilon"]) == 1:
+        return bodies
+    columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
+    return columns | {"epsilon": bodies["epsilon"][some]}
+
+
+@np.errstate(all="ignore")
+def _some(bodies, q, omega, dt, out):
+    found, rates, axes = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
+    axes = np.broadcast_to(np.stack(axes, -1), omega.shape)
+    out[0][:, 0] = found[0]
+    np.put_along_axis(out[0][:, 1:], axes, np.stack(found[1:], -1), -1)
+    np.put_along_axis(out[1], axes, np.stack(rates, -1), -1)
+
+
+def _stepped(bodies, q, omega, dt):
+    """Return the attitude and the rates after dt on the axes a, b, d, and these axes.
+
+    All are lists of columns: arrays (B,), or the floats of one body.
+    """
+    size = _largest(omega)
+    exponent, rest = _power(size), size == 0
+    rates = [_ldexp(_taken(omega, axis), -exponent) for axis in bodies["axes"]]
+    t = _ldexp(dt, exponent)
+    over, middle, under = (x * x for x in rates)
+    angle = _sqrt(over + middle + under) * abs(t)
+    rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
+    _refuse("dt", rule, angle <= MAX_STEP)
+    # a is the axis of largest moment, or of smallest where K^2 < 2 H c_b.
+    turned = bodies["squares"][0].hi * over < bodies["squares"][2].hi * under
+    columns = (*(bodies[name] for name in _COLUMNS), rates)
+    *body, axes, start = (_reversed(turned, x) for x in columns)
+    epsilon = _where(turned, -1.0, 1.0) * bodies["epsilon"]
+    # Quaternions of any size: a power of two off.
+    less = -_power(_largest(q))
+    parts = [_ldexp(x, less) for x in (q[0], *(_taken(q[1:], axis) for axis in axes))]
+    # Constant rates have no direction of the momentum to divide by at rest.
+    moving = [_where(rest, 1.0, start[0]), *start[1:]]
+    found, after = _moved(*body, epsilon, moving, parts, _where(rest, 0.0, t))
+    total = found[0] + found[1] + found[2] + found[3]
+    _refuse("dt", "the body turns too fast for one step", abs(total) < math.inf)
+    # What does not turn keeps its attitude to the last bit, once that is of length one.
+    still = rest | (t == 0)
+    found = _unit([_where(still, *both) for both in zip(parts, found, strict=True)])
+    after = _rounded_rates(after, found)
+    rates = [_where(still, *both) for both in zip(start, after, strict=True)]
+    return found, [_ldexp(x, exponent) for x in rates], axes
+
+
+def _unit(parts):
+    """Divide a quaternion by its length, each number as good as rounded once."""
+    squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
+    square = sum(squares, _DoubleDouble(0.0))
+    over = 1 / _sqrt(square.hi)
+    rest = 1 - square * over * over
+    more = over * (rest.hi + rest.lo) / 2
+    return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
+
+
+def _rounded_rates(rates, parts):
+    """Round rates up or down at random, each as often as it is near.
+
+    Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
+    one way for long.  The attitude's last digits are as good as chance.
+    """
+    bits = np.array(parts[:3]).view(np.uint64)
+    one, two, three = bits.tolist() if bits.ndim == 1 else bits
+    turned = [(x << n & _MASK) | x >> 64 - n for x, n in ((two, 21), (three, 42))]
+    mixed = (one ^ turned[0] ^ turned[1]) * 0x9E3779B97F4A7C15 & _MASK
+    mixed = (mixed ^ mixed >> 32) * 0xD6E8FEB86659FD93 & _MASK
+    mixed ^= mixed >> 32
+    found = []
+    for number, rate in enumerate(rates):
+        some = (mixed << 20 * number & _MASK) >> 44
+        size = abs(rate.hi)
+        ulp = (size + size * 1.1102230246251568e-16) - size
+        found.append(rate.hi + (rate.lo + (some * 2.0**-20 - 0.5) * ulp))
+    return found
+
+
+def _moved(moments, alphas, squares, epsilon, start, q, t):
+    """Return the attitude of moving bodies, about as long as q, and the rates as pairs."""
+    signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
+    start = [_DoubleDouble(x, 0.0) for x in start]
+    h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
+    re, im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, *(x.hi for x in z))
+    for k in range(STEPS):
+        if k < STEPS - LAST:
+            w = _step_projected(h.hi, *(x.hi for x in z), X.hi, Y.hi)
+            re, im = _step_second_half(h.hi, X.hi, *w, re, im)
+        else:
+            w = _paired(_step_last_projected(h, *z, X, Y))
+            re, im = _step_last_second_half(h, X, *w, re, im)
+        X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
+    rates = _paired(_step_rates(X, Y, h, *alphas, squares[2], *start))
+    sizes = [x.hi for x in moments]
+    before = _step_shortest_before(K, *start, *sizes, *signs)
+    after = _step_shortest(K, *rates, *sizes, *signs)
+    front = _step_front(*before, *q, epsilon)
+    return _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs), rates
+
+
+def torque(q, direction, coefficients):
+    """Return the torque that a vector in space (..., 3) exerts on bodies of attitude q (..., 4).
+
+    With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
+    b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
+    """
+    given = [np.asarray(x, float) for x in (q, direction, coefficients)]
+    if all(x.ndim == 1 for x in given):
+        # Of one body in plain numbers: calls of NumPy would take ten times as long.
+        return np.array(_step_kick(*(x for each in given for x in each.tolist())))
+    rows = (np.moveaxis(x, -1, 0) for x in given)
+    return np.stack(_step_kick(*(x for each in rows for x in each)), axis=-1)

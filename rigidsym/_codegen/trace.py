@@ -1,0 +1,103 @@
+"""From a generated line to its facts and equations, and back, by the map that each module has."""
+
+import json
+import re
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from importlib import resources
+from pathlib import Path
+from typing import NamedTuple
+
+from rigidsym._codegen.lines import Place, shares
+from rigidsym.errors import InputError
+
+
+class TraceError(LookupError):
+    """A line or an equation that has nothing behind it."""
+
+
+class _File(NamedTuple):
+    """A generated file, what its map tells of its lines, and the lines."""
+
+    name: str
+    target: str
+    places: Mapping[int, Place]
+    lines: list[str]
+
+
+def _files() -> Iterator[_File]:
+    """Yield every generated file of this installation that has derived lines."""
+    home = resources.files("rigidsym.generated")
+    for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
+        if entry.name.endswith(".map.json"):
+            module = json.loads(entry.read_text("utf-8"))
+            for name, places in module["lines"].items():
+                lines = home.joinpath(name).read_text("utf-8").splitlines()
+                by_line = {place["line"]: place for place in places}
+                yield _File(name, module["manifest"]["target"], by_line, lines)
+
+
+def told(place: str) -> list[str]:
+    """Describe FILE:LINE, or FILE.
+
+    Of a line: its code, what it is, the facts, definitions, readings and choices of signs it is by,
+    and equations.  Of a file: how many lines are what.  Raises TraceError where nothing is derived.
+    """
+    file, colon, number = place.rpartition(":")
+    if colon and not (file and number.isdecimal()):
+        raise InputError("trace", place, "must be FILE:LINE or FILE")
+    known = {file.name: file for file in _files()}
+    name = Path(file if colon else place).name
+    if name not in known:
+        raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
+    if colon:
+        return _of_line(known[name], int(number))
+    kinds = (place["kind"] for place in known[name].places.values())
+    return shares(kinds, known[name].target).splitlines()
+
+
+def _of_line(file: _File, line: int) -> list[str]:
+    if not 1 <= line <= len(file.lines):
+        raise TraceError(f"{file.name} has lines 1 to {len(file.lines)}, no line {line}")
+    code = _code(file.lines[line - 1])
+    if line not in file.places:
+        raise TraceError(f"{file.name}:{line} is derived from nothing: {code or 'an empty line'}")
+    found = file.places[line]
+    equations = [f"({e})" if e[0].isdigit() else e for e in found["equations"]]
+    said = {"facts": [], "definitions": [], "readings": [], "choices": [], "equations": equations}
+    for fact in found["facts"]:
+        kind, _, name = fact.rpartition(" ")
+        said[f"{kind or 'fact'}s"].append(name)
+    rows = (f"{what}: {', '.join(names)}" for what, names in said.items() if names)
+    return [code, found["kind"], *rows]
+
+
+def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
+    """Return FILE:LINE and code for every generated line that an equation stands behind.
+
+    printed: the numbers of the paper, which say whether there is such an equation.  Raises
+    TraceError where there is no such line.
+    """
+    wanted = number.strip().strip("()")
+    behind: dict[str, list[str]] = {}
+    for file in _files():
+        for line, place in file.places.items():
+            for equation in place["equations"]:
+                told = f"{file.name}:{line}: {_code(file.lines[line - 1])}"
+                behind.setdefault(equation, []).append(told)
+    if wanted not in behind:
+        raise TraceError(_missing(wanted, printed, [e for e in printed if e in behind]))
+    return behind[wanted]
+
+
+def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> str:
+    """Return an explanation for a number that no line names."""
+    shown = f"({number})" if number[:1].isdigit() else number
+    if number in printed:
+        others = f"; lines rest on {', '.join(traced)}"
+        return f"no generated line rests on {shown}, which the paper prints{others}"
+    return f"{shown or 'an empty number'} is no equation of the paper, and no source of a line"
+
+
+def _code(line: str) -> str:
+    """Return a generated line without its comment, in Python or in C."""
+    return re.split(r"  # | /\* ", line)[0].strip()

@@ -1,0 +1,141 @@
+"""The interface of an engine, and the half of a batch that all engines share."""
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+from numpy.typing import ArrayLike
+
+from rigidsym._engines import arrays
+from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
+from rigidsym.errors import EngineError
+
+# The constants of one motion, in a form that only their engine reads.
+Prepared: TypeAlias = Any
+
+
+class Engine(ABC):
+    """Prepared motions, states at times, on grids and of batches, and sensitivities, in float64.
+
+    Times in s, rates in rad/s, inertia in kg m^2, quaternions scalar first.  With `out`, a pair of
+    C-contiguous arrays of exactly the shapes named that share no memory with each other or an
+    input, these are filled and returned; after an error their contents are undefined.  Prepared
+    motions share no memory with inputs.  All methods raise EngineError; with errors="nan" bodies
+    and times that are refused have states of NaN instead.
+    """
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def has_sensitivities(self) -> bool:
+        """True if the module has sensitivities: modules of the theta form alone have them."""
+
+    @abstractmethod
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
+        """Return the constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
+
+    @abstractmethod
+    def prepare_from_double_doubles(
+        self,
+        inertia: ArrayLike,
+        differences: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        discriminant: ArrayLike,
+        unit: float,
+    ) -> Prepared:
+        """Return the constants of one motion from sums of two doubles.
+
+        They are (3, 2) thrice, (4, 2) and (2,), scaled as torque_free.h says, rates times `unit`
+        rad/s; discriminant is K^2 - 2 H c_b.
+        """
+
+    def prepare_exactly(
+        self,
+        inertia: Sequence[Fraction],
+        omega0: Sequence[Fraction],
+        attitude0: Sequence[Fraction],
+    ) -> Prepared:
+        """Return the constants of one motion from exact numbers, not rounded to float64 first."""
+        # Here, because doubles need nothing of it.
+        from rigidsym._engines.exact_inputs import exact_inputs
+
+        return self.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
+
+    @abstractmethod
+    def states(
+        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
+    ) -> States:
+        """Return q and omega: (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
+
+    @abstractmethod
+    def grid(
+        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
+    ) -> States:
+        """Return q (count, 4) and omega (count, 3) at the times start + k step.
+
+        C takes these times exactly, NumPy the doubles nearest to them.
+        """
+
+    def propagate(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        out: Outputs = None,
+        errors: str = "raise",
+    ) -> States:
+        """Return q (..., N, 4) and omega (..., N, 3) of many bodies.
+
+        Leading shapes broadcast, those of t (..., N) among them: (N,) are times of all bodies,
+        (B, N) a row for each; a scalar t has no N.  Errors have the index of the body, counted
+        through all leading axes.
+        """
+        batch, lenient = arrays.batch(inertia, omega0, attitude0, t), arrays.is_lenient(errors)
+        states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
+        self._fill_states(batch, states, lenient)
+        return states
+
+    @abstractmethod
+    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
+        """Write the states of all bodies of a batch."""
+
+    @abstractmethod
+    def sensitivities(
+        self,
+        prepared: Prepared,
+        t: ArrayLike,
+        errors: str = "raise",
+        columns: Iterable[str] | None = None,
+    ) -> Sensitivities:
+        """Return states at times and their derivatives, by some of `arrays.COLUMNS` or by all."""
+
+    def propagate_sensitivities(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        errors: str = "raise",
+        columns: Iterable[str] | None = None,
+    ) -> Sensitivities:
+        """Return states of many bodies, as `propagate` does, and their derivatives."""
+        self._check_has_sensitivities()
+        batch, lenient = arrays.batch(inertia, omega0, attitude0, t), arrays.is_lenient(errors)
+        chosen = arrays.columns(columns)
+        found = arrays.sensitivities(batch.shape, chosen)
+        self._fill_sensitivities(batch, found, chosen, lenient)
+        return found
+
+    @abstractmethod
+    def _fill_sensitivities(
+        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
+    ) -> None:
+        """Write the states and their derivatives of all bodies of a batch."""
+
+    def _check_has_sensitivities(self) -> None:
+        if not self.has_sensitivities:
+            raise EngineError("engine", "its module has no sensitivities")

@@ -1,0 +1,181 @@
+"""User input as arrays of doubles: numbers, times and bodies; and errors with their values."""
+
+import math
+import sys
+from collections.abc import Mapping
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym import _inputs as inputs
+from rigidsym._engines import arrays
+from rigidsym.errors import EngineError, InputError, written
+
+# Bodies at a time, so that memory does not grow with their number.
+_BLOCK = 1 << 14
+
+
+def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
+    """Return an array of doubles.
+
+    Raises InputError for the first number that is masked or, unless `lenient`, not finite.
+    """
+    if isinstance(value, np.ma.MaskedArray):
+        for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
+            _refuse(name, value, tuple(place), "is masked")
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind in "bmMc" or value is None:
+            raise TypeError(given.dtype)
+        doubles = given.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(name, written(value, repr), "must be an array of numbers") from None
+    # The extremes suffice, and take no second array of that size; NaN comes through both.
+    checked = doubles.size and not lenient
+    if checked and not (math.isfinite(doubles.min()) and math.isfinite(doubles.max())):
+        _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
+    return doubles
+
+
+def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
+    """Return times as a float or an array (N,); raise InputError as `array` does."""
+    is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
+    if is_number and abs(t) <= sys.float_info.max:
+        return float(t)
+    found = array("t", t, arrays.is_lenient(errors))
+    if found.ndim > 1:
+        raise InputError("t", f"an array of shape {found.shape}", "must be one-dimensional")
+    return found
+
+
+def number(name: str, value: ArrayLike) -> float:
+    """Return one finite number."""
+    found = array(name, value)
+    if found.ndim:
+        raise InputError(name, f"an array of shape {found.shape}", "must be one number")
+    return float(found)
+
+
+def floats(value: object, length: int) -> tuple[float, ...] | None:
+    """Return one vector of finite doubles as Python's floats; None for what needs a closer look."""
+    listed = value.tolist() if type(value) is np.ndarray else value
+    if not isinstance(listed, (tuple, list)) or len(listed) != length:
+        return None
+    for x in listed:
+        if type(x) is not float:
+            # Whole numbers up to 2^53 are doubles.
+            for y in listed:
+                if not (isinstance(y, float) or (type(y) is int and -(2**53) <= y <= 2**53)):
+                    return None
+            listed = [float(x) for x in listed]
+            break
+    return tuple(listed) if math.isfinite(sum(listed)) else None
+
+
+def moments(value: object) -> tuple[float, ...] | None:
+    """Return the moments of one body that certainly can exist, as `floats` does.
+
+    Where a rounded sum is above a double, so is the exact sum; and three moments that are each
+    below the sum of the others are positive.
+    """
+    found = floats(value, 3)
+    if found is None:
+        return None
+    a, b, c = found
+    return found if a + b > c and b + c > a and c + a > b else None
+
+
+def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
+    """Return moments (..., 3) of bodies that can exist; raise InputError for the first that cannot.
+
+    Where `lenient`, return a copy in which such bodies have moments of NaN.
+    """
+    if not inertia.ndim or inertia.shape[-1] != 3:
+        return inertia
+    rows = inertia.reshape(-1, 3)
+    refused = np.zeros(len(rows), bool)
+    for first in range(0, len(rows), _BLOCK):
+        doubtful = first + _doubtful(rows[first : first + _BLOCK])
+        if doubtful.size:
+            some = rows[doubtful]
+            bad = np.any(some <= 0, axis=-1)
+            refused[doubtful] = bad if allow_nonphysical else bad | _are_impossible(some)
+    if lenient and refused.any():
+        return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
+    for body in np.flatnonzero(refused)[:1]:
+        place = np.unravel_index(body, inertia.shape[:-1])
+        for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
+            _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
+        _refuse("inertia", inertia, place, inputs.NO_BODY, inputs.ALLOW)
+    return inertia
+
+
+@np.errstate(over="ignore", invalid="ignore")
+def _doubtful(inertia: np.ndarray) -> np.ndarray:
+    """Return the indices of rows of (B, 3) moments that sums of doubles leave in doubt."""
+    a, b, c = inertia.T
+    return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
+
+
+def _are_impossible(inertia: np.ndarray) -> np.ndarray:
+    """Return which of (B, 3) positive moments `inputs.can_exist` refuses, without rounding.
+
+    With largest moments between 1 and 2 every sum is a double and its error, which decide.
+    """
+    exponent = np.frexp(np.max(inertia, axis=-1, keepdims=True))[1]
+    low, middle, high = np.sort(np.ldexp(inertia, 1 - exponent), axis=-1).T
+    total, rest = _two_sum(low, middle)
+    beyond, more = _two_sum(high - total, -rest)
+    allowed = float(inputs.ROUNDING) * low
+    return (high > total) & ((beyond > allowed) | ((beyond == allowed) & (more > 0)))
+
+
+def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def _refuse(
+    name: str, values: np.ndarray, place: tuple[np.intp, ...], rule: str, next_step: str = ""
+) -> NoReturn:
+    index = ", ".join(map(str, place))
+    field = f"{name}[{index}]" if index else name
+    raise InputError(field, values[tuple(place)], rule, next_step=next_step)
+
+
+def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
+    """Return the error of an engine with the value that it refuses, and its place in a batch.
+
+    given: what the engine was given, by name: arrays of shape (..., k), dt (...), and others.
+    """
+    field, rule, body, time = error.field, error.rule, error.body, error.time
+    value = given.get(field, "as given")
+    is_array = isinstance(value, np.ndarray)
+    own = _leading(field, value) if is_array else ()
+    if body is None and (own or time is None):
+        shown = f"an array of shape {value.shape}" if own else value
+        return InputError(field, shown, rule, body, time)
+    leading = np.broadcast_shapes(
+        *(_leading(name, x) for name, x in given.items() if isinstance(x, np.ndarray))
+    )
+    place = tuple(map(int, np.unravel_index(body, leading))) if body is not None else ()
+    index: tuple[int, ...] = ()
+    if own and (own == leading or math.prod(own) > 1):
+        value, index = np.broadcast_to(value, (*leading, *value.shape[len(own) :]))[place], place
+    elif is_array:
+        # One value for all bodies: the message says which of them it is refused for.
+        value = value.reshape(value.shape[len(own) :])[()]
+        if place:
+            rule = f"{rule} (body {', '.join(map(str, place))})"
+    if time is not None and np.ndim(value):
+        value, index = value[time], (*index, time)
+    named = f"{field}[{', '.join(map(str, index))}]" if index else field
+    return InputError(named, value, rule, body, time)
+
+
+def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
+    """Return the shape of the bodies of an array: all of its axes but the last, or all of dt's."""
+    return array.shape if field == "dt" else array.shape[:-1]

@@ -1,0 +1,272 @@
+"""Steps of many bodies by the NumPy or C module of the form `step`, and by C whole integrations."""
+
+import ctypes
+import struct
+import threading
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from types import ModuleType
+
+import numpy as np
+
+from rigidsym._engines import threads
+from rigidsym._engines.arrays import Outputs, States
+from rigidsym._engines.library import Library
+from rigidsym.errors import EngineError
+from rigidsym.generated import torque_free_step
+
+_DOUBLE = ctypes.sizeof(ctypes.c_double)
+# A step takes as long as this many states.
+_STEP = 16
+# Bodies that a thread takes at a time.
+_SOME = 64
+# Bodies whose constants are kept for their next step, when they step alone.
+_KEPT = 256
+Moments = tuple[float, ...]
+
+
+class _Torque(ctypes.Structure):
+    """The struct torque_free_torque."""
+
+    _fields_ = (
+        ("coefficients", ctypes.c_void_p),
+        ("coefficients_stride", ctypes.c_size_t),
+        ("vector", ctypes.c_void_p),
+        ("vector_stride", ctypes.c_size_t),
+        ("orbit", ctypes.c_void_p),
+        ("more", ctypes.c_void_p),
+        ("data", ctypes.c_void_p),
+    )
+
+
+class _Splitting(ctypes.Structure):
+    """The struct torque_free_splitting."""
+
+    _fields_ = (
+        ("count", ctypes.c_size_t),
+        ("drifts", ctypes.c_void_p),
+        ("kicks", ctypes.c_void_p),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Kicks:
+    """Bodies, their torque and a splitting method; contiguous float64 arrays.
+
+    inertia (B, 3), coefficients (B, 13) and vector (B, 3), or one row for all; orbit (11,), which
+    takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).  more: the
+    addresses of a function that adds to the torque, and of its data.
+    """
+
+    inertia: np.ndarray
+    coefficients: np.ndarray
+    vector: np.ndarray | None
+    orbit: np.ndarray | None
+    drifts: np.ndarray
+    kicks: np.ndarray
+    more: tuple[int | None, int | None] = (None, None)
+
+    def torque(self, first: int) -> _Torque:
+        """Return the torque for torque_free_integrate, of bodies from `first` on."""
+        coefficients = _from(self.coefficients, first)
+        vector = (None, 0) if self.vector is None else _from(self.vector, first)
+        orbit = None if self.orbit is None else self.orbit.ctypes.data
+        return _Torque(*coefficients, *vector, orbit, *self.more)
+
+    def splitting(self) -> _Splitting:
+        """Return the method for torque_free_integrate."""
+        return _Splitting(len(self.kicks), self.drifts.ctypes.data, self.kicks.ctypes.data)
+
+
+def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
+    """Return the address of a row and the stride to the next, 0 where one row serves all."""
+    stride = rows.shape[1] if len(rows) > 1 else 0
+    return rows.ctypes.data + first * stride * _DOUBLE, stride
+
+
+class Stepper(ABC):
+    """Steps of bodies by a module of the form `step`."""
+
+    __slots__ = ()
+
+    def step(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
+    ) -> None:
+        """Write the motion of B bodies after dt to out, which may be (q, omega).
+
+        inertia (B, 3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece
+        of memory.  Raises EngineError with the index of the first body that is refused.
+        """
+        if len(q) == 1:
+            moments, start = tuple(inertia[0].tolist()), (q[0].tolist(), omega[0].tolist())
+            if self.one(moments, *start, float(dt[0]), (out[0][0], out[1][0])):
+                return
+        if len(q):
+            self._steps(inertia, q, omega, dt, out)
+
+    @abstractmethod
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """Return q (4,) and omega (3,) of one body of Python's floats, with the bits of `step`.
+
+        They are new arrays, or those of out.  Return None, and write nothing, for a body that
+        `step` refuses or that leaves binary64 on the way.
+        """
+
+    @abstractmethod
+    def _steps(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
+    ) -> None:
+        """Write the motion of one or more bodies, or raise EngineError."""
+
+
+class NumpyStepper(Stepper):
+    """Steps by `rigidsym.generated.torque_free_step` or a module like it."""
+
+    __slots__ = ("_body", "_module")
+
+    def __init__(self, module: ModuleType = torque_free_step) -> None:
+        self._module = module
+        self._body = lru_cache(_KEPT)(module.prepare)
+
+    def _steps(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
+    ) -> None:
+        try:
+            self._module.step(self._module.prepare(inertia), q, omega, dt, out)
+        except self._module._RefusedError as error:
+            raise EngineError(error.field, error.rule, error.body) from None
+
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """See `Stepper`."""
+        try:
+            after = self._module.step_one(self._body(inertia), q, omega, dt)
+        except (ValueError, ArithmeticError):
+            return None
+        if out is None:
+            return np.array(after[0]), np.array(after[1])
+        out[0][...], out[1][...] = after
+        return out
+
+
+class _Memory(threading.local):
+    """Memory for one state in each thread, with addresses and arrays of q and omega."""
+
+    def __init__(self) -> None:
+        state = (ctypes.c_double * 7)()
+        address, numbers = ctypes.addressof(state), np.frombuffer(memoryview(state), float)
+        self.state = state, address, address + 4 * _DOUBLE, numbers[:4], numbers[4:]
+
+
+class CStepper(Stepper):
+    """Steps by torque_free_step.c; threads share the bodies."""
+
+    __slots__ = ("_body", "_library", "_memory", "_put", "_step")
+
+    def __init__(self, library: Library) -> None:
+        raw = self._library = library.raw
+        self._step = raw.step
+        size = -(-raw.body_size() // _DOUBLE)
+
+        @lru_cache(_KEPT)
+        def prepared(inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
+            """Return the constants of a body, or None for one that is refused."""
+            body = (ctypes.c_double * size)()
+            return None if raw.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
+
+        self._body = prepared
+        self._memory, self._put = _Memory(), struct.Struct("7d").pack_into
+
+    def _steps(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
+    ) -> None:
+        count, given = len(q), (inertia, q, omega, dt, *out)
+        addresses = [x.ctypes.data for x in given]
+        # Arrays with one row serve all bodies.
+        strides = [x[0].size if len(x) == count else 0 for x in given]
+        if count == 1:
+            strides = [3, 4, 3, 1, 4, 3]
+
+        def piece(begin: int, end: int) -> tuple[int, int] | None:
+            rows = [
+                address + begin * stride * _DOUBLE
+                for address, stride in zip(addresses, strides, strict=True)
+            ]
+            failed = ctypes.c_size_t(0)
+            before = (rows[0], strides[0], rows[1], rows[2], rows[3], strides[3])
+            after = (rows[4], rows[5], ctypes.addressof(failed))
+            code = self._library.steps(end - begin, *before, *after)
+            return (code, begin + failed.value) if code else None
+
+        parts = threads.threads(count * _STEP)
+        self._run(piece, count, parts, threads.PIECE // _STEP)
+
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """See `Stepper`."""
+        body = self._body(inertia)
+        state, at_q, at_omega, q_after, omega_after = self._memory.state
+        self._put(state, 0, *q, *omega)
+        if body is None or self._step(body, at_q, at_omega, dt):
+            return None
+        if out is None:
+            return q_after.copy(), omega_after.copy()
+        out[0][...] = q_after
+        out[1][...] = omega_after
+        return out
+
+    def integrate(
+        self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
+    ) -> None:
+        """Integrate B bodies q (B, 4), omega (B, 3) in place; threads share the bodies.
+
+        span: the time begin (s), the step (s), and the first and last number of steps.  Raises
+        EngineError for the first body that is refused; states are undefined then.
+        """
+        begin, step, first, last = span
+        splitting = kicks.splitting()
+
+        def piece(start: int, end: int) -> tuple[int, int] | None:
+            failed, torque = ctypes.c_size_t(0), kicks.torque(start)
+            code = self._library.integrate(
+                *(end - start, *_from(kicks.inertia, start)),
+                *(ctypes.addressof(splitting), ctypes.addressof(torque)),
+                *(begin, step, first, last),
+                *(q[start:end].ctypes.data, omega[start:end].ctypes.data),
+                ctypes.addressof(failed),
+            )
+            return (code, start + failed.value) if code else None
+
+        work = len(q) * _STEP * (last - first) * len(kicks.kicks)
+        self._run(piece, len(q), threads.threads(work) if len(q) > _SOME else 1, _SOME)
+
+    def _run(
+        self, piece: Callable[[int, int], tuple[int, int] | None], count: int, parts: int, some: int
+    ) -> None:
+        """Run pieces of bodies by threads; raise EngineError for the first refused body."""
+        for refused in threads.in_parts(piece, count, parts, some):
+            if refused:
+                code, body = refused
+                field, rule = (x(code).decode() for x in (self._library.field, self._library.rule))
+                raise EngineError(field or "omega", rule, body)

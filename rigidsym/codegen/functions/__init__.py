@@ -1,5 +1,0 @@
-"""Functions of a numeric module, made of the solution's formulas in order."""
-
-from rigidsym.codegen.functions.assembly import constants, finished, functions, stated
-
-__all__ = ["constants", "finished", "functions", "stated"]

@@ -1,0 +1,294 @@
+"""Observability: linear errors of parameters and quantities, and directions that are unobservable.
+
+A change of the parameters by their natural size (1 rad, the rates as they are, the moments as they
+are) is observable where it moves the residuals by more than their errors together.  Directions in
+which it does not, by the singular values of the derivatives, are null directions: the linear errors
+say nothing there, and a parameter that has a part in them is unobservable.
+
+The residuals are linearised again at displaced parameters, because linear errors may be too small
+where the residuals are curved.  These are, along each principal axis of the errors and to both
+sides: one error away, two errors away, and the point between where the volume spanned by the
+derivatives passes through zero, if there is one, since a direction is unobservable there; and half
+the natural size along each null direction.  Where the error of a quantity is more than twice as
+large at one of them, it is used instead; where it is as large as it can be, the quantity is
+unobservable.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from rigidsym.fitting._minimise import blocks
+from rigidsym.fitting._parameters import Point, sensitivities, states
+from rigidsym.fitting._problem import Problem
+from rigidsym.quaternions import conjugate, inverse_left_jacobian, product, rotation_vectors
+
+# Least singular value of an observable direction.
+_DETERMINED = 1.0
+# Distances at which errors are computed again: in units of the errors, and of natural sizes.
+_REACH, _HALF = (1.0, 2.0), 0.5
+# Factor by which errors have to be larger there to count.
+_LARGER = 2.0
+# Part of a unit direction that has to be null somewhere.
+_MOSTLY = 0.5
+# Factor by which second-order errors have to exceed linear ones to replace them.
+_BENT = 2.0
+
+Rows = Callable[[Point], np.ndarray]
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Linear errors at a point, of p parameters.
+
+    determined (p, a): independent errors of unit size in observable directions; undetermined (p,
+    b): null directions, at their natural size; null (b, p): their unit directions, in units of the
+    natural sizes.
+    """
+
+    point: Point
+    natural: np.ndarray
+    determined: np.ndarray
+    undetermined: np.ndarray
+    null: np.ndarray
+
+    def covariance(self, rows: np.ndarray) -> np.ndarray:
+        """Return the covariance (k, k) of quantities.
+
+        rows (k, p): their derivatives by the parameters.  A variance is infinite, and its
+        covariances NaN, where null directions, at their natural size, contribute more than the
+        determined ones.
+        """
+        determined, undetermined = rows @ self.determined, rows @ self.undetermined
+        found = determined @ determined.T
+        lose(found, np.sum(undetermined**2, axis=1) > np.diag(found))
+        return found
+
+    def variance(self, rows: np.ndarray) -> np.ndarray:
+        """Return the variances (k,) of rows (k, p); infinite where null directions dominate."""
+        undetermined = np.sum((rows @ self.undetermined) ** 2, axis=-1)
+        determined = np.sum((rows @ self.determined) ** 2, axis=-1)
+        most = np.sum((rows * self.natural) ** 2, axis=-1)
+        return np.where(
+            undetermined > np.maximum(determined, _MOSTLY**2 * most),
+            np.inf,
+            determined + undetermined,
+        )
+
+    def widest(self, rows: np.ndarray) -> np.ndarray:
+        """Return covariances (..., k, k) of rows (..., k, p) with null directions included."""
+        both = rows @ np.hstack([self.determined, self.undetermined])
+        return both @ np.swapaxes(both, -2, -1)
+
+
+@dataclass(frozen=True)
+class Observability:
+    """Errors at a minimum, residuals (M,) and their derivatives (M, p)."""
+
+    problem: Problem
+    here: Errors
+    residuals: np.ndarray
+    slopes: np.ndarray
+
+    @cached_property
+    def basis(self) -> np.ndarray:
+        """Return an orthonormal basis (M, a) of the changes of residuals by the parameters."""
+        return self.slopes @ self.here.determined
+
+    @cached_property
+    def displaced(self) -> tuple[Errors, ...]:
+        """Return the errors at all displaced parameters that have states; see the module."""
+        errors, sides = self.here.determined.T, (1.0, -1.0)
+        ways = np.array([side * one for side in sides for one in errors])
+        ways = ways.reshape(-1, errors.shape[1])
+        null = [side * _HALF * one for side in sides for one in self.here.undetermined.T]
+        found = list(self._at([*(reach * x for reach in _REACH for x in ways), *null]))
+        start = np.linalg.det(self.basis.T @ self.basis) if len(errors) else 0.0
+        # Zeros of the volume, by linear interpolation between points where its sign changes.
+        zeros = []
+        for k, way in enumerate(ways):
+            volumes = [start, *(found[k + place * len(ways)][1] for place in range(len(_REACH)))]
+            for (a, one), (b, other) in pairwise(zip((0.0, *_REACH), volumes, strict=True)):
+                if one * other < 0:
+                    zeros.append((a + one / (one - other) * (b - a)) * way)
+        return tuple(one for one, _ in (*found, *self._at(zeros)) if one)
+
+    def _at(self, steps: list[np.ndarray]) -> "Iterator[tuple[Errors | None, float]]":
+        """Yield the errors some steps of the parameters away, and the signed volume of derivatives.
+
+        The volume is spanned by the changes of residuals by one error each way, projected onto
+        these changes at the minimum.  None and NaN where there are no states.
+        """
+        if not steps:
+            return
+        start = self.here.point.repeated(len(steps))
+        for some in blocks(self.problem, self.problem.parameters.stepped(start, np.array(steps))):
+            own = self.problem.parameters.linear_derivatives(some)
+            _, slopes = self.problem.linearised(some, own)
+            for k, one in enumerate(slopes):
+                if not np.isfinite(one).all():
+                    yield None, np.nan
+                    continue
+                volume = float(np.linalg.det(self.basis.T @ one @ self.here.determined))
+                yield _errors(self.problem, some[k], one), volume
+
+    @cached_property
+    def null(self) -> np.ndarray:
+        """Return unit directions (k, p), orthonormal, that are null at any of the points.
+
+        They are in units of the natural sizes.
+        """
+        every = np.vstack([self.here.null, *(one.null for one in self.displaced)])
+        _, sizes, right = np.linalg.svd(every, full_matrices=False)
+        return right[sizes > _MOSTLY]
+
+    def covariance(self, rows: Rows) -> np.ndarray:
+        """Return the covariance (k, k) of quantities; `rows` gives their derivatives at a point."""
+        found = self.here.covariance(rows(self.here.point))
+        there = (one.variance(rows(one.point)) for one in self.displaced)
+        return _widened(found, there)
+
+    def widest(self, rows: Rows) -> np.ndarray:
+        """Return covariances (..., k, k) of rows (..., k, p) with null directions included."""
+        found = self.here.widest(rows(self.here.point))
+        there = (one.widest(rows(one.point)) for one in self.displaced)
+        return _widened(found, (np.einsum("...ii->...i", x) for x in there))
+
+
+def observability(problem: Problem, point: Point) -> Observability:
+    """Return the observability at a minimum; all is null where the motion has no states."""
+    residuals, slopes = problem.linearised(point, problem.parameters.linear_derivatives(point))
+    if not np.isfinite(residuals).all() or not np.isfinite(slopes).all():
+        slopes = np.zeros_like(slopes)
+    return Observability(problem, _errors(problem, point, slopes), residuals, slopes)
+
+
+def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
+    natural = problem.parameters.natural_sizes(point, problem.span)
+    rows = np.vstack([slopes * natural, np.zeros((len(natural), len(natural)))])
+    _, sizes, right = np.linalg.svd(np.linalg.qr(rows, "r"))
+    determined = sizes > _DETERMINED
+    return Errors(
+        point,
+        natural,
+        natural[:, None] * right[determined].T / sizes[determined],
+        natural[:, None] * right[~determined].T,
+        right[~determined],
+    )
+
+
+def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
+    """Return covariances (..., k, k) with variances (..., k) raised to those that are much larger.
+
+    The addition is independent, so that no combination of quantities has a smaller variance.
+    """
+    own = np.einsum("...ii->...i", covariance)
+    most = own.copy()
+    for found in variances:
+        np.fmax(most, found, out=most)
+    larger = (most > _LARGER**2 * own) & (own > 0) & np.isfinite(most)
+    more = np.where(larger, most, 0.0) - np.where(larger, own, 0.0)
+    found = covariance + more[..., None] * np.eye(more.shape[-1])
+    if found.ndim == 2:
+        lose(found, np.isinf(most))
+    return found
+
+
+def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
+    """Make variances infinite in place, and their covariances NaN."""
+    covariance[lost] = np.nan
+    covariance[:, lost] = np.nan
+    covariance[lost, lost] = np.inf
+
+
+def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
+    """Return which errors (12,) are exceeded by second-order errors of the axes.
+
+    sigma: of turn, rates, moments and axes; omega (3,): rates.  A turn theta of the principal axes
+    changes rates along them by theta x omega, which linear errors contain, and by theta x (theta x
+    omega) / 2, which they do not; turns combine as theta_j theta_k / 2.  Axes of nearly equal
+    moments may be off by a radian, where the second is no less; errors of the axes are cut off at 1
+    rad.
+    """
+    axes = np.minimum(np.nan_to_num(sigma[9:], nan=1.0), 1.0)
+    turns = (np.prod(axes) / np.maximum(axes, np.finfo(float).tiny)) / 2
+    speed = np.abs(omega)
+    others = np.sum(axes**2) - axes**2
+    rates = (axes * (axes @ speed - axes * speed) + others * speed) / 2
+    return np.concatenate([turns, rates, np.zeros(3), turns]) > _BENT * sigma
+
+
+NAMES = (
+    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
+    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Quantities of motions near the best point, as users see them.
+
+    These are a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where they
+    are estimated, the turn of the axes, rad.  Without a prior the scale of the moments is
+    unobservable: their unit is then the largest moment of the best point.
+    """
+
+    problem: Problem
+    best: Point
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the quantities, k of them."""
+        return NAMES if self.problem.parameters.axes else NAMES[:9]
+
+    def rows(self, point: Point, own: np.ndarray) -> np.ndarray:
+        """Return the derivatives (..., k, p) by the parameters, at points.
+
+        own (..., 12, p): see `Parameters.derivatives` and `Parameters.linear_derivatives`.  The
+        turns are those at the points themselves.
+        """
+        _, _, since = sensitivities(point, self._zero, self.problem.engine)
+        found = own.copy()
+        found[..., :6, :] = since[..., 0, :, :] @ own[..., :9, :]
+        if self.problem.prior is None:
+            largest, unit = self._unit(point)
+            share = (point.moments / point.moments[..., [largest]])[..., None]
+            alone = own[..., [6 + largest], :]
+            found[..., 6:9, :] = unit[..., None] * (own[..., 6:9, :] - share * alone)
+        return found[..., : len(self.names), :]
+
+    def apart(self, points: Point) -> np.ndarray:
+        """Return the differences (B, k) of the quantities of motions (B,) from those of `best`."""
+        q, omega = states(points, self._zero, self.problem.engine)
+        best_q, best_omega = states(self.best, self._zero, self.problem.engine)
+        moments = points.moments
+        if self.problem.prior is None:
+            moments = self._unit(points)[1] * moments
+        parts = [
+            rotation_vectors(product(q[:, 0], conjugate(best_q[0]))),
+            omega[:, 0] - best_omega[0],
+            moments - self.best.moments,
+            rotation_vectors(product(points.mount, conjugate(self.best.mount))),
+        ]
+        return np.hstack(parts)[:, : len(self.names)]
+
+    def near(self, points: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return `apart` and its derivatives (B, k, p) by the parameters, at motions (B,)."""
+        apart, rows = self.apart(points), self.rows(points, own)
+        for first in (0, 9)[: 1 + self.problem.parameters.axes]:
+            turn = slice(first, first + 3)
+            rows[:, turn] = inverse_left_jacobian(apart[:, turn]) @ rows[:, turn]
+        return apart, rows
+
+    def _unit(self, point: Point) -> tuple[int, np.ndarray]:
+        """Return the index of the moment that is the unit, and factors (..., 1) to its value."""
+        largest = int(np.argmax(self.best.moments))
+        return largest, self.best.moments[largest] / point.moments[..., [largest]]
+
+    @property
+    def _zero(self) -> np.ndarray:
+        """Return t = 0 as a time since the epoch, (1,), s."""
+        return np.array([-self.problem.epoch])

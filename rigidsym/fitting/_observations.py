@@ -1,0 +1,604 @@
+"""Kinds of observations of a body: attitudes, rates, directions, and values of a user's model.
+
+A kind is one class here, listed in `KINDS`: its residuals and their derivatives, what a search can
+start from, the conventions in which others may have written it, and its columns and keys in files.
+To add a kind, write its class, list it in `KINDS`, and give `rigidsym.fit` an argument of its name.
+
+Each set of observations has its own times and errors.  Residuals (..., N, width) are computed less
+observed values.  Derivatives (..., N, width, 6) are by a small turn of the body, as a rotation
+vector along inertial axes, and by its rates.  Leading shapes are those of many motions.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from copy import copy
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym._engines import batches
+from rigidsym.errors import InputError
+from rigidsym.fitting._rotations import euler_313, inverse_right_jacobian
+from rigidsym.quaternions import (
+    conjugate,
+    cross_matrices,
+    matrices,
+    of_rotation_vectors,
+    product,
+    rotated,
+    rotation_vectors,
+)
+
+# Sines of angles below it are taken as zero.
+_TINY = 1e-8
+# Relative step of central differences of a user's model, rad.
+_DIFFERENCE = 6e-6
+# Relative asymmetry of a covariance that counts as rounding.
+_SYMMETRY = 1e-9
+# Between attitudes no more than _PLAIN apart, rad, the rotation is known without whole turns; rates
+# are taken from pairs at most _LARGEST apart.
+_PLAIN, _LARGEST = 1.0, 2.0
+
+Model = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """Units of a file: a time in s, an angle in rad."""
+
+    time: float = 1.0
+    angle: float = 1.0
+
+    @property
+    def rate(self) -> float:
+        """Return the unit of rates, rad/s."""
+        return self.angle / self.time
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Observations(ABC):
+    """Values (N, ...) observed at increasing times (N,), s, with errors as for `whitening`.
+
+    t, seen, weights: the times, the values as they are compared with a motion, and the matrices
+    that whiten their errors.
+    """
+
+    kind: ClassVar[str]
+    "Name of the argument of `rigidsym.fit`."
+    from_arrays: ClassVar[bool] = False
+    "Can be given as an array with `times` and `sigma`."
+    tells_attitude: ClassVar[bool] = False
+    "Determines the attitude of a motion; see `davenport`."
+    conventions: ClassVar[tuple[str, ...]] = ("",)
+    "Conventions in which values may be written, the expected one first; see `by_convention`."
+    columns: ClassVar[tuple[str, ...]] = ()
+    "Columns of values in CSV files; empty where the kind is not in CSV files."
+    sigma_column: ClassVar[str] = ""
+    keys: ClassVar[tuple[str, ...]] = ()
+    "Keys of its tables in TOML files besides times and sigma."
+
+    times: ArrayLike
+    values: ArrayLike
+    sigma: ArrayLike | None = None
+    t: np.ndarray = field(init=False, repr=False)
+    seen: np.ndarray = field(init=False, repr=False)
+    weights: np.ndarray = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        self._keep("t", _times(f"{self.kind}.times", self.times))
+        self._keep("seen", self._read(batches.array(self.kind, self.values)))
+        weights = whitening(f"sigma.{self.kind}", self.sigma, self.count, self.width)
+        self._keep("weights", weights)
+
+    def _keep(self, name: str, value: object) -> None:
+        object.__setattr__(self, name, value)
+
+    @property
+    def count(self) -> int:
+        """Return N, the number of observations."""
+        return self.t.size
+
+    @property
+    @abstractmethod
+    def width(self) -> int:
+        """Return the number of residuals of each observation."""
+
+    @property
+    @abstractmethod
+    def unrelated(self) -> float:
+        """Return the mean square of residuals of a motion unrelated to the observations."""
+
+    @abstractmethod
+    def _read(self, values: np.ndarray) -> np.ndarray:
+        """Return the values as they are kept; raise InputError for other shapes."""
+
+    @abstractmethod
+    def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """Return residuals (..., N, width) of states (..., N, 4), (..., N, 3) at the times."""
+
+    @abstractmethod
+    def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+        """Return derivatives (..., N, width, 6) of residuals by a turn and by rates."""
+
+    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield times (N,), s, and rates (N, 3), rad/s in body axes, that the values contain."""
+        yield from ()
+
+    def davenport(self, q: np.ndarray) -> np.ndarray:
+        """Return Davenport's matrices (B, 4, 4) of motions with attitudes q (B, N, 4).
+
+        Their eigenvectors of the largest eigenvalue are the rotations, on the left of q, after
+        which the motions agree best with the observations.
+        """
+        raise NotImplementedError
+
+    def by_convention(self, name: str) -> Self:
+        """Return the observations as if written in another of the `conventions`."""
+        return self
+
+    @classmethod
+    def from_table(
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+    ) -> Self:
+        """Return the observations of a TOML table with `keys`; raise InputError."""
+        raise NotImplementedError
+
+    def whitened(self, rows: np.ndarray) -> np.ndarray:
+        """Return rows (..., N, width, p) in units of the errors, which are then independent."""
+        return self.weights * rows if self.weights.shape[-1] == 1 else self.weights @ rows
+
+    def some(self, index: np.ndarray) -> Self:
+        """Return the observations of an index."""
+        return self.changed(**{name: getattr(self, name)[index] for name in self._by_row})
+
+    def changed(self, **fields: object) -> Self:
+        """Return a copy with other values of some fields, as they are kept."""
+        found = copy(self)
+        for name, value in fields.items():
+            found._keep(name, value)
+        return found
+
+    def scaled(self, factor: float) -> Self:
+        """Return the values and their errors in another unit."""
+        return self.changed(seen=factor * self.seen, weights=self.weights / factor)
+
+    @property
+    def _by_row(self) -> tuple[str, ...]:
+        return "t", "seen", "weights"
+
+    def _rows(self, values: np.ndarray, width: int) -> np.ndarray:
+        if values.shape != (self.count, width):
+            rule = f"must have the shape ({self.count}, {width}), a row for each time"
+            raise InputError(self.kind, f"an array of shape {values.shape}", rule)
+        return values
+
+    def _sizes(self) -> np.ndarray:
+        """Return the mean inverse variance of each observation, (N,)."""
+        return np.sum(self.weights**2, axis=(-2, -1)) / self.weights.shape[-1]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Attitudes(Observations):
+    """Attitudes as quaternions, body to inertial.
+
+    The residual is the rotation vector of R_seen^T R, along the axes of the body, rad.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 4)
+        Quaternions, scalar first, of either sign and any length.
+    sigma : number, (N,), (3, 3) or (N, 3, 3)
+        Standard deviations, rad, or covariances of rotation vectors along the axes of the body.
+    """
+
+    kind: ClassVar[str] = "attitudes"
+    from_arrays: ClassVar[bool] = True
+    tells_attitude: ClassVar[bool] = True
+    conventions: ClassVar[tuple[str, ...]] = (
+        "",
+        "scalar last",
+        "inertial to body",
+        "scalar last and inertial to body",
+    )
+    columns: ClassVar[tuple[str, ...]] = ("q0", "q1", "q2", "q3")
+    sigma_column: ClassVar[str] = "sigma_q"
+    keys: ClassVar[tuple[str, ...]] = ("q", "euler_313")
+    width: ClassVar[int] = 3
+    # The mean square angle of random rotations.
+    unrelated: ClassVar[float] = np.pi**2 / 3 + 2
+
+    def _read(self, values: np.ndarray) -> np.ndarray:
+        return _unit(self.kind, self._rows(values, 4))
+
+    def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        return rotation_vectors(product(conjugate(self.seen), q))
+
+    def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+        """See `Observations`; R_seen^T exp(eta) R = R_seen^T R exp(R^T eta)."""
+        found = np.zeros((*residuals.shape, 6))
+        transposed = np.swapaxes(matrices(q), -2, -1)
+        found[..., :3] = inverse_right_jacobian(residuals) @ transposed
+        return found
+
+    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield mean rates between attitudes far enough apart that errors count little.
+
+        Nothing where neighbours are so far apart that whole turns may lie between them.
+        """
+        if self.count < 2 or np.max(self._turns(1)[1]) > _PLAIN:
+            return
+        stride = 1
+        while 2 * stride < self.count and np.max(self._turns(2 * stride)[1]) < _LARGEST:
+            stride *= 2
+        turns, _ = self._turns(stride)
+        gaps = self.t[stride:] - self.t[:-stride]
+        yield self.t[:-stride] + gaps / 2, turns / gaps[:, None]
+
+    def _turns(self, stride: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return rotation vectors between attitudes, in body axes, and their lengths."""
+        turns = rotation_vectors(product(conjugate(self.seen[:-stride]), self.seen[stride:]))
+        return turns, np.linalg.norm(turns, axis=-1)
+
+    def davenport(self, q: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        between = product(self.seen, conjugate(q))
+        return np.einsum("n,bni,bnj->bij", 2 * self._sizes(), between, between)
+
+    def by_convention(self, name: str) -> Self:
+        """See `Observations`."""
+        q = np.roll(self.seen, 1, axis=-1) if "last" in name else self.seen
+        return self.changed(seen=conjugate(q) if "inertial" in name else q)
+
+    @classmethod
+    def from_table(
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+    ) -> Self:
+        """Read quaternions `q`, or 3-1-3 angles `euler_313` in degrees, R = Rz(a) Rx(b) Rz(c)."""
+        errors = _errors(where, table, units.angle)
+        if ("q" in table) == ("euler_313" in table):
+            raise InputError(where, sorted(table), "must have q or euler_313, and not both")
+        if "q" in table:
+            return cls(times, batches.array(f"{where}.q", table["q"]), errors)
+        angles = batches.array(f"{where}.euler_313", table["euler_313"])
+        if angles.ndim != 2 or angles.shape[1] != 3:
+            rule = "must have three angles in each row"
+            raise InputError(f"{where}.euler_313", f"an array of shape {angles.shape}", rule)
+        return cls(times, euler_313(np.deg2rad(angles)), errors)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Rates(Observations):
+    """Rates along the axes of the body, as a gyroscope measures them.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 3)
+        Rates, rad/s.
+    sigma : number, (N,), (3, 3) or (N, 3, 3)
+        Standard deviations, rad/s, or covariances.
+    """
+
+    kind: ClassVar[str] = "rates"
+    from_arrays: ClassVar[bool] = True
+    columns: ClassVar[tuple[str, ...]] = ("omega1", "omega2", "omega3")
+    sigma_column: ClassVar[str] = "sigma_omega"
+    keys: ClassVar[tuple[str, ...]] = ("omega",)
+    width: ClassVar[int] = 3
+
+    @property
+    def unrelated(self) -> float:
+        """Return the mean square of residuals of a motion at rest."""
+        return _mean_square(self.seen)
+
+    def _read(self, values: np.ndarray) -> np.ndarray:
+        return self._rows(values, 3)
+
+    def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        return omega - self.seen
+
+    def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        found = np.zeros((*residuals.shape, 6))
+        found[..., 3:] = np.eye(3)
+        return found
+
+    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield the rates themselves."""
+        yield self.t, self.seen
+
+    @classmethod
+    def from_table(
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+    ) -> Self:
+        """Read rates `omega`."""
+        errors = _errors(where, table, units.rate)
+        rates = batches.array(f"{where}.omega", _needed(where, table, "omega"))
+        return cls(times, rates * units.rate, errors)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Directions(Observations):
+    """Directions of something whose direction is known in other axes.
+
+    By default they are known in space and seen along the axes of the body, as a camera sees a star.
+    The residual is the arc on the sphere from the observed to the computed direction: two numbers,
+    rad.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 3)
+        Observed directions, of any length.
+    sigma : number, (N,), (2, 2) or (N, 2, 2)
+        Standard deviations, rad, or covariances.
+    known : (3,) or (N, 3)
+        Known directions, in the other axes.
+    seen_in : {"body", "space"}
+        Axes of the observed directions; "space" is for a face of the body seen from elsewhere.
+    """
+
+    kind: ClassVar[str] = "vectors"
+    tells_attitude: ClassVar[bool] = True
+    conventions: ClassVar[tuple[str, ...]] = ("", "known and seen exchanged")
+    keys: ClassVar[tuple[str, ...]] = ("seen", "known", "seen_in")
+    width: ClassVar[int] = 2
+    # The mean square angle between random directions.
+    unrelated: ClassVar[float] = np.pi**2 / 2 - 2
+    known: ArrayLike = (0.0, 0.0, 1.0)
+    seen_in: str = "body"
+    tangents: np.ndarray = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        super(Directions, self).__post_init__()
+        if self.seen_in not in ("body", "space"):
+            raise InputError("vectors.seen_in", repr(self.seen_in), "must be 'body' or 'space'")
+        known = batches.array("vectors.known", self.known)
+        if known.shape not in ((3,), (self.count, 3)):
+            rule = f"must have the shape (3,) or ({self.count}, 3)"
+            raise InputError("vectors.known", f"an array of shape {known.shape}", rule)
+        self._keep("known", _unit("vectors.known", known))
+        self._keep("tangents", _tangents(self.seen))
+
+    def _read(self, values: np.ndarray) -> np.ndarray:
+        return _unit(self.kind, self._rows(values, 3))
+
+    @property
+    def _by_row(self) -> tuple[str, ...]:
+        return "t", "seen", "weights", "tangents", *(["known"] * (np.ndim(self.known) == 2))
+
+    def _computed(self, q: np.ndarray) -> np.ndarray:
+        known = np.asarray(self.known)
+        return rotated(conjugate(q) if self.seen_in == "body" else q, known)
+
+    def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        there = self._computed(q)
+        angle, sine = self._apart(there)
+        return (angle / sine)[..., None] * (self.tangents @ there[..., None])[..., 0]
+
+    def _apart(self, there: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the angle from the observed direction and its sine, both 1 where it is tiny."""
+        sine = np.linalg.norm(np.cross(self.seen, there), axis=-1)
+        angle = np.arctan2(sine, np.sum(self.seen * there, axis=-1))
+        tiny = sine < _TINY
+        return np.where(tiny, 1.0, angle), np.where(tiny, 1.0, sine)
+
+    def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+        """See `Observations`; a turn eta moves R^T v by R^T (v x eta), and R b by eta x R b."""
+        there = self._computed(q)
+        angle, sine = self._apart(there)
+        if self.seen_in == "body":
+            known = np.asarray(self.known)
+            moved = np.swapaxes(matrices(q), -2, -1) @ cross_matrices(known)
+        else:
+            moved = -cross_matrices(there)
+        # The derivative of angle/sine by the cosine; its limit at no angle is -1/3.
+        cosine = np.sum(self.seen * there, axis=-1)
+        slope = np.where(angle == sine, -1 / 3, -(sine - angle * cosine) / sine**3)
+        along = self.seen[:, None, :] @ moved
+        flat = self.tangents @ there[..., None]
+        found = np.zeros((*residuals.shape, 6))
+        found[..., :3] = (angle / sine)[..., None, None] * (self.tangents @ moved)
+        found[..., :3] += slope[..., None, None] * flat * along
+        return found
+
+    def davenport(self, q: np.ndarray) -> np.ndarray:
+        """See `Observations`: v . A u of a quaternion A, of v in space and u turned there by q."""
+        known = np.broadcast_to(np.asarray(self.known), self.seen.shape)
+        space, body = (known, self.seen) if self.seen_in == "body" else (self.seen, known)
+        turned = rotated(q, body)
+        cosine = np.sum(turned * space, axis=-1)
+        found = np.empty((*cosine.shape, 4, 4))
+        found[..., 0, 0] = cosine
+        found[..., 0, 1:] = found[..., 1:, 0] = np.cross(turned, space)
+        outer = space[..., :, None] * turned[..., None, :]
+        own = cosine[..., None, None] * np.eye(3)
+        found[..., 1:, 1:] = outer + np.swapaxes(outer, -2, -1) - own
+        return np.einsum("n,bnij->bij", self._sizes(), found)
+
+    def by_convention(self, name: str) -> Self:
+        """See `Observations`."""
+        return self.changed(seen_in="space" if self.seen_in == "body" else "body") if name else self
+
+    @classmethod
+    def from_table(
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+    ) -> Self:
+        """Read directions `seen`, what is `known` of them, and where they are seen."""
+        errors = _errors(where, table, units.angle)
+        seen, known = (_needed(where, table, key) for key in ("seen", "known"))
+        return cls(times, seen, errors, known, table.get("seen_in", "body"))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Modelled(Observations):
+    """Values that a function of yours computes from states, such as light curves or ranges.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, k) or (N,)
+        Observed values.
+    sigma : number, (N,), (k, k) or (N, k, k)
+        Standard deviations or covariances.
+    model : function
+        Computes values (..., N, k) or (..., N) from q (..., N, 4) and omega (..., N, 3).
+    jacobian : function
+        Computes derivatives (..., N, k, 6) from the same, by a small turn of the body along
+        inertial axes and by the rates; central differences of the model where it is None.
+    """
+
+    kind: ClassVar[str] = "models"
+    model: Model | None = None
+    jacobian: Model | None = None
+
+    @property
+    def width(self) -> int:
+        """Return k."""
+        return self.seen.shape[1]
+
+    @property
+    def unrelated(self) -> float:
+        """Return the variance of the values."""
+        return _mean_square(self.seen - np.mean(self.seen, axis=0))
+
+    def _read(self, values: np.ndarray) -> np.ndarray:
+        if not callable(self.model):
+            raise InputError("models.model", repr(self.model), "must be a function of q and omega")
+        whole = values[:, None] if values.ndim == 1 else values
+        if whole.ndim != 2:
+            rule = f"must have the shape ({self.count}, k)"
+            raise InputError(self.kind, f"an array of shape {values.shape}", rule)
+        return self._rows(whole, whole.shape[1])
+
+    def _modelled(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        assert self.model is not None
+        found = np.asarray(self.model(q, omega), float)
+        found = found[..., None] if found.shape == q.shape[:-1] else found
+        if found.shape != (*q.shape[:-1], self.width):
+            rule = f"for states of shape {q.shape} must be of shape {(*q.shape[:-1], self.width)}"
+            raise InputError("models.model", f"an array of shape {found.shape}", rule)
+        return found
+
+    def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """See `Observations`."""
+        return self._modelled(q, omega) - self.seen
+
+    def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
+        """See `Observations`; the user's, or central differences of the model."""
+        if self.jacobian is not None:
+            return np.asarray(self.jacobian(q, omega), float)
+        size = _DIFFERENCE * max(float(np.nanmax(np.abs(omega), initial=0.0)), 1e-30)
+        columns = []
+        for axis in np.eye(3):
+            turn = of_rotation_vectors(_DIFFERENCE * axis)
+            ahead, behind = (self._modelled(product(x, q), omega) for x in (turn, conjugate(turn)))
+            columns.append((ahead - behind) / (2 * _DIFFERENCE))
+        for axis in np.eye(3):
+            ahead, behind = (self._modelled(q, omega + x * size * axis) for x in (1, -1))
+            columns.append((ahead - behind) / (2 * size))
+        return np.stack(columns, axis=-1)
+
+
+KINDS: Mapping[str, type[Observations]] = {
+    one.kind: one for one in (Attitudes, Rates, Directions, Modelled)
+}
+"Kinds of observations by name, in the order of the arguments of `rigidsym.fit`."
+
+
+def middle(sets: Iterable[Observations]) -> float:
+    """Return the middle between the first and the last time of all sets, s."""
+    times = np.concatenate([one.t for one in sets])
+    return float(np.min(times) / 2 + np.max(times) / 2)
+
+
+def whitening(field: str, sigma: ArrayLike | None, count: int, width: int) -> np.ndarray:
+    """Return W (count, 1, 1) or (count, width, width): W e has unit covariance for errors e.
+
+    sigma: one standard deviation, (), or one for each observation, (count,); or a covariance
+    (width, width), or one for each observation, (count, width, width).  Raises InputError for
+    other shapes, deviations that are not positive and matrices that are no covariances.
+    """
+    if sigma is None:
+        rule = "a standard deviation or a covariance is needed, in the observations' units"
+        raise InputError(field, "missing", rule)
+    errors = batches.array(field, sigma)
+    if errors.shape in ((), (count,)):
+        for place in np.argwhere(errors <= 0)[:1]:
+            rule = "a standard deviation must be positive"
+            raise InputError(_indexed(field, place), errors[tuple(place)], rule)
+        return np.broadcast_to(1 / errors, (count,))[:, None, None]
+    if errors.shape in ((width, width), (count, width, width)):
+        return np.broadcast_to(_inverse_cholesky(field, errors), (count, width, width))
+    shapes = f"(), ({count},), ({width}, {width}) or ({count}, {width}, {width})"
+    raise InputError(field, f"an array of shape {errors.shape}", f"must have the shape {shapes}")
+
+
+def _inverse_cholesky(field: str, covariances: np.ndarray) -> np.ndarray:
+    size = np.max(np.abs(covariances), axis=(-2, -1), keepdims=True)
+    skew = np.abs(covariances - np.swapaxes(covariances, -2, -1)) > _SYMMETRY * size
+    for place in np.argwhere(np.any(skew, axis=(-2, -1)))[:1]:
+        raise InputError(_indexed(field, place), "not symmetric", "a covariance is symmetric")
+    least = np.linalg.eigvalsh(covariances)[..., 0]
+    for place in np.argwhere(least <= 0)[:1]:
+        value = f"has the eigenvalue {least[tuple(place)]:.6g}"
+        raise InputError(_indexed(field, place), value, "a covariance must be positive definite")
+    return np.linalg.inv(np.linalg.cholesky(covariances))
+
+
+def _indexed(field: str, place: np.ndarray) -> str:
+    return f"{field}[{place[0]}]" if place.size else field
+
+
+def _errors(where: str, table: Mapping[str, Any], unit: float) -> np.ndarray:
+    """Return the errors of a table: deviations in the unit, covariances in its square."""
+    sigma = batches.array(f"{where}.sigma", table["sigma"])
+    return sigma * (unit if sigma.ndim < 2 else unit**2)
+
+
+def _needed(where: str, table: Mapping[str, Any], key: str) -> Any:
+    if key not in table:
+        raise InputError(f"{where}.{key}", "missing", "is needed")
+    return table[key]
+
+
+def _mean_square(rows: np.ndarray) -> float:
+    """Return the mean square of the lengths of rows; never zero."""
+    return float(np.mean(np.sum(rows**2, axis=-1))) or np.finfo(float).tiny
+
+
+def _times(name: str, values: ArrayLike) -> np.ndarray:
+    times = batches.array(name, values)
+    if times.ndim != 1 or not times.size:
+        rule = "must be a list of at least one time"
+        raise InputError(name, f"an array of shape {times.shape}", rule)
+    for k in np.flatnonzero(np.diff(times) <= 0)[:1] + 1:
+        raise InputError(f"{name}[{k}]", times[k], "must be later than the time before it")
+    return times
+
+
+def _unit(name: str, rows: np.ndarray) -> np.ndarray:
+    """Return rows of length 1; they are scaled first so that no square overflows or is lost."""
+    most = np.max(np.abs(rows), axis=-1, keepdims=True)
+    for place in np.argwhere(most[..., 0] == 0)[:1]:
+        raise InputError(_indexed(name, place), rows[tuple(place)].tolist(), "must not be zero")
+    scaled = rows / most
+    return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
+
+
+def _tangents(directions: np.ndarray) -> np.ndarray:
+    """Return two unit vectors (N, 2, 3) across each direction, right-handed with it."""
+    least = np.eye(3)[np.argmin(np.abs(directions), axis=-1)]
+    first = np.cross(least, directions)
+    first /= np.linalg.norm(first, axis=-1, keepdims=True)
+    return np.stack([first, np.cross(directions, first)], axis=-2)

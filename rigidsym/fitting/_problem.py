@@ -1,0 +1,217 @@
+"""The problem of a fit: from the user's arguments to whitened residuals and their derivatives."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym import _inputs as inputs
+from rigidsym._engines import batches, checked
+from rigidsym.errors import InputError
+from rigidsym.fitting._observations import KINDS, Observations, middle, whitening
+from rigidsym.fitting._parameters import (
+    Parameters,
+    Point,
+    observed_derivatives,
+    sensitivities,
+    states,
+)
+
+INERTIA = ("ratios", "known", "tensor")
+
+Sigma = ArrayLike | Mapping[str, ArrayLike] | None
+SetsLike = Observations | Sequence[Observations] | ArrayLike | None
+"One kind of observations, as the user gives them."
+
+
+@dataclass(frozen=True, slots=True)
+class Prior:
+    """A prior on the moments: their means (3,) and the matrix (3, 3) that whitens their errors."""
+
+    moments: np.ndarray
+    weights: np.ndarray
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Least squares: observations, parameters, and residuals, one for each number observed.
+
+    Parameters are those of the state at `epoch`, s.  It lies amid the observations, because next to
+    a separatrix errors grow by exp(rate time) both ways, beyond the precision of doubles.
+    """
+
+    sets: tuple[Observations, ...]
+    parameters: Parameters
+    prior: Prior | None = None
+    engine: str = "numpy"
+    epoch: float = 0.0
+
+    @cached_property
+    def times(self) -> np.ndarray:
+        """Return all times of observation, each once, (N,), s."""
+        return np.unique(np.concatenate([one.t for one in self.sets]))
+
+    @cached_property
+    def indices(self) -> list[np.ndarray]:
+        """Return the indices of the times of each set in `times`."""
+        return [np.searchsorted(self.times, one.t) for one in self.sets]
+
+    @cached_property
+    def since(self) -> np.ndarray:
+        """Return the times, (N,), since the epoch, s."""
+        return self.times - self.epoch
+
+    @property
+    def span(self) -> float:
+        """Return the time from the first to the last, and to the epoch if that is farther, s."""
+        return float(max(np.ptp(self.times), np.max(np.abs(self.since))))
+
+    @cached_property
+    def rows(self) -> list[np.ndarray]:
+        """Return the indices (N, width) of the residuals of each set."""
+        sizes = [one.count * one.width for one in self.sets]
+        ends = np.cumsum([0, *sizes])
+        return [
+            np.arange(first, first + size).reshape(one.count, one.width)
+            for first, size, one in zip(ends, sizes, self.sets, strict=False)
+        ]
+
+    @property
+    def count(self) -> int:
+        """Return the number of residuals."""
+        own = sum(one.count * one.width for one in self.sets)
+        return own + (3 if self.prior else 0)
+
+    def residuals(self, point: Point) -> np.ndarray:
+        """Return the residuals (..., count) at a point."""
+        return self.state_residuals(point, *states(point, self.since, self.engine))
+
+    def state_residuals(self, point: Point, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """Return the residuals of states of the principal axes, (..., N, 4) and (..., N, 3)."""
+        seen = point.in_observed_axes(q, omega)
+        parts = []
+        for one, at in zip(self.sets, self.indices, strict=True):
+            found = one.residuals(*(x[..., at, :] for x in seen))
+            parts.append(_flat(one.whitened(found[..., None]))[..., 0])
+        if self.prior:
+            parts.append((point.moments - self.prior.moments) @ self.prior.weights.T)
+        return np.concatenate(parts, axis=-1)
+
+    def linearised(self, point: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return residuals (..., count) and their derivatives (..., count, p).
+
+        own (..., 12, p): see `Parameters.derivatives`.
+        """
+        q, omega, sensitivity = sensitivities(point, self.since, self.engine)
+        seen = point.in_observed_axes(q, omega)
+        moved = observed_derivatives(point, *seen, sensitivity, own)
+        residuals, slopes = [], []
+        for one, at in zip(self.sets, self.indices, strict=True):
+            state = [x[..., at, :] for x in seen]
+            found = one.residuals(*state)
+            slope = one.derivatives(*state, found) @ moved[..., at, :, :]
+            residuals.append(_flat(one.whitened(found[..., None]))[..., 0])
+            slopes.append(_flat(one.whitened(slope)))
+        if self.prior:
+            residuals.append((point.moments - self.prior.moments) @ self.prior.weights.T)
+            slopes.append(self.prior.weights @ own[..., 6:9, :])
+        return np.concatenate(residuals, axis=-1), np.concatenate(slopes, axis=-2)
+
+
+def _flat(rows: np.ndarray) -> np.ndarray:
+    """Return (..., N, width, p) as (..., N width, p)."""
+    *leading, count, width, p = rows.shape
+    return rows.reshape(*leading, count * width, p)
+
+
+def observation_sets(
+    times: ArrayLike | None, by_kind: Mapping[str, SetsLike], sigma: Sigma
+) -> tuple[Observations, ...]:
+    """Return all sets, in the order of their kinds; arrays take `times` and `sigma`.
+
+    Raises InputError.
+    """
+    asked = {kind: value for kind, value in by_kind.items() if value is not None}
+    if isinstance(sigma, Mapping):
+        for name in sigma:
+            if name not in (*KINDS, "moments"):
+                rule = f"is not one of: {', '.join((*KINDS, 'moments'))}"
+                raise InputError("sigma", name, rule)
+    elif sigma is not None and len(asked) > 1:
+        raise InputError("sigma", "one for all", f"give one for each of: {', '.join(asked)}")
+    errors = sigma if isinstance(sigma, Mapping) else dict.fromkeys(asked, sigma)
+    found = [
+        one
+        for kind, value in asked.items()
+        for one in _sets(KINDS[kind], value, times, errors.get(kind))
+    ]
+    if not found:
+        raise InputError("observations", "none", f"give {', '.join(by_kind)}, or some of them")
+    if len(np.unique(np.concatenate([one.t for one in found]))) == 1:
+        rule = "all observations are at one time, and show no motion"
+        raise InputError("times", found[0].t[0], rule)
+    return tuple(found)
+
+
+def _sets(
+    kind: type[Observations], value: Any, times: ArrayLike | None, sigma: Any
+) -> Iterable[Observations]:
+    if isinstance(value, Observations):
+        value = [value]
+    if isinstance(value, list | tuple) and value and isinstance(value[0], Observations):
+        for one in value:
+            if not isinstance(one, kind):
+                raise InputError(kind.kind, type(one).__name__, f"must be {kind.__name__}")
+        return value
+    if not kind.from_arrays:
+        rule = f"must be rigidsym.fitting.{kind.__name__}, or a list of them"
+        raise InputError(kind.kind, type(value).__name__, rule)
+    if times is None:
+        raise InputError("times", "missing", f"{kind.kind} given as an array need them")
+    return [kind(times, value, sigma)]
+
+
+def posed(
+    sets: tuple[Observations, ...],
+    inertia: str,
+    moments: ArrayLike | None,
+    sigma: Sigma,
+    engine: str,
+) -> tuple[Problem, np.ndarray | None]:
+    """Return the problem, and the moments (3,) that are known, guessed, or have a prior.
+
+    Raises InputError.
+    """
+    if inertia not in INERTIA:
+        raise InputError("inertia", repr(inertia), f"must be one of: {', '.join(INERTIA)}")
+    known = None
+    if moments is not None:
+        exact = inputs.certain("moments", inputs.inertia(moments, next_step=""))
+        known = np.array(inputs.doubles("moments", exact))
+    if inertia == "known" and known is None:
+        raise InputError("moments", "missing", 'inertia="known" needs them')
+    prior = _prior(known, sigma, inertia)
+    parameters = Parameters(
+        shape=inertia != "known", scale=prior is not None, axes=inertia == "tensor"
+    )
+    found = Problem(sets, parameters, prior, checked(engine), middle(sets))
+    if found.count < parameters.count:
+        rule = f"are fewer than the {parameters.count} parameters"
+        raise InputError("observations", f"{found.count} numbers", rule)
+    return found, known
+
+
+def _prior(known: np.ndarray | None, sigma: Sigma, inertia: str) -> Prior | None:
+    """Return the prior that `sigma["moments"]` defines."""
+    if not isinstance(sigma, Mapping) or "moments" not in sigma:
+        return None
+    if known is None or inertia == "known":
+        rule = 'is about moments that are given, and inertia="ratios" or "tensor"'
+        raise InputError("sigma.moments", "given", rule)
+    errors = batches.array("sigma.moments", sigma["moments"])
+    matrix = np.diag(errors**2) if errors.shape == (3,) else errors
+    weights = whitening("sigma.moments", matrix, 1, 3)[0]
+    return Prior(known, weights * np.eye(3) if weights.shape == (1, 1) else weights)

@@ -1,0 +1,286 @@
+"""Attitude ephemeris messages in KVN: written by CCSDS 504.0-B-2, read by 504.0-B-1 and -2.
+
+The quaternion of a message is "from frame A to frame B": of the rotation that carries the axes of A
+into those of B (annex F2.1).  With A inertial and B the body it turns components along B into
+components along A, which this project calls body to inertial: the same four numbers, their scalar
+last.  Angular velocities are of B against A (annex F4), here along the axes of B, in deg/s.
+Sections 4 and 6 have the format.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from itertools import pairwise
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.io import _epochs as epochs
+from rigidsym.io._tracks import Track
+
+# 6.6.1: characters in a line.
+LONGEST_LINE = 254
+# Polynomials of higher degree gain little more before they begin to swing at the ends.
+HIGHEST_DEGREE = 7
+_PRINTABLE = re.compile(r"[ -~]+")
+_TYPES = {True: "QUATERNION/ANGVEL", False: "QUATERNION"}
+
+Field = tuple[str, str]
+
+
+def aem(
+    track: Track | Sequence[Track],
+    epoch: str,
+    *,
+    object_name: str,
+    object_id: str,
+    originator: str,
+    ref_frame_a: str = "EME2000",
+    ref_frame_b: str = "SC_BODY_1",
+    rates: bool = True,
+    time_system: str = "UTC",
+    creation_date: str | None = None,
+) -> str:
+    """Return the message of a track, or of several with a segment for each, as ASCII text.
+
+    Parameters
+    ----------
+    track : Track or list of them
+        States of the segments, in order of time.
+    epoch : str
+        Time of t = 0 of the tracks, YYYY-MM-DDThh:mm:ss[.d...], in `time_system`.
+    object_name, object_id : str
+        UNKNOWN where there is none (table 4-3).
+    originator : str
+        Maker of the message (table 4-2).
+    ref_frame_a : str
+        The inertial frame of the attitudes.
+    ref_frame_b : str
+        The axes of the body, which are ANGVEL_FRAME too.
+    rates : bool
+        ATTITUDE_TYPE is QUATERNION/ANGVEL with rates and QUATERNION without.
+    time_system : {"UTC", "TAI", "TT", "GPS"}
+        System of the epoch and the times; nothing is converted.  UTC has its leap seconds up to
+        2016 as 23:59:60, and no later ones.
+    creation_date : str
+        Date in UTC, now by default; a message that must be reproducible byte for byte needs one.
+
+    Returns
+    -------
+    str
+        Numbers have 16 digits, the most that 6.8.4 allows: 1e-15 rad of attitude, and a relative
+        1e-15 of rates.  A time is its shortest decimal, which is read as the same double, in as
+        many decimals as its segment needs, 3 at least and 14 at most; beyond those it is off by up
+        to 5e-15 s, and the attitude at the epoch by |omega| times that.  Quaternions keep their
+        signs, so that they can be interpolated, by Lagrange's polynomial of the 8 nearest or of all
+        there are.
+
+    Raises
+    ------
+    InputError
+        For epochs and text that the standard does not allow, times closer than 1e-14 s, and tracks
+        that begin before the last one ends.
+    """
+    tracks = _tracks(track)
+    zero = epochs.parse("epoch", epoch, time_system)
+    instants = [[epochs.later(zero, t) for t in each.times.tolist()] for each in tracks]
+    _check_order(instants)
+    if not isinstance(rates, bool):
+        choices = ", ".join(f"{key} ({name})" for key, name in _TYPES.items())
+        raise InputError("rates", repr(rates), f"must be one of: {choices}")
+    if ref_frame_a == ref_frame_b:
+        raise InputError("ref_frame_b", repr(ref_frame_b), "must not be frame A as well")
+    header = [
+        ("CCSDS_AEM_VERS", "2.0"),
+        ("CREATION_DATE", _creation_date(creation_date)),
+        ("ORIGINATOR", text_value("originator", originator)),
+    ]
+    names = {
+        "OBJECT_NAME": text_value("object_name", object_name),
+        "OBJECT_ID": text_value("object_id", object_id),
+        "REF_FRAME_A": text_value("ref_frame_a", ref_frame_a),
+        "REF_FRAME_B": text_value("ref_frame_b", ref_frame_b),
+        "TIME_SYSTEM": time_system,
+    }
+    lines = _fields(header)
+    for each, when in zip(tracks, instants, strict=True):
+        lines += _segment(each, when, names, rates)
+    return "\n".join([*lines, ""])
+
+
+def _tracks(track: Track | Sequence[Track]) -> list[Track]:
+    tracks = list(track) if isinstance(track, Sequence) else [track]
+    if not tracks or not all(isinstance(each, Track) for each in tracks):
+        raise InputError("track", repr(track), "must be a Track or a list of them")
+    return tracks
+
+
+def _check_order(instants: Sequence[Sequence[int]]) -> None:
+    """Raise InputError unless times increase in segments (4.2.4.8.1) and between them."""
+    for within in instants:
+        for k, (one, other) in enumerate(pairwise(within), 1):
+            if other <= one:
+                rule = "must be 1e-14 s later than the time before it"
+                raise InputError(f"times[{k}]", "too early", rule)
+    for k, (one, other) in enumerate(pairwise(instants), 1):
+        if other[0] < one[-1]:
+            raise InputError(f"track[{k}]", "too early", "must not begin before the last one ends")
+
+
+def text_value(field: str, text: str) -> str:
+    """Return a text value by 6.6.3, 6.8.6 to 6.8.8, short enough for any keyword (6.6.1)."""
+    if not isinstance(text, str) or not _PRINTABLE.fullmatch(text):
+        raise InputError(field, ascii(text), "must be printable ASCII characters on one line")
+    if text != " ".join(text.split()):
+        raise InputError(field, repr(text), "must have single blanks, between words only")
+    if text not in (text.upper(), text.lower()):
+        raise InputError(field, repr(text), "must be all uppercase or all lowercase")
+    most = LONGEST_LINE - len("INTERPOLATION_DEGREE = ")
+    if len(text) > most:
+        raise InputError(field, repr(text), f"must have at most {most} characters")
+    return text
+
+
+def _creation_date(given: str | None) -> str:
+    """Return a date in UTC (4.2.2.2), the time of writing by default."""
+    if given is None:
+        return datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S")
+    epochs.parse("creation_date", given, "UTC")
+    return given
+
+
+def _segment(
+    track: Track, instants: Sequence[int], names: dict[str, str], rates: bool
+) -> list[str]:
+    """Return the metadata in the order of table 4-3, and the lines of table 4-4.
+
+    USEABLE_START_TIME and USEABLE_STOP_TIME are optional: the states are good to both ends.
+    """
+    system, digits = names["TIME_SYSTEM"], epochs.decimals(instants)
+    times = [epochs.printed(instant, system, digits) for instant in instants]
+    metadata = [
+        *names.items(),
+        ("START_TIME", times[0]),
+        ("STOP_TIME", times[-1]),
+        ("ATTITUDE_TYPE", _TYPES[rates]),
+    ]
+    if rates:
+        metadata.append(("ANGVEL_FRAME", names["REF_FRAME_B"]))
+    metadata += _interpolation(len(times))
+    values = np.roll(track.q, -1, axis=1)
+    if rates:
+        values = np.hstack([values, np.degrees(track.omega)])
+    # 6.8.4.2: 16 digits, a point after the first; 6.8.5 has no -0, which adding 0 removes.
+    data = [
+        f"{time} {' '.join(f'{x + 0.0: .15e}' for x in row)}"
+        for time, row in zip(times, values.tolist(), strict=True)
+    ]
+    return [
+        *("", "META_START", *_fields(metadata), "META_STOP"),
+        *("", "DATA_START", *data, "DATA_STOP"),
+    ]
+
+
+def _interpolation(count: int) -> list[Field]:
+    """Return the polynomial of a segment that its states are sufficient for (4.2.4.8.4).
+
+    Lagrange's of degree d takes d + 1 states of either type; readers disagree on HERMITE.
+    """
+    if count < 2:
+        return []
+    degree = min(HIGHEST_DEGREE, count - 1)
+    return [("INTERPOLATION_METHOD", "LAGRANGE"), ("INTERPOLATION_DEGREE", str(degree))]
+
+
+def _fields(fields: Iterable[Field]) -> list[str]:
+    return [f"{keyword} = {value}" for keyword, value in fields]
+
+
+# Numbers of a line after the epoch: the quaternion, and where in it the rates are.
+_WIDTHS = {"QUATERNION": 4, "QUATERNION/ANGVEL": 7}
+_SCALAR = ("LAST", "FIRST")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ephemeris:
+    """States of a message.
+
+    epoch: of the first state; times (N,), s after it; q (N, 4), scalar first, body to inertial;
+    rates (N, 3), rad/s along the body's axes, or None.
+    """
+
+    epoch: str
+    times: np.ndarray
+    q: np.ndarray
+    rates: np.ndarray | None
+
+
+def read(text: str) -> Ephemeris:
+    """Read the states of a message; raise InputError with the line that is wrong.
+
+    Quaternions are read, with angular velocities or without.  Several segments are read as one
+    track if they have the same frames.
+    """
+    first, ticks, rows, widths = "", [], [], set()
+    for number, metadata, line in _states(text):
+        kind = metadata.get("ATTITUDE_TYPE", "")
+        where = f"line {number}"
+        if kind not in _WIDTHS:
+            raise InputError("ATTITUDE_TYPE", kind, f"must be one of: {', '.join(_WIDTHS)}")
+        epoch, *values = line.split()
+        ticks.append(epochs.parse(where, epoch, metadata.get("TIME_SYSTEM", "UTC")))
+        first = first or epoch
+        rows.append(_row(where, values, metadata, _WIDTHS[kind]))
+        widths.add(_WIDTHS[kind])
+    if not rows:
+        raise InputError("message", "no states", "there must be DATA_START and states after it")
+    if len(widths) > 1:
+        raise InputError("ATTITUDE_TYPE", "both", "must be the same in all segments")
+    table = np.array(rows)
+    times = np.array([(tick - ticks[0]) / epochs.SECOND for tick in ticks])
+    rates = np.deg2rad(table[:, 4:]) if 7 in widths else None
+    return Ephemeris(first, times, table[:, :4], rates)
+
+
+def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
+    """Yield the number, the metadata of the segment and the text of each line of data."""
+    metadata: dict[str, str] = {}
+    frames: tuple[str | None, ...] | None = None
+    inside = False
+    for number, raw in enumerate(text.splitlines(), 1):
+        line = raw.strip()
+        if line == "META_START":
+            metadata = {}
+        elif line in ("DATA_START", "DATA_STOP"):
+            inside = line == "DATA_START"
+            own = tuple(metadata.get(x) for x in ("REF_FRAME_A", "REF_FRAME_B", "TIME_SYSTEM"))
+            frames = frames or own
+            if own != frames:
+                raise InputError("REF_FRAME_A", own[0], "must be the same in all segments")
+        elif inside and line and not line.startswith("COMMENT"):
+            yield number, metadata, line
+        elif "=" in line and not inside and not line.startswith("COMMENT"):
+            keyword, value = (x.strip() for x in line.split("=", 1))
+            if keyword in metadata:
+                rule = "is given twice in a segment: remove one of them"
+                raise InputError(f"line {number}, {keyword}", value, rule)
+            metadata[keyword] = value
+
+
+def _row(where: str, values: list[str], metadata: dict[str, str], width: int) -> list[float]:
+    """Return the quaternion with its scalar first, then the rates in deg/s."""
+    try:
+        numbers = [float(x) for x in values]
+    except ValueError:
+        raise InputError(where, " ".join(values), "must be an epoch and numbers") from None
+    if len(numbers) != width:
+        raise InputError(where, f"{len(numbers)} numbers", f"must have {width} after the epoch")
+    scalar = metadata.get("QUATERNION_TYPE", "LAST")
+    if scalar not in _SCALAR:
+        raise InputError("QUATERNION_TYPE", scalar, f"must be one of: {', '.join(_SCALAR)}")
+    way = metadata.get("ATTITUDE_DIR", "A2B")
+    if way not in ("A2B", "B2A"):
+        raise InputError("ATTITUDE_DIR", way, "must be one of: A2B, B2A")
+    q = numbers[:4] if scalar == "FIRST" else [numbers[3], *numbers[:3]]
+    return [q[0], *((-x for x in q[1:]) if way == "B2A" else q[1:]), *numbers[4:]]

@@ -1,0 +1,116 @@
+"""Formulas, and sequences of them that are compiled once and evaluated over any numbers."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from types import CodeType
+from typing import Any, TypeVar
+
+from rigidsym.language._expression import Expression, by_products, names, to_text
+
+# Functions by the names that formulas call, and constants.
+Functions = Mapping[str, object]
+CONSTANTS = ("pi", "I")
+Value = TypeVar("Value")
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """name = expression, with its origin in the ledger; `source` lists equations of the paper.
+
+    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
+    that context says so, or "choice context.name" of a sign that makes its hypotheses hold;
+    `context` has its hypotheses.  Functions of a parameter m take its complement 1 - m as their
+    last argument.
+    """
+
+    name: str
+    expression: Expression
+    fact: str
+    context: str
+    source: tuple[str, ...]
+
+    @property
+    def is_reading(self) -> bool:
+        """True where the expression is the standard function that a name stands for."""
+        return self.fact.startswith("reading ")
+
+
+class FormulaSequence:
+    """Names set to expressions, in order of evaluation, over any numbers that mix with integers.
+
+    Powers are calls of `power`, which the functions must include: the own powers of some kinds of
+    numbers cannot be trusted.
+    """
+
+    def __init__(self, formulas: Iterable[tuple[str, Expression]]) -> None:
+        self.formulas = tuple(formulas)
+        self._parts: dict[frozenset[str], FormulaSequence] = {}
+
+    @cached_property
+    def used(self) -> frozenset[str]:
+        """The names that the expressions use."""
+        return frozenset(name for _, expression in self.formulas for name in names(expression))
+
+    @cached_property
+    def inputs(self) -> frozenset[str]:
+        """The names that the expressions use and no formula sets; constants aside."""
+        return self.used - {name for name, _ in self.formulas} - {*CONSTANTS}
+
+    def up_to(self, wanted: frozenset[str]) -> "FormulaSequence":
+        """Return the formulas that some quantities need."""
+        if wanted not in self._parts:
+            needed, kept = set(wanted), []
+            for name, expression in reversed(self.formulas):
+                if name in needed:
+                    needed.update(names(expression))
+                    kept.append((name, expression))
+            self._parts[wanted] = FormulaSequence(reversed(kept))
+        return self._parts[wanted]
+
+    def evaluate(self, values: Mapping[str, Value], functions: Functions) -> dict[str, Value]:
+        """Return all quantities by name, with the values and functions themselves.
+
+        Raises NameError for a missing value or function.
+        """
+        known: dict[str, Any] = {"__builtins__": {}, **functions, **values}
+        exec(self._whole, known)
+        return known
+
+    def evaluate_exactly(
+        self,
+        values: Mapping[str, Value],
+        functions: Functions,
+        convert: Callable[[Value], Value],
+    ) -> dict[str, Value]:
+        """Return all quantities by name, rational where a formula uses rational numbers alone.
+
+        A quantity that `values` has is not computed again.  Where a formula uses any number that is
+        not rational, all that it uses is converted first.
+        """
+        known, namespace = dict(values), {**functions, "__builtins__": {}}
+        for name, code, taken in self._steps:
+            if name in known:
+                continue
+            given = {other: known[other] for other in taken}
+            if not all(isinstance(value, int | Fraction) for value in given.values()):
+                given = {other: convert(value) for other, value in given.items()}
+            known[name] = eval(code, namespace, given)
+        return known
+
+    @cached_property
+    def _whole(self) -> CodeType:
+        lines = [f"{name} = {_text(expression)}" for name, expression in self.formulas]
+        return compile("\n".join(lines), "<formulas>", "exec")
+
+    @cached_property
+    def _steps(self) -> list[tuple[str, CodeType, tuple[str, ...]]]:
+        return [
+            (name, compile(_text(expression), f"<{name}>", "eval"), tuple(names(expression)))
+            for name, expression in self.formulas
+        ]
+
+
+def _text(expression: Expression) -> str:
+    return to_text(by_products(expression))

@@ -1,0 +1,229 @@
+"""Ways to the target, each flown by the same actuators, through the same disturbances.
+
+Wheels fly as `rigidsym track` does.  The torque of a track and its bursts are fed forward, except
+in the ways by feedback alone.  Thrusters are flown with wheels that cancel the gyroscopic torque of
+their own momentum (`feedforward`): the body moves as if the wheels stored none, and the torque
+without that part is counted, which is what thrusters would exert.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import partial
+from math import e
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.special import lambertw
+
+from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre._comparison.cases import Case
+from rigidsym.manoeuvre._comparison.collocation import Driven, Guess, Mesh, Model
+from rigidsym.manoeuvre._transfer import Transfer
+from rigidsym.manoeuvre.flight._control import Motion, Track
+from rigidsym.manoeuvre.flight._fly import fly
+from rigidsym.manoeuvre.flight._rotation import angle
+from rigidsym.manoeuvre.flight._run import Run
+from rigidsym.manoeuvre.flight._settings import Controller, Flight, Timing
+from rigidsym.quaternions import product
+
+HOLD = 60
+"Time for which the target is held after the manoeuvre's duration, s."
+PERIOD = Fraction(1, 5)
+"Period of control, s: a sixteenth of the loop's time, and half the work of the paper's flight."
+FAMILIES = 10
+"Number of natural motions from which the least sum over axes is taken."
+_SAMPLES = 2001
+
+# From times from 0 to 1 (N,) to shares of a turn and their derivatives.
+Profile = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+
+
+@dataclass(frozen=True, slots=True)
+class Followed:
+    """A track that takes as long as the manoeuvre."""
+
+    duration: float
+    motion: Motion
+
+
+def constant(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Turn at constant rate: it starts and stops at once, as natural motions do."""
+    return x, np.ones_like(x)
+
+
+def smooth(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Turn by 3 x^2 - 2 x^3, from rest to rest.
+
+    Its torque is linear in time, and has the least integral of its square for a single axis.
+    """
+    return x * x * (3 - 2 * x), 6 * x * (1 - x)
+
+
+def step(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Stay at the target from the beginning."""
+    return np.ones_like(x), np.zeros_like(x)
+
+
+def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return attitudes (N, 4), relative to the start, and rates (N, 3) of a turn about one axis.
+
+    vector (3,): axis times angle, rad.  t (N,): times from 0 to 1.
+    """
+    share, rate = profile(np.asarray(t))
+    angle = np.linalg.norm(vector)
+    half, axis = share[:, None] * angle / 2, vector / angle
+    return np.hstack([np.cos(half), np.sin(half) * axis]), rate[:, None] * vector
+
+
+def eigenaxis(case: Case, profile: Profile) -> Followed:
+    """Return the turn about the eigenaxis of start and target, the shorter way round."""
+    return _followed(case, partial(turned, case.rotation_vector, profile))
+
+
+def _followed(case: Case, motion: Guess) -> Followed:
+    """Return the track of a motion of times from 0 to 1, relative to the start."""
+
+    def at(t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        x = np.atleast_1d(np.asarray(t, float)) / case.duration
+        q, omega = motion(np.clip(x, 0.0, 1.0))
+        found = product(case.start, q), omega / case.duration
+        return found if np.ndim(t) else (found[0][0], found[1][0])
+
+    return Followed(case.duration, at)
+
+
+@dataclass(frozen=True, slots=True)
+class Ways:
+    """The data from which the ways of a case are made.
+
+    transfer: its cheapest natural motion.  impulses: of the motion of least fuel for the actuators
+    that fly, without units, on the mesh of collocation.
+    """
+
+    case: Case
+    actuators: Model
+    transfer: Transfer
+    impulses: np.ndarray
+
+    @property
+    def flight(self) -> Flight:
+        """The paper's flight, as long as the manoeuvre takes, by feedback alone."""
+        length = Fraction(self.case.duration) + HOLD
+        controller = Controller(feedforward=self.actuators is Model.THRUSTERS)
+        return Flight(run=Timing(length=length, period=PERIOD), controller=controller)
+
+    @property
+    def foreseen(self) -> Flight:
+        """A flight with the torque of the track, bursts included, fed forward."""
+        controller = Controller(feedforward=True, track_feedforward=True)
+        return replace(self.flight, controller=controller)
+
+    @property
+    def slow(self) -> Flight:
+        """A flight by feedback alone with gains so low that a step takes the duration."""
+        flight = self.flight
+        frequency = slowest(self.case.angle, np.radians(flight.run.settled)) / self.case.duration
+        controller = replace(flight.controller, natural_frequency=frequency)
+        return replace(flight, controller=controller)
+
+    @property
+    def optimum(self) -> Followed:
+        """The motion of least fuel."""
+        inertia = self.case.inertia / self.case.inertia.max()
+        return _followed(self.case, Driven(self.actuators, inertia, self.impulses, Mesh()))
+
+
+METHODS: Mapping[str, Callable[[Ways], tuple[Track, Flight]]] = {
+    "natural": lambda ways: (ways.transfer, ways.foreseen),
+    "natural, feedback alone": lambda ways: (ways.transfer, ways.flight),
+    "eigenaxis": lambda ways: (eigenaxis(ways.case, constant), ways.foreseen),
+    "eigenaxis, smooth": lambda ways: (eigenaxis(ways.case, smooth), ways.foreseen),
+    "optimum": lambda ways: (ways.optimum, ways.foreseen),
+    # With the gains of all others a step is much faster than the duration.
+    "step": lambda ways: (eigenaxis(ways.case, step), ways.flight),
+    "step, slow": lambda ways: (eigenaxis(ways.case, step), ways.slow),
+}
+"Track and flight of each way, by its name in the report."
+
+
+@dataclass(frozen=True, slots=True)
+class Flown:
+    """Measures of a flight.
+
+    torque_integral: of |torque|, summed over the axes, N m s.  torque_square: integral of torque^2,
+    summed over the axes, N^2 m^2 s.  torque_peak: of any axis, N m.  error_at_duration,
+    error_after_hold: degrees from the target.  saturated: whether a wheel reached its limit.
+    """
+
+    torque_integral: float
+    torque_square: float
+    torque_peak: float
+    error_at_duration: float
+    error_after_hold: float
+    saturated: bool
+
+
+def flown(method: str, ways: Ways) -> Flown:
+    """Fly a way and measure it; raises InputError where torques are too wild to follow."""
+    track, flight = METHODS[method](ways)
+    return measured(fly(ways.case.manoeuvre, flight, track), flight, ways.actuators)
+
+
+def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
+    """Measure a flight."""
+    size = np.abs(exerted(run, actuators))
+    errors = np.degrees(angle(run.reference.q[-1], run.q))
+    return Flown(
+        torque_integral=float(np.trapezoid(size, run.t, axis=0).sum()),
+        torque_square=float(np.trapezoid(size**2, run.t, axis=0).sum()),
+        torque_peak=float(size.max()),
+        error_at_duration=float(errors[np.searchsorted(run.t, run.arrival)]),
+        error_after_hold=float(errors[-1]),
+        saturated=bool(np.abs(run.torque).max() >= flight.wheels.max_torque),
+    )
+
+
+def exerted(run: Run, actuators: Model) -> np.ndarray:
+    """Return the torques (N, 3) of a flight that are counted, N m."""
+    if actuators is Model.WHEELS:
+        return run.torque
+    return run.torque - np.cross(run.omega, run.wheel_momentum)
+
+
+def slowest(turn: float, within: float) -> float:
+    """Return the natural frequency times the time that a critically damped oscillator takes.
+
+    It is `turn` off at first and `within` at last, rad: (1 + x) exp(-x) = within / turn, solved
+    by Lambert's function.
+    """
+    return float(-1 - lambertw(-within / turn / e, -1).real) if turn > within else 1.0
+
+
+def ideal(case: Case, model: Model, transfer: Transfer) -> Mapping[str, float]:
+    """Return the cost of ways if bursts took no time and nothing disturbed.
+
+    It is the integral of |torque|, summed over the axes, N m s, by way.  Wheels have to exert the
+    gyroscopic torque of a natural motion, thrusters have to cancel that of a turn at constant rate.
+    """
+
+    def gyroscopic(omega: np.ndarray) -> np.ndarray:
+        return np.abs(np.cross(omega, case.inertia * omega)).sum(axis=-1)
+
+    def natural(one: Transfer) -> float:
+        bursts = float(np.abs(one.bursts).sum())
+        if model is Model.THRUSTERS:
+            return bursts
+        t = np.linspace(0, case.duration, _SAMPLES)
+        return bursts + float(np.trapezoid(gyroscopic(one.motion(t)[1]), t))
+
+    rates = case.rotation_vector / case.duration
+    turn = 2 * float(np.abs(case.inertia * rates).sum())
+    if model is Model.THRUSTERS:
+        turn += case.duration * float(gyroscopic(rates))
+    several = solve(case.manoeuvre, FAMILIES).transfers
+    return {
+        "natural": natural(transfer),
+        f"natural, best of {FAMILIES}": min(map(natural, several)),
+        "eigenaxis": turn,
+    }

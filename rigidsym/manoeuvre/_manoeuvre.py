@@ -1,0 +1,188 @@
+"""A manoeuvre, from one attitude to another in a given time, within limits, and its file."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from importlib import resources
+from itertools import combinations
+from pathlib import Path
+from typing import Any
+
+from rigidsym import _inputs as inputs
+from rigidsym._inputs import ExactNumber, Quaternion, Vector3
+from rigidsym.errors import InputError
+from rigidsym.io import _toml as toml_file
+from rigidsym.io._files import read_text
+
+PAPER = "paper.toml"
+"The file of the package."
+REST = (0, 0, 0)
+FLIGHT = frozenset(
+    {
+        *("orbit", "wheels", "thrusters", "controller", "spacecraft", "disturbances", "run"),
+        "message",
+    }
+)
+"Tables of a file for the flight, fields of `flight.settings.Flight`; planners leave them alone."
+_NEEDED = ("inertia", "start", "target")
+OWN = {*_NEEDED, "duration", "spin", "limits", "degrees"}
+# Doubles can hold such numbers, and products of three of them.
+_LARGEST = 10**60
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """Limits of the spacecraft; None where there is none."""
+
+    max_rate: Fraction | None = None
+    "Greatest body rate at any time of the motion, |omega|, rad/s."
+    max_burst: Fraction | None = None
+    "Greatest size of either burst, the change of momentum that it makes, N m s."
+
+
+@dataclass(frozen=True, slots=True)
+class Manoeuvre:
+    """A turn from `start` to `target` (quaternions, scalar first, body to inertial).
+
+    inertia: principal moments, kg m^2.  duration: s; None for the shortest that the limits allow.
+    start_spin, target_spin: body rates before the first burst and after the last, rad/s.
+    All numbers are exact; `manoeuvre` and `parse` make one from numbers of users.
+    """
+
+    inertia: tuple[Fraction, ...]
+    start: tuple[Fraction, ...]
+    target: tuple[Fraction, ...]
+    duration: Fraction | None
+    start_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
+    target_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
+    limits: Limits = Limits()
+
+    def __repr__(self) -> str:
+        from rigidsym.view._text import manoeuvre_text
+
+        return manoeuvre_text(self)
+
+    @property
+    def trivial(self) -> bool:
+        """True where start equals target, of either sign and any length, at rest."""
+        pairs = combinations(zip(self.start, self.target, strict=True), 2)
+        turned = any(p * s != q * r for (p, q), (r, s) in pairs)
+        return not (turned or any(self.start_spin) or any(self.target_spin))
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the tables of a manoeuvre file, numbers as strings that mean them exactly."""
+        limits = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
+        return {
+            "inertia": _texts(self.inertia),
+            "start": _texts(self.start),
+            "target": _texts(self.target),
+            "duration": None if self.duration is None else inputs.exact_text(self.duration),
+            "spin": {"start": _texts(self.start_spin), "target": _texts(self.target_spin)},
+            "limits": {k: inputs.exact_text(x) for k, x in limits.items() if x is not None},
+        }
+
+
+def _texts(values: tuple[Fraction, ...]) -> list[str]:
+    return [inputs.exact_text(value) for value in values]
+
+
+def manoeuvre(
+    inertia: Vector3,
+    start: Quaternion,
+    target: Quaternion,
+    duration: ExactNumber | None = None,
+    *,
+    start_spin: Vector3 = REST,
+    target_spin: Vector3 = REST,
+    max_rate: ExactNumber | None = None,
+    max_burst: ExactNumber | None = None,
+    degrees: bool = False,
+) -> Manoeuvre:
+    """Make a manoeuvre from numbers of users; raises InputError for the first bad one.
+
+    degrees: spins and `max_rate` are in deg/s, and are rounded to doubles in rad/s.
+    """
+    turned = inputs.is_true("degrees", degrees)
+    given = {"max_rate": max_rate, "max_burst": max_burst, "duration": duration}
+    exact = {name: None if x is None else above_zero(name, x) for name, x in given.items()}
+    if turned and exact["max_rate"] is not None:
+        (exact["max_rate"],) = _in_radians([exact["max_rate"]])
+    length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_burst"])
+    if length is None and limits == Limits():
+        raise InputError("duration", "missing", "give one, or a limit that decides it")
+    spins = _spin("spin.start", start_spin), _spin("spin.target", target_spin)
+    return Manoeuvre(
+        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, next_step=""))),
+        inputs.certain("start", inputs.attitude(start, "start")),
+        inputs.certain("target", inputs.attitude(target, "target")),
+        length,
+        *(_in_radians(spin) if turned else spin for spin in spins),
+        limits,
+    )
+
+
+def above_zero(field: str, value: ExactNumber) -> Fraction:
+    """Read an exact number above zero that is neither too large nor too small for doubles."""
+    number = inputs.exact(field, value)
+    if number <= 0:
+        raise InputError(field, value, "must be above zero")
+    return _moderate(field, (number,))[0]
+
+
+def _spin(field: str, values: Vector3) -> tuple[Fraction, ...]:
+    spin = inputs.certain(field, inputs.vector(field, values, 3))
+    if any(abs(x) > _LARGEST for x in spin):
+        raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
+    return spin
+
+
+def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """Return rates in rad/s, rounded to doubles, which files can hold in a few digits."""
+    exact = inputs.certain("degrees", inputs.in_radians(values))
+    return tuple(Fraction(float(x)) for x in exact)
+
+
+def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
+    """Return the same numbers; raises InputError for one that is too large or too small."""
+    if any(not 1 <= x * _LARGEST <= _LARGEST**2 for x in values):
+        raise InputError(field, inputs.shown(values), "must be from 1e-60 to 1e60")
+    return values
+
+
+def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:
+    """Read a file, `paper` being that of the package: the manoeuvre, and all tables as they are.
+
+    Raises InputError about the first error in the manoeuvre itself.
+    """
+    if name == "paper":
+        text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
+    else:
+        text = read_text("manoeuvre", Path(name))
+    tables = toml_file.parse("manoeuvre", text)
+    return parse(tables, FLIGHT), tables
+
+
+def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
+    """Make a manoeuvre from the tables of a file; numbers may be floats or strings of decimals.
+
+    others: names of further tables that the file may have.
+    """
+    toml_file.check_keys("manoeuvre", tables, OWN | others, _NEEDED)
+    spin = _table(tables, "spin", {"start", "target"})
+    limits = _table(tables, "limits", {"max_rate", "max_burst"})
+    return manoeuvre(
+        *(tables[key] for key in _NEEDED),
+        tables.get("duration"),
+        start_spin=spin.get("start", REST),
+        target_spin=spin.get("target", REST),
+        **limits,
+        degrees=tables.get("degrees", False),
+    )
+
+
+def _table(tables: toml_file.TomlTable, name: str, known: set[str]) -> toml_file.TomlTable:
+    table = tables.get(name, {})
+    if not isinstance(table, Mapping):
+        raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(known))}")
+    toml_file.check_keys(name, table, known)
+    return table

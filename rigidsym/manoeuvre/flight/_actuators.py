@@ -1,0 +1,161 @@
+"""Actuators: burns, which make the bursts of a plan finite, and reaction wheels with their limits.
+
+A burn is a torque of one size along an axis, for as long as its impulse takes.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre.flight._control import Track
+from rigidsym.manoeuvre.flight._settings import Flight, Wheels
+
+WHEELS = 0.8
+"Share of their limit that wheels exert in a burst; the rest is for feedback and disturbances."
+
+
+@dataclass(frozen=True)
+class Burns:
+    """A burn of each axis for each burst.
+
+    instants (2,): of the bursts, s.  impulses (2, 3): in body axes, N m s.  torque: of an axis
+    while it burns, N m.  before: the share of a burn that lies before its instant; a half, where
+    burns are centred on their instants.
+    """
+
+    instants: np.ndarray
+    impulses: np.ndarray
+    torque: float
+    before: float = 0.5
+
+    @cached_property
+    def spans(self) -> np.ndarray:
+        """Begin and end of each burn, (2, 3, 2), s."""
+        length = np.abs(self.impulses) / self.torque
+        begin = self.instants[:, None] - self.before * length
+        return np.stack([begin, begin + length], axis=2)
+
+    @property
+    def begin(self) -> float:
+        """Begin of the first burn, s; at most zero."""
+        return min(0.0, float(self.spans.min()))
+
+    @property
+    def end(self) -> float:
+        """End of the last burn, s."""
+        return float(self.spans.max())
+
+    @property
+    def overlap(self) -> bool:
+        """True where a burn of the last burst begins before all those of the first are over."""
+        first, last = self.spans
+        return bool(last[:, 0].min() < first[:, 1].max())
+
+    def between(self, begin: float, end: float) -> np.ndarray:
+        """Return the mean torque (3,) from one time to another, N m."""
+        low = np.maximum(self.spans[..., 0], begin)
+        shared = np.maximum(np.minimum(self.spans[..., 1], end) - low, 0.0)
+        return self.torque * np.sum(np.sign(self.impulses) * shared, axis=0) / (end - begin)
+
+    def pieces(self, begin: float, end: float) -> list[tuple[float, float]]:
+        """Return the spans between two times in which the torque is constant."""
+        inner = [x for x in np.unique(self.spans).tolist() if begin < x < end]
+        return [*pairwise([begin, *inner, end])]
+
+
+def of_thrusters(flight: Flight, manoeuvre: Manoeuvre, track: Track) -> Burns | None:
+    """Return the burns of thrusters; None where there are none.
+
+    A component below half of the minimum impulse is left out, others are at least that impulse.
+    Raises InputError where burns last too long.
+    """
+    thrusters = flight.thrusters
+    if thrusters is None:
+        return None
+    wanted = bursts(manoeuvre, track)
+    size, least = np.abs(wanted), thrusters.min_impulse
+    fired = np.where(2 * size < least, 0.0, np.copysign(np.maximum(size, least), wanted))
+    instants = np.array([0.0, track.duration])
+    before = 0.5 if thrusters.centred else 0.0
+    return _fitting("thrusters.torque", Burns(instants, fired, thrusters.torque, before))
+
+
+def of_wheels(flight: Flight, manoeuvre: Manoeuvre, track: Track) -> Burns | None:
+    """Return the burns that wheels feed forward: with `track_feedforward`, without thrusters."""
+    if flight.thrusters is not None or not flight.controller.track_feedforward:
+        return None
+    instants = np.array([0.0, track.duration])
+    found = Burns(instants, bursts(manoeuvre, track), WHEELS * flight.wheels.max_torque)
+    return _fitting("wheels.max_torque", found)
+
+
+def bursts(manoeuvre: Manoeuvre, track: Track) -> np.ndarray:
+    """Return the changes of momentum (2, 3) at the ends of a track, body axes, N m s."""
+    inertia, before, after = (
+        np.array([float(x) for x in values])
+        for values in (manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.target_spin)
+    )
+    _, omega = track.motion(np.array([0.0, track.duration]))
+    return inertia * np.stack([omega[0] - before, after - omega[1]])
+
+
+def _fitting(field: str, burns: Burns) -> Burns:
+    if burns.overlap:
+        took = float(np.ptp(burns.spans, axis=2).max())
+        rule = f"makes burns of {took:.3g} s, too long for {burns.instants[1]:g} s"
+        raise InputError(field, burns.torque, rule)
+    return burns
+
+
+def next_torque(
+    wheels: Wheels, torque: np.ndarray, momentum: np.ndarray, command: np.ndarray, period: float
+) -> np.ndarray:
+    """Return the torque (3,) of wheels at the end of a period (s) under a command, N m.
+
+    It goes there along a straight line from `torque`, so that neither the torque nor its rate
+    ever is beyond its limit.  `momentum` (3,) is that of the wheels at the beginning, N m s.
+    """
+    change = wheels.max_torque_rate * period
+    wanted = command
+    if wheels.max_momentum is not None:
+        wanted = _storable(wheels, wheels.max_momentum, torque, momentum, command, period)
+    limited = np.clip(wanted, -wheels.max_torque, wheels.max_torque)
+    return np.clip(limited, torque - change, torque + change)
+
+
+def _storable(
+    wheels: Wheels,
+    most: float,
+    torque: np.ndarray,
+    momentum: np.ndarray,
+    wanted: np.ndarray,
+    period: float,
+) -> np.ndarray:
+    """Limit a torque so that the wheels can stop gaining before they store more than `most`."""
+    below, above = (
+        _gain(
+            wheels.max_torque_rate * period,
+            period,
+            most - side * momentum + side * torque * period / 2,
+        )
+        for side in (1.0, -1.0)
+    )
+    return np.clip(wanted, -below, above)
+
+
+def _gain(change: float, period: float, room: np.ndarray) -> np.ndarray:
+    """Return the greatest rates g of gaining momentum at the end of a period, by the `room` left.
+
+    In that period g adds period g / 2.  Then it goes down by `change` in each period, and to zero
+    in the last: k periods and one add the trapezoids of g, g - change, .., g - k change, 0.  All
+    of it, as a function of g, has straight pieces between the multiples k change, where it is
+    change period k (k + 1) / 2.
+    """
+    left = np.maximum(room, 0.0)
+    unit = change * period
+    k = np.floor((np.sqrt(1 + 8 * left / unit) - 1) / 2)
+    return k * change + (left - unit * k * (k + 1) / 2) / (period * (k + 1))

@@ -1,0 +1,256 @@
+"""The closed loop: sampled control, wheels that ramp, thrusters that burn, a rigid body between."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre.flight import _control as control
+from rigidsym.manoeuvre.flight._actuators import Burns, next_torque, of_thrusters, of_wheels
+from rigidsym.manoeuvre.flight._environment import Environment
+from rigidsym.manoeuvre.flight._rotation import cross, matrix, size
+from rigidsym.manoeuvre.flight._run import Run
+from rigidsym.manoeuvre.flight._settings import Flight
+from rigidsym.motion import TorqueFreeMotion
+
+# The integrated state: attitude (4), rates (3), impulse from outside (3), work of all (1).
+_Q, _OMEGA, _IMPULSE, _WORK = slice(0, 4), slice(4, 7), slice(7, 10), 10
+# Typical sizes of these numbers, for the absolute tolerance.
+_SIZES = np.array([1.0] * 4 + [1e-2] * 3 + [1e-5] * 3 + [1e-6])
+_NONE = np.zeros(3)
+
+
+@dataclass(frozen=True, slots=True)
+class _Sample:
+    """The integrated state (11,) at one time, and the wheels' torque and momentum (3,) each."""
+
+    state: np.ndarray
+    torque: np.ndarray
+    momentum: np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class _Ramp:
+    """The wheels between two samples; their torque goes to `then` along a straight line."""
+
+    begin: float
+    end: float
+    now: _Sample
+    then: np.ndarray
+
+    def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return torque on the body and momentum stored, (3,) each."""
+        share = (t - self.begin) / (self.end - self.begin)
+        torque = self.now.torque + share * (self.then - self.now.torque)
+        return torque, self.now.momentum - (t - self.begin) / 2 * (self.now.torque + torque)
+
+
+def fly(
+    manoeuvre: Manoeuvre,
+    flight: Flight,
+    track: control.Track,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Run:
+    """Follow a track, such as a transfer, from t = 0, then hold the target.
+
+    At each period of `flight.run` the controller reads the true state and says which torque it
+    wants; until the next one the wheels go there along a straight line, as far as they can.  So
+    the torques are continuous, their limits hold exactly, and between the samples the equations
+    are smooth: I omega' = -omega x (I omega + h) + torque + disturbances and h' = -torque, with h
+    the momentum of the wheels, and I the spacecraft with its wheels locked.  They are integrated
+    anew from each sample by SciPy's DOP853, together with the impulse from outside (inertial axes)
+    and the work of all torques, which the checks of a `Run` need.
+
+    Bursts of thrusters or with `track_feedforward` are burns centred on
+    their instants: the flight begins when the first does, before t = 0, and feedback waits while
+    one lasts.  Wheels exert the mean of a burn about each sample, so that their straight lines
+    have its impulse; thrusters are on or off, and steps end where they change.
+
+    Parameters
+    ----------
+    manoeuvre : Manoeuvre
+        Body, attitudes and spins before and after.
+    flight : Flight
+        Settings of the spacecraft, its orbit and its controller.
+    track : Transfer or Track
+        Motion to follow from the start to the target.
+    progress : callable
+        Called with the samples done and all of them.
+
+    Returns
+    -------
+    Run
+        States and torques at the samples.
+
+    Raises
+    ------
+    InputError
+        For torques too wild to follow, naming the greatest, and for burns that last too long.
+    """
+    inertia = np.array([float(x) for x in manoeuvre.inertia])
+    ahead = of_wheels(flight, manoeuvre, track)
+    burns = of_thrusters(flight, manoeuvre, track)
+    # Whole periods from t = 0; the first before all burns, or at zero.
+    first, period = burns or ahead, flight.run.period
+    early = ceil(-first.begin / float(period)) if first else 0
+    count = flight.run.length // period + 1
+    t = np.array([float(k * period) for k in range(-early, count)])
+    reference = control.reference(manoeuvre, track, t)
+    needed = control.torques(inertia, track, t)
+    environment = Environment(flight, inertia, float(t[0]))
+    # The body has turned freely until the first sample.
+    still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
+    state = np.concatenate([*still(float(t[0])), np.zeros(4)])
+    samples = [_Sample(state, np.zeros(3), np.array(flight.wheels.momentum))]
+    for k, span in enumerate(pairwise(t.tolist())):
+        wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
+        ramp = _steered(flight, inertia, samples[-1], wanted, span, ahead or burns)
+        state = _flown(inertia, ramp, environment, burns, flight.run.tolerance)
+        if state is None:
+            causes = _causes(flight, environment, ramp, wanted.omega)
+            name = max(causes, key=causes.__getitem__)
+            rule = (
+                "torques turn the spacecraft too fast to be followed; the greatest, "
+                f"{causes[name]:.1e} N m, is that of {name}"
+            )
+            raise InputError("run", f"beyond {span[0]} s", rule)
+        samples.append(_Sample(state, ramp.then, ramp.at(span[1])[1]))
+        progress(k + 1, len(t) - 1)
+    states = np.array([sample.state for sample in samples])
+    return Run(
+        inertia=inertia,
+        arrival=float(track.duration),
+        t=t,
+        q=states[:, _Q],
+        omega=states[:, _OMEGA],
+        reference=reference,
+        track=control.Reference(*track.motion(t)),
+        torque=np.array([sample.torque for sample in samples]),
+        wheel_momentum=np.array([sample.momentum for sample in samples]),
+        disturbances=environment.each(t, states[:, _Q]),
+        impulse=states[:, _IMPULSE],
+        work=states[:, _WORK],
+        burns=burns,
+    )
+
+
+def _steered(
+    flight: Flight,
+    inertia: np.ndarray,
+    now: _Sample,
+    wanted: control.Wanted,
+    span: tuple[float, float],
+    burns: Burns | None,
+) -> _Ramp:
+    """Return the wheels' course until the next sample, by feedback, feedforward and burns."""
+    begin, end = span
+    q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
+    command = control.feedforward(controller, q, omega, now.momentum, wanted)
+    half = (end - begin) / 2
+    burst = burns.between(end - half, end + half) if burns else np.zeros(3)
+    if not burst.any():
+        command = command + control.feedback(controller, inertia, q, omega, wanted)
+    elif flight.thrusters is None:
+        command = command + burst
+    then = next_torque(flight.wheels, now.torque, now.momentum, command, end - begin)
+    return _Ramp(begin, end, now, then)
+
+
+def _flown(
+    inertia: np.ndarray,
+    ramp: _Ramp,
+    environment: Environment,
+    burns: Burns | None,
+    tolerance: float,
+) -> np.ndarray | None:
+    """Return the state at the next sample; None where the integration fails."""
+    state, pieces = ramp.now.state, [(ramp.begin, ramp.end)]
+    if burns:
+        pieces = burns.pieces(ramp.begin, ramp.end)
+    for piece in pieces:
+        burning = burns.between(*piece) if burns else _NONE
+        state = _advance(_equations(inertia, ramp, environment, burning), state, piece, tolerance)
+        if state is None:
+            return None
+    return state
+
+
+def _equations(
+    inertia: np.ndarray, ramp: _Ramp, environment: Environment, burning: np.ndarray
+) -> Callable[[float, np.ndarray], np.ndarray]:
+    """Return the right-hand side between two samples, with one torque (3,) of thrusters."""
+
+    def derivative(t: float, state: np.ndarray) -> np.ndarray:
+        q, omega = state[_Q], state[_OMEGA]
+        torque, stored = ramp.at(t)
+        outer = environment.total(t, q) + burning
+        both = torque + outer
+        turning = (both - cross(omega, inertia * omega + stored)) / inertia
+        return np.concatenate([_turn(q, omega), turning, matrix(q) @ outer, [omega @ both]])
+
+    return derivative
+
+
+def _turn(q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+    """Return q' = q (0, omega) / 2."""
+    (a, b, c, d), (x, y, z) = q.tolist(), (omega / 2).tolist()
+    return np.array(
+        [
+            -b * x - c * y - d * z,
+            a * x + c * z - d * y,
+            a * y + d * x - b * z,
+            a * z + b * y - c * x,
+        ]
+    )
+
+
+def _advance(
+    equations: Callable[[float, np.ndarray], np.ndarray],
+    state: np.ndarray,
+    span: tuple[float, float],
+    tolerance: float,
+) -> np.ndarray | None:
+    """Return the state at the end of a span, q of unit length; None where the integration fails."""
+    try:
+        with np.errstate(over="raise", invalid="raise"):
+            found = solve_ivp(
+                equations,
+                span,
+                state,
+                method="DOP853",
+                rtol=tolerance,
+                atol=tolerance * _SIZES,
+                first_step=span[1] - span[0],
+            )
+    except ArithmeticError:
+        return None
+    if not found.success:
+        return None
+    after = found.y[:, -1]
+    after[_Q] /= np.linalg.norm(after[_Q])
+    return after
+
+
+@np.errstate(all="ignore")
+def _causes(
+    flight: Flight, environment: Environment, ramp: _Ramp, turning: np.ndarray
+) -> dict[str, float]:
+    """Return the sizes of torques at the beginning of a span, N m, by their cause.
+
+    Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum with
+    its gyroscopic torque at the wanted rates (3,), since the rates flown come of all torques.
+    """
+    q = ramp.now.state[_Q]
+    each = environment.each(np.array([ramp.begin]), q[None])
+    stored = float(np.linalg.norm(flight.wheels.momentum))
+    found = {
+        "control (lower gains or limits)": max(map(size, (ramp.now.torque, ramp.then))),
+        "wheels.momentum": stored * size(turning),
+        **{name.replace("_", " "): size(torque) for name, torque in each.items()},
+    }
+    return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}

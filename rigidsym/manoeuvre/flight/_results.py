@@ -1,0 +1,185 @@
+"""A manoeuvre planned and flown from its file: tables, pictures, messages, files."""
+
+import io
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from fractions import Fraction
+from math import radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rigidsym.io import Track, aem
+from rigidsym.io._files import remove, write_bytes
+from rigidsym.io._messages import UNNAMED
+from rigidsym.manoeuvre._manoeuvre import Manoeuvre, open_manoeuvre
+from rigidsym.manoeuvre._planning import solve
+from rigidsym.manoeuvre._transfer import Transfer
+from rigidsym.manoeuvre.flight._fly import fly
+from rigidsym.manoeuvre.flight._run import Rows, Run, predicted
+from rigidsym.manoeuvre.flight._settings import Flight, read
+from rigidsym.view._plots import figure as drawing
+from rigidsym.view._plots import flights as pictures
+from rigidsym.view._tables import columns
+
+SCHEMA = "rigidsym.track/1"
+_UTC_BEGINS = 1972
+_MESSAGE = "attitude.aem"
+_FRAME = "GCRF"
+"The geocentric celestial frame, that of the sky, by its name in CCSDS's registry (SANA)."
+_PICTURES = {
+    "attitude": pictures.attitude,
+    "error": pictures.error,
+    "rates": pictures.rates,
+    "torques": pictures.torques,
+    "disturbances": pictures.disturbances,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Tracked:
+    """A flight with its manoeuvre, its settings and the motion that it follows."""
+
+    manoeuvre: Manoeuvre
+    flight: Flight
+    transfer: Transfer
+    run: Run
+
+    def summary(self) -> dict[str, Any]:
+        """Return the schema rigidsym.track/1: SI units and radians, settings as in the file."""
+        run, burns, transfer = self.run, self.run.burns, self.transfer
+        return {
+            "schema": SCHEMA,
+            "transfer": {
+                "duration": run.arrival,
+                "omega0": run.track.omega[0].tolist(),
+                "omega1": transfer.motion(run.arrival)[1].tolist(),
+                "regime": str(transfer.motion.regime),
+                "miss_burst_size": transfer.sensitivity.size,
+                "miss_burst_direction": transfer.sensitivity.direction,
+            },
+            "tracking_error": run.tracking(),
+            "target": run.holding(radians(self.flight.run.settled)),
+            "thrusters": burns
+            and {
+                "spans": burns.spans.tolist(),
+                "impulses": burns.impulses.tolist(),
+                "last": run.last_burn(),
+            },
+            "saturation": run.saturation(self.flight.wheels),
+            **run.effort(),
+            "disturbance_peak": run.disturbance_peak(),
+            "checks": {
+                "momentum_defect": run.momentum_defect(),
+                "energy_defect": run.energy_defect(),
+            },
+            "manoeuvre": self.manoeuvre.to_data(),
+            "flight": _plain(asdict(self.flight)),
+        }
+
+    def to_json(self) -> str:
+        """Return the summary as text, of the schema rigidsym.track/1."""
+        return json.dumps(self.summary(), indent=1) + "\n"
+
+    @property
+    def missed(self) -> bool:
+        """True where there was time to settle at the target and the spacecraft did not.
+
+        With thrusters alone, without feedback: true where their last burn does not lead there.
+        """
+        settled, last = radians(self.flight.run.settled), self.run.last_burn()
+        if last is not None and not self.flight.controller.natural_frequency:
+            return last["error"] > settled
+        target = self.run.holding(settled)
+        return target["final_error"] is not None and target["settled_at"] is None
+
+    def rows(self) -> Rows:
+        """Return pairs of name and figure, the most important first."""
+        return [*self._measured(), *self.run.check_rows()]
+
+    def _measured(self) -> Rows:
+        """Return these without the checks of the integration."""
+        rows = self.run.rows(self.flight.run.settled)
+        missed = self.transfer.sensitivity
+        flown = [name for name, _ in rows].index("error at arrival")
+        rows.insert(flown + 1, predicted(missed.size, missed.direction))
+        rows += self.run.saturation_rows(self.flight.wheels, self.missed)
+        nothing = ("start equals target", "nothing to do: the target is held")
+        return [nothing, *rows] if self.manoeuvre.trivial else rows
+
+    def __repr__(self) -> str:
+        return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
+
+    def _repr_html_(self) -> str:
+        from rigidsym.view._html.motions import tracked_html
+
+        return tracked_html(self, self._measured())
+
+    def to_npz(self) -> bytes:
+        """Return float64 arrays, a row for each sample; names as those of `Run`."""
+        buffer = io.BytesIO()
+        np.savez(buffer, **self.run.arrays())
+        return buffer.getvalue()
+
+    def to_aem(self) -> str:
+        """Return the flight as a CCSDS attitude ephemeris message, UTC from the orbit's epoch on.
+
+        Raises InputError for epochs before 1972, when seconds of UTC had other lengths, and for
+        flights beyond the year 9999.
+        """
+        run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
+        # Any, because another keyword of `aem` is not text.
+        names: dict[str, Any] = {**UNNAMED, **self.flight.message}
+        return aem(Track(run.t, run.q, run.omega), epoch, ref_frame_a=_FRAME, **names)
+
+    def contents(self) -> dict[str, bytes]:
+        """Return files by name: run.npz, from 1972 on attitude.aem, pictures, summary.json.
+
+        Raises InputError as `to_aem` does.
+        """
+        found = {"run.npz": self.to_npz()}
+        if self.flight.orbit.epoch.year >= _UTC_BEGINS:
+            found[_MESSAGE] = self.to_aem().encode()
+        drawn = {name: draw(self.run) for name, draw in _PICTURES.items()}
+        drawn["wheels"] = pictures.wheels(self.run, self.flight.wheels.rotor_inertia)
+        for name, figure in drawn.items():
+            for suffix, data in drawing.rendered(figure).items():
+                found[f"{name}.{suffix}"] = data
+        return found | {"summary.json": self.to_json().encode()}
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write `contents`, all of them made before the first; raises InputError.
+
+        An attitude.aem of an earlier flight is removed where this one has none: beside the other
+        files it would be taken for this flight's.
+        """
+        contents = self.contents()
+        if _MESSAGE not in contents:
+            remove(directory / _MESSAGE)
+        return [write_bytes(directory / name, data) for name, data in contents.items()]
+
+
+def track(name: str, progress: Callable[[int, int], None] = lambda done, total: None) -> Tracked:
+    """Plan and fly the manoeuvre of a file (`paper`: the paper's); raises InputError.
+
+    `progress` is called with the samples done and all of them.
+    """
+    manoeuvre, tables = open_manoeuvre(name)
+    flight = read(tables)
+    plan = solve(manoeuvre)
+    run = fly(plan.manoeuvre, flight, plan.best, progress)
+    return Tracked(plan.manoeuvre, flight, plan.best, run)
+
+
+def _plain(value: Any) -> Any:
+    """Return settings as JSON can hold them."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, datetime):
+        return value.isoformat()
+    return float(value) if isinstance(value, Fraction) else value

@@ -1,0 +1,154 @@
+"""States of all motions of a box of inputs: by the mean value theorem, and by the flow."""
+
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from flint import arb
+
+from rigidsym._inputs import is_uncertain
+from rigidsym.errors import InputError, PrecisionError, written
+from rigidsym.precise._adaptive import AdaptivePrecision, TooUncertainError
+from rigidsym.precise._balls import is_within, working
+from rigidsym.precise._evaluation import State
+from rigidsym.precise._lohner import MOST_STEPS, FlowEnclosure, bits_for
+from rigidsym.precise._motion import PreciseMotion
+from rigidsym.precise._regime import MotionInputs
+from rigidsym.precise._sensitivity.parts import MeanStates
+
+# Steps of the flow that take a fraction of a second.
+FEW_STEPS = 100
+
+
+@dataclass(frozen=True)
+class BoxedMotion(MotionInputs):
+    """All motions of a box of inputs, some of which are uncertain."""
+
+    def enclosures(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """Yield (q, omega) at each time as balls.
+
+        They follow from the mean value theorem, over parts of the box if necessary, and from the
+        flow where that has no enclosure of some part.  Rates that are constant in all of the box
+        have formulas of their own.
+
+        Raises PrecisionError where `max_seconds` for all times are over.
+        """
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
+        for time in times:
+            mean = self._by_mean_values(digits)
+            if time == 0 or mean.holds_rest:
+                yield self._by_flow(precision, time)
+                continue
+            steady = self._by_regime(precision, time)
+            if steady and not is_uncertain(*self.omega0, *self.attitude0):
+                yield steady
+                continue
+            with _naming(time):
+                state, is_found = mean.state(time, precision.check)
+            if not is_found:
+                state = _intersection(state, self._by_flow(precision, time, FEW_STEPS))
+            yield _intersection(state, steady) if steady else state
+
+    def mean_values(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """Yield (q, omega) at each time by the mean value theorem alone.
+
+        Raises PrecisionError where it gives no enclosure.
+        """
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
+        for time in times:
+            mean = self._by_mean_values(digits)
+            with _naming(time):
+                state, is_found = mean.state(time, precision.check)
+            if not is_found:
+                raise self._too_uncertain(time, digits)
+            yield state
+
+    def sensitivities(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[list[arb]]:
+        """Yield (q, omega) and the numbers of `sensitivity.columns.listed` at each time.
+
+        Raises PrecisionError where they are too uncertain.
+        """
+        states = self.enclosures(times, digits, max_seconds)
+        for time, (q, omega) in zip(times, states, strict=True):
+            found = self._by_mean_values(digits).sensitivities(time)
+            if found is None:
+                raise self._too_uncertain(time, digits)
+            yield [*q, *omega, *found]
+
+    def flows(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """Yield (q, omega) at each time by the flow alone."""
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
+        for time in times:
+            yield self._by_flow(precision, time)
+
+    def _by_flow(
+        self, precision: AdaptivePrecision, time: Fraction, most: int = MOST_STEPS
+    ) -> State:
+        with _naming(time):
+            bits = bits_for(self, precision.digits)
+            if bits not in self._flows:
+                self._flows.clear()
+                self._flows[bits] = FlowEnclosure(self, bits, precision.check)
+            return self._flows[bits].state(time, precision.check, most)
+
+    def _by_regime(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
+        """Return the state by constant rates; None where the rates of some motion change."""
+        try:
+            return self._steady.read(precision, time) if self._steady else None
+        except TooUncertainError:
+            return None
+
+    @cached_property
+    def _steady(self) -> PreciseMotion | None:
+        motion = PreciseMotion(self.inertia, self.omega0, self.attitude0)
+        try:
+            return motion if motion.polhode.regime.steady else None
+        except InputError:
+            return None
+
+    def _by_mean_values(self, digits: int) -> MeanStates:
+        bits = bits_for(self, digits)
+        if bits not in self._means:
+            self._means.clear()
+            self._means[bits] = MeanStates(self.inertia, self.omega0, self.attitude0, bits)
+        return self._means[bits]
+
+    def _too_uncertain(self, time: Fraction, digits: int) -> TooUncertainError:
+        reason = self._by_mean_values(digits).reason
+        return TooUncertainError(f"t = {written(time)}: {reason}")
+
+    @cached_property
+    def _flows(self) -> dict[int, FlowEnclosure]:
+        """The flow at the last precision, with the steps it has made."""
+        return {}
+
+    @cached_property
+    def _means(self) -> dict[int, MeanStates]:
+        """The mean value form at the last precision."""
+        return {}
+
+
+@contextmanager
+def _naming(time: Fraction) -> Generator[None]:
+    """Name the time of the state where the limit of seconds is over."""
+    try:
+        yield
+    except TimeoutError:
+        raise PrecisionError(f"t = {written(time)}: the time was over") from None
+
+
+def _intersection(one: State, other: State) -> State:
+    pairs = (zip(x, y, strict=True) for x, y in zip(one, other, strict=True))
+    with working(max(value.bits() for part in (*one, *other) for value in part) + 32):
+        q, omega = ([x.intersection(y) for x, y in pair] for pair in pairs)
+        return q, omega

@@ -1,0 +1,324 @@
+"""A box of bodies and rates, or a part of it: its middle, exactly, and its numbers with slopes.
+
+A part is cut out by slabs: low <= g . (x - middle of the box) <= high for some directions g.  With
+V the matrix of these directions and any W, the deviation of inputs from the part's middle is
+
+    d = W (V d) + (1 - W V) d,
+
+so numbers have slopes by V d, which the slabs limit, and by d, which the box limits.  W is the
+pseudoinverse of V: then (1 - W V) W = 0, and d may be taken from the middle of the whole box, where
+it is least.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, reduce
+from itertools import combinations
+from math import inf
+
+import numpy as np
+from flint import arb, arb_mat
+
+from rigidsym._inputs import Number, is_uncertain, middle, radius
+from rigidsym.precise import _balls as balls
+from rigidsym.precise._balls import ball, intersection
+from rigidsym.precise._sensitivity.columns import INPUTS, Columns, axes_of, parameters
+from rigidsym.precise._sensitivity.sloped import Sloped, power
+
+STILL = tuple(map(arb, (1, 0, 0, 0)))
+# Steps towards the slabs' middles and back into the box.
+_PROJECTIONS = 20
+# Passes over the slabs; the least share of an input that is used; room for rounding.
+_PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
+
+
+@dataclass(frozen=True)
+class Slab:
+    """low <= direction . (inputs - middles of the whole box) <= high, by the open inputs (n).
+
+    All numbers are doubles, exactly.
+    """
+
+    direction: tuple[float, ...]
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box of inertia (3) and body rates (3), or its part within some slabs.
+
+    All numbers have the working precision.  The open inputs are the n uncertain ones.  The sides of
+    the part are its s slabs and the open inputs.
+    """
+
+    inertia: tuple[Number, ...]
+    omega0: tuple[Number, ...]
+    slabs: tuple[Slab, ...] = ()
+
+    @cached_property
+    def open(self) -> list[int]:
+        """The indices of the uncertain `INPUTS`; the first one if all are exact."""
+        return [k for k, x in enumerate(self._given) if radius(x)] or [0]
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the open inputs."""
+        return [INPUTS[k] for k in self.open]
+
+    @cached_property
+    def limits(self) -> np.ndarray | None:
+        """The ends (n, 2) of the open inputs in the part; None for an empty part.
+
+        They are less the middles of the box, and in units of the inputs' radii.
+        A slab and the ends of all other inputs limit each input.  `MARGIN` is far above the
+        rounding errors of doubles here.
+        """
+        ends = np.tile([-1.0, 1.0], (len(self.open), 1))
+        for slab in self.slabs * _PASSES:
+            share = np.array(slab.direction) * self.radii
+            terms = np.sort(ends * share[:, None], axis=1)
+            least, most = slab.low - terms[:, 1].sum(), slab.high - terms[:, 0].sum()
+            for k in np.flatnonzero(abs(share) > _LEAST_SHARE * abs(share).sum()):
+                found = np.sort([(least + terms[k, 1]) / share[k], (most + terms[k, 0]) / share[k]])
+                low, high = found + (-MARGIN, MARGIN)
+                ends[k] = max(ends[k, 0], low), min(ends[k, 1], high)
+                if not ends[k, 0] <= ends[k, 1]:
+                    return None
+        return ends
+
+    @cached_property
+    def shift(self) -> list[Fraction]:
+        """The middle of the part less that of the box (n), within the ends."""
+        if self.limits is None or not self.slabs:
+            return [Fraction(0)] * len(self.open)
+        found = self.limits.mean(axis=1)
+        scaled = np.array(self._directions) * self.radii
+        wanted = np.array([(slab.low + slab.high) / 2 for slab in self.slabs])
+        inverse = np.linalg.pinv(scaled)
+        for _ in range(_PROJECTIONS):
+            found = np.clip(found + inverse @ (wanted - scaled @ found), *self.limits.T)
+        return self._unscaled(found)
+
+    @cached_property
+    def inputs(self) -> arb_mat:
+        """The inputs (n, 1) less those of a middle, up to differences along the slabs."""
+        off = arb_mat([[x] for x in self._left])
+        if not self.slabs or self.limits is None:
+            return off
+        shift, center = (
+            arb_mat([[ball(x)] for x in values])
+            for values in (self.shift, self._unscaled(self.limits.mean(axis=1)))
+        )
+        return off - center - self._across * (shift - center)
+
+    @cached_property
+    def radii(self) -> np.ndarray:
+        """The radii of the open inputs (n,) in doubles; infinite beyond their range."""
+        return np.array([_double(radius(self._given[k])) for k in self.open])
+
+    @cached_property
+    def _left(self) -> list[arb]:
+        """The open inputs of the part, less the middles of the box."""
+        radii = [radius(self._given[k]) for k in self.open]
+        if self.limits is None or not self.slabs:
+            return [arb(0, ball(r).upper()) for r in radii]
+        ends = zip(self.limits.tolist(), radii, strict=True)
+        return [ball(Fraction(x) * r).union(ball(Fraction(y) * r)) for (x, y), r in ends]
+
+    def _unscaled(self, values: np.ndarray) -> list[Fraction]:
+        given = zip(values.tolist(), self.open, strict=True)
+        return [Fraction(x) * radius(self._given[k]) for x, k in given]
+
+    @cached_property
+    def along(self) -> arb_mat:
+        """The inputs along the directions of the slabs, from the part's middle (s, 1)."""
+        shift = list(map(ball, self.shift))
+        rows = []
+        for slab in self.slabs:
+            begin = sum((arb(g) * x for g, x in zip(slab.direction, shift, strict=True)), arb(0))
+            # The middle is included, as straight lines from it must stay inside.
+            rows.append([(arb(slab.low) - begin).union(arb(slab.high) - begin).union(arb(0))])
+        return arb_mat(rows) if rows else arb_mat(0, 1)
+
+    @cached_property
+    def sides(self) -> arb_mat:
+        """The variables of slopes (s + n, 1): along the slabs' directions, and the inputs."""
+        return arb_mat([*self.along.tolist(), *self.inputs.tolist()])
+
+    @cached_property
+    def by_sides(self) -> arb_mat:
+        """The inputs less those of the part's middle, as a matrix (n, s + n) of the sides."""
+        if not self.slabs:
+            return self._across
+        rows = zip(self._back.tolist(), self._across.tolist(), strict=True)
+        return arb_mat([[*x, *y] for x, y in rows])
+
+    @cached_property
+    def _across(self) -> arb_mat:
+        """1 - W V (n, n)."""
+        unit = arb_mat(len(self.open), len(self.open), 1)
+        return unit - self._back * arb_mat(self._directions) if self.slabs else unit
+
+    @cached_property
+    def _back(self) -> arb_mat:
+        """W (n, s), the pseudoinverse of the slabs' directions, inputs in units of their radii."""
+        directions = arb_mat(self._directions)
+        squares = [ball(radius(self._given[k])) ** 2 for k in self.open]
+        rows = zip(directions.transpose().tolist(), squares, strict=True)
+        weighted = arb_mat([[x * square for x in row] for row, square in rows])
+        return weighted * (directions * weighted).inv()
+
+    @cached_property
+    def directions(self) -> dict[str, list[arb]]:
+        """The components of the sides (s + n) along each open input, by name."""
+        return dict(zip(self.names, self.by_sides.tolist(), strict=True))
+
+    def reach(self, slopes: Sequence[arb]) -> arb:
+        """Return the range over the part of a number with slopes by the sides (s + n).
+
+        A slope by the inputs may also be counted along the slabs, and the other way round.  The
+        result is the intersection of the least range slab by slab and that by the inputs alone.
+        """
+        count = len(self.slabs)
+        rest, plain = list(slopes[count:]), list(slopes[count:])
+        found, alone = arb(0), arb(0)
+        radii = [float(x.rad()) for x in self.inputs.entries()]
+        for slab, slope, side, offset in zip(
+            self.slabs, slopes[:count], self.along.entries(), self._offsets, strict=True
+        ):
+            direction = list(map(arb, slab.direction))
+            part = _share([float(x.mid()) for x in rest], slab.direction, radii, slope, side)
+            found += slope * side
+            if part:
+                found += part * (side + offset)
+                rest = [x - part * g for x, g in zip(rest, direction, strict=True)]
+            alone -= slope * offset
+            plain = [x + slope * g for x, g in zip(plain, direction, strict=True)]
+        for x, y, far in zip(rest, plain, self.inputs.entries(), strict=True):
+            found, alone = found + x * far, alone + y * far
+        return intersection(found, alone) if count else found
+
+    @cached_property
+    def _offsets(self) -> list[arb]:
+        """The excess of `inputs` over `along`, along each slab."""
+        if self.limits is None:
+            return []
+        center = self._unscaled(self.limits.mean(axis=1))
+        excess = [ball(x - y) for x, y in zip(self.shift, center, strict=True)]
+        rows = (map(arb, slab.direction) for slab in self.slabs)
+        return [sum((g * x for g, x in zip(row, excess, strict=True)), arb(0)) for row in rows]
+
+    @property
+    def _directions(self) -> list[list[float]]:
+        return [list(slab.direction) for slab in self.slabs]
+
+    @property
+    def is_sphere(self) -> bool:
+        """True if all moments are one exact number."""
+        return self._is_sphere_amid and not is_uncertain(*self.inertia)
+
+    @property
+    def _holds_sphere(self) -> bool:
+        return all(x.overlaps(y) for x, y in combinations(self._wholes[3:], 2))
+
+    @property
+    def _is_sphere_amid(self) -> bool:
+        return len({*self.middles[0]}) == 1
+
+    @cached_property
+    def parameters(self) -> list[Fraction]:
+        """p, r and p - r of the middle."""
+        return parameters(*self.middles, self._axes)
+
+    @cached_property
+    def point(self) -> Columns:
+        """The formulas for the middle."""
+        inertia, omega0 = (list(map(ball, values)) for values in self.middles)
+        functions = {"power": balls.power}
+        return Columns(inertia, omega0, STILL, self._axes, functions, self._is_sphere_amid)
+
+    @cached_property
+    def whole(self) -> Columns:
+        """The formulas for all of the box."""
+        omega0, inertia = (list(map(self._sloped, places)) for places in (range(3), range(3, 6)))
+        functions = {"power": power}
+        product = self._product() if self._holds_sphere else None
+        return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere, product)
+
+    def _product(self) -> arb:
+        """Return a bound of the product of all rates at any time.
+
+        It is at most (|omega|^2/3)^(3/2), as the geometric mean of the squares is at most their
+        mean; and |omega|^2 is at most twice the energy over the least moment.
+        """
+        omega, moments = self._wholes[:3], self._wholes[3:]
+        least = reduce(arb.min, moments)
+        energy = sum((c * balls.power(w, 2) for c, w in zip(moments, omega, strict=True)), arb(0))
+        return arb(0, ((energy / least / 3).sqrt() ** 3).upper())
+
+    def _sloped(self, k: int) -> Sloped:
+        whole = self._wholes[k]
+        if k not in self.open:
+            zeros = arb_mat(1, self.sides.nrows())
+            return Sloped(whole, zeros, whole, self.sides)
+        row = arb_mat([self.by_sides.tolist()[self.open.index(k)]])
+        return Sloped.of(ball(self._amid[k]), row, whole, self.sides)
+
+    @cached_property
+    def _wholes(self) -> list[arb]:
+        """Rates and moments of the part."""
+        wholes = [ball(middle(x)) for x in self._given]
+        for k, left in zip(self.open, self._left, strict=True):
+            wholes[k] += left
+        return wholes
+
+    @property
+    def _given(self) -> tuple[Number, ...]:
+        return *self.omega0, *self.inertia
+
+    @cached_property
+    def _axes(self) -> Sequence[int]:
+        return axes_of(*self.middles)
+
+    @property
+    def middles(self) -> tuple[list[Fraction], list[Fraction]]:
+        """The inertia and the rates of the part's middle."""
+        return self._amid[3:], self._amid[:3]
+
+    @cached_property
+    def _amid(self) -> list[Fraction]:
+        """The inputs of the part's middle."""
+        amid = list(map(middle, self._given))
+        for k, x in zip(self.open, self.shift, strict=True):
+            amid[k] += x
+        return amid
+
+
+def _share(
+    slopes: Sequence[float],
+    direction: Sequence[float],
+    radii: Sequence[float],
+    along: arb,
+    side: arb,
+) -> float:
+    """Return the multiple of a direction to count along the slab instead of in the slopes.
+
+    It makes the range least, at one of the corners of this piecewise linear function.
+    """
+    have, half = float(along.mid()), float(side.rad())
+    corners = [0.0, *(x / g for x, g in zip(slopes, direction, strict=True) if g)]
+
+    def size(part: float) -> float:
+        rest = zip(slopes, direction, radii, strict=True)
+        return abs(have + part) * half + sum(abs(x - part * g) * r for x, g, r in rest)
+
+    return min([*corners, -have], key=size)
+
+
+def _double(x: Fraction) -> float:
+    try:
+        return float(x)
+    except OverflowError:
+        return inf

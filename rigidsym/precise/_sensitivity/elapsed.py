@@ -1,0 +1,187 @@
+"""The functions of elapsed time in the formulas of sensitivities, of one motion and over a box.
+
+With p = lambda^2, r = m lambda^2 and 0 <= r <= p,
+
+    S = sn(lambda t | m)/lambda,    C = cn,    D = dn,    E = int S^2,    f = D int S^2/D^2
+
+from 0 to t: the integrals are J(u, n) = int sn^2/(1 - n sn^2) over lambda^3, with n = 0 and n = m.
+Near the separatrix the second integral changes much from motion to motion; D times it hardly does.
+On the separatrix, about an axis of symmetry, and where p vanishes, they are elementary.
+
+Over a box of p, r and p - r they follow from the mean value theorem, whatever the signs of these.
+The slopes need the values themselves.  So the values are guessed, and a guess that the slopes map
+into its own interior is right: along the straight line from the middle to a point of the box the
+functions start inside of the guess, and where they first met its border they would be inside.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from flint import arb, arb_mat
+
+from rigidsym.precise._balls import intersection, power
+from rigidsym.precise._functions import Functions, quarter_period
+from rigidsym.solution._formulas import sequence
+
+# The numbers of parts in which a box grows: the second where the first does not suffice.
+PARTS, MORE_PARTS = 4, 16
+# Guesses before giving up, and refinements of a right one.
+TRIES, REFINED = 12, 2
+# A guess is wider than the last image by a part of its radius, and a little.
+MORE, LEAST = arb("0.25"), arb(2) ** -64
+_POWER = {"power": power}
+
+
+class Elapsed(NamedTuple):
+    """S, C, D, E and f by the names that formulas use."""
+
+    S_t: arb
+    C_t: arb
+    D_t: arb
+    E_t: arb
+    f: arb
+
+
+def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
+    """Return the functions at a time; `gap` is p - r.  A zero p or gap must be exactly zero."""
+    if p.is_zero():
+        cube = t * t * t / 3
+        return Elapsed(t, arb(1), arb(1), cube, cube)
+    rate, zero, m, mc = functions.kept(_modulus, p, r, gap)
+    u = rate * t
+    s, c, d = functions.jacobi(u, mc)
+    if mc.is_zero():
+        integrals = u - u.tanh(), ((2 * u).sinh() / 2 - u) / 2
+    else:
+        first = functions.elliptic_j(u, zero, mc)
+        integrals = first, first if mc == 1 else functions.elliptic_j(u, m, mc)
+    first, second = (x / (rate * p) for x in integrals)
+    return Elapsed(s / rate, c, d, first, d * second)
+
+
+def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
+    """Return True for times within the first quarter of a period, where cn and dn have no zero."""
+    if p.is_zero() or (gap.is_zero() and not r.is_zero()):
+        return True
+    return bool(abs(t) * p.sqrt() < quarter_period(gap / p))
+
+
+def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
+    """Return lambda, zero, m and 1 - m: cached, the same objects for all times."""
+    mc = arb(1) if r.is_zero() else gap / p
+    return p.sqrt(), arb(0), 1 - mc, mc
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """A time, and balls of p, r and p - r of all motions of a box.
+
+    grows: True if cn and dn of the middle surely have no zero before the time.
+    """
+
+    t: arb
+    p: arb
+    r: arb
+    gap: arb
+    grows: bool = False
+
+    def over(self, middle: Elapsed, deviation: arb_mat) -> tuple[Elapsed, arb_mat] | None:
+        """Return the functions, and slopes (5, 2) by p and p - r; None where no guess is found.
+
+        `deviation` (2, 1) is p and p - r less their middles.  The box grows part by part, as slopes
+        are smaller in its inner parts.
+        """
+        return self._over(middle, deviation, PARTS) or self._over(middle, deviation, MORE_PARTS)
+
+    def _over(
+        self, middle: Elapsed, deviation: arb_mat, parts: int
+    ) -> tuple[Elapsed, arb_mat] | None:
+        part, summed, image = deviation / parts, arb_mat(5, 2), middle
+        for _ in range(parts):
+            start = Elapsed(*(arb_mat([[x] for x in middle]) + summed * part).entries())
+            found = self._grown(start, image, part)
+            if found is None:
+                return None
+            image, slopes = found
+            summed += slopes
+        return image, summed / parts
+
+    def _grown(
+        self, start: Elapsed, inner: Elapsed, part: arb_mat
+    ) -> tuple[Elapsed, arb_mat] | None:
+        """Return functions and slopes of a box one part larger, from the values `start` so far."""
+        image = self._image(start, inner, part)
+        for _ in range(TRIES):
+            guess = list(map(wider, image))
+            image = self._image(start, Elapsed(*map(intersection, guess, self.limits)), part)
+            if all(map(arb.contains_interior, guess, image)):
+                for _ in range(REFINED):
+                    image = self._image(start, image, part)
+                return image, self.slopes(image)
+        return None
+
+    def _image(self, start: Elapsed, guess: Elapsed, part: arb_mat) -> Elapsed:
+        moved = (self.slopes(guess) * part).entries()
+        found = (x + step for x, step in zip(start, moved, strict=True))
+        return Elapsed(*map(intersection, found, self.limits))
+
+    def slopes(self, values: Elapsed) -> arb_mat:
+        """Return the derivatives (5, 2) by p and p - r at all values."""
+        known = {**values._asdict(), "F_t": values.f / values.D_t}
+        found = sequence("elapsed_slopes").evaluate(
+            {"p": self.p, "r": self.r, **known, **self._fourths(values, known)}, _POWER
+        )
+        for way in ("k", "r"):
+            found[f"f_{way}"] = found[f"D_{way}"] * known["F_t"] + values.D_t * found[f"F_{way}"]
+        names = [name[0] for name in Elapsed._fields]
+        return arb_mat([[found[f"{x}_k"], -found[f"{x}_r"]] for x in names])
+
+    def _fourths(self, values: Elapsed, known: Mapping[str, arb]) -> dict[str, arb]:
+        """Return the integrals of fourth powers, by formulas and within bounds."""
+        found = sequence("fourth_powers").evaluate(
+            {"t": self.t, "p": self.p, "r": self.r, **known}, _POWER
+        )
+        most, steepest = self._largest(values)
+        by_e, by_f = values.E_t, known["F_t"]
+        limits = {"U_t": most * by_e, "V_t": most * by_f, "W_t": steepest * by_f}
+        return {name: intersection(found[name], arb(0).union(x)) for name, x in limits.items()}
+
+    def _largest(self, values: Elapsed) -> tuple[arb, arb]:
+        """Return upper bounds of S^2 and (S/D)^2 up to the time.
+
+        Both grow until C or D is zero, so before that the last values are bounds; else 1/p and
+        1/(p - r) are.
+        """
+        s, d = values.S_t, values.D_t
+        squares = power(s, 2), power(s / d, 2)
+        first, second = squares if self._grow(values) else (1 / self.p, 1 / self.gap)
+        return first.upper(), second.upper()
+
+    def _grow(self, values: Elapsed) -> bool:
+        """Return True if C and D surely have no zero up to the time.
+
+        Either they have none at the middle, and none at the end for any parameters, as zeros enter
+        at the end; or the quarter of a period is longer.
+        """
+        if self.grows and values.C_t > 0 and values.D_t > 0:
+            return True
+        if not (self.p > 0 and self.gap >= 0):
+            return False
+        quarter = quarter_period((self.gap / self.p).upper())
+        return bool(abs(self.t) * self.p.upper().sqrt() < quarter)
+
+    @property
+    def limits(self) -> Sequence[arb]:
+        """Bounds of the functions at all times; no number where there is none."""
+        if not self.p > 0:
+            return [arb.nan()] * 5
+        most = (1 - self.r / self.p).upper().max(1).sqrt()
+        least = (self.gap / self.p).lower().sqrt()
+        size = (1 / self.p).sqrt().upper()
+        return arb(0, size), arb(0, 1), least.union(most), arb.nan(), arb.nan()
+
+
+def wider(image: arb) -> arb:
+    """Return the guess that follows the image of another one."""
+    return image + arb(0, image.rad() * MORE + LEAST)

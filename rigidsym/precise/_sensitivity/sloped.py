@@ -1,0 +1,99 @@
+"""Numbers over a box of inputs, with slopes: the mean value form, carried through arithmetic.
+
+A quantity f has its value at the middle of the box, the ball of its values, and slopes s with
+
+    f(y) - f(middle)  in  s (y - middle)    for all y of the box
+
+(Krawczyk and Neumaier, SIAM Journal on Numerical Analysis 22, 604-616, 1985).  Terms that are
+proportional to the radii of the inputs keep their sign, so they cancel where they should.
+"""
+
+from dataclasses import dataclass
+from typing import Union
+
+from flint import arb, arb_mat
+
+from rigidsym.precise import _balls as balls
+from rigidsym.precise._balls import intersection
+
+Operand = Union["Sloped", arb, int]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sloped:
+    """A number over a box (n, 1) of inputs less their middles: middle, slopes (1, n) and whole."""
+
+    middle: arb
+    slopes: arb_mat
+    whole: arb
+    box: arb_mat
+
+    @classmethod
+    def of(cls, middle: arb, slopes: arb_mat, whole: arb, box: arb_mat) -> "Sloped":
+        """Return the number, its values restricted to those that the slopes allow."""
+        return cls(middle, slopes, intersection(middle + (slopes * box)[0, 0], whole), box)
+
+    def deviation(self) -> arb:
+        """Return the deviations from the middle that the slopes allow."""
+        return (self.slopes * self.box)[0, 0]
+
+    def __neg__(self) -> "Sloped":
+        return Sloped(-self.middle, -self.slopes, -self.whole, self.box)
+
+    def __add__(self, other: Operand) -> "Sloped":
+        if isinstance(other, Sloped):
+            middle, slopes = self.middle + other.middle, self.slopes + other.slopes
+            return self.of(middle, slopes, self.whole + other.whole, self.box)
+        return Sloped(self.middle + other, self.slopes, self.whole + other, self.box)
+
+    def __sub__(self, other: Operand) -> "Sloped":
+        return self + -other
+
+    def __rsub__(self, other: Operand) -> "Sloped":
+        return -self + other
+
+    def __mul__(self, other: Operand) -> "Sloped":
+        if isinstance(other, Sloped):
+            middle, slopes = (
+                self.middle * other.middle,
+                self.slopes * other.whole + other.slopes * self.middle,
+            )
+            return self.of(middle, slopes, self.whole * other.whole, self.box)
+        return Sloped(self.middle * other, self.slopes * other, self.whole * other, self.box)
+
+    def __truediv__(self, other: Operand) -> "Sloped":
+        if isinstance(other, Sloped):
+            middle = self.middle / other.middle
+            slopes = (self.slopes - other.slopes * middle) / other.whole
+            return self.of(middle, slopes, self.whole / other.whole, self.box)
+        return Sloped(self.middle / other, self.slopes / other, self.whole / other, self.box)
+
+    def __rtruediv__(self, other: arb | int) -> "Sloped":
+        middle = other / self.middle
+        return self.of(middle, self.slopes * -middle / self.whole, other / self.whole, self.box)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def sqrt(self) -> "Sloped":
+        """Return the square root; no number where the radicand may be negative."""
+        middle, whole = self.middle.sqrt(), self.whole.sqrt()
+        return self.of(middle, self.slopes / (middle + whole), whole, self.box)
+
+    def square(self) -> "Sloped":
+        """Return the square, which is not negative."""
+        slopes = self.slopes * (self.middle + self.whole)
+        return self.of(self.middle * self.middle, slopes, balls.power(self.whole, 2), self.box)
+
+
+def power(x: Operand, exponent: int) -> "Sloped | arb":
+    """Return a power with a positive exponent, by squares and products."""
+    if not isinstance(x, Sloped):
+        return balls.power(arb(x), exponent)
+    return _power(x, exponent)
+
+
+def _power(x: Sloped, exponent: int) -> Sloped:
+    if exponent == 1:
+        return x
+    square = _power(x, exponent // 2).square()
+    return square * x if exponent % 2 else square

@@ -1,0 +1,11 @@
+"""The ledger for Coq: contexts and facts as theorems on real numbers and real functions of time.
+
+The exporter is not trusted: Coq checks every certificate again, by a checker that `prelude.v`
+proves sound.  The hand-written `theorems/` state the conclusions: which functions of time are the
+motion.
+"""
+
+from rigidsym.proof._coq.export import Export, export
+from rigidsym.proof._coq.facts import SUPPOSED
+
+__all__ = ["SUPPOSED", "Export", "export"]

@@ -1,0 +1,166 @@
+"""Texts of the ledger in Coq: for readers as real numbers, for the prelude's checker as data."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+from sympy.polys.rings import PolyElement
+
+from rigidsym.proof.kernel._language import Tree
+from rigidsym.proof.kernel._ring import Number
+
+# Words of Coq, and what exported files call their own: names of quantities that are one of these,
+# or begin as theorems do, get a "_" behind them.
+_WORDS = """
+as at by cofix else end exists exists2 fix for forall fun if in let match mod return
+then using where with Prop Set SProp Type R X H t names holds atoms steps theory runs
+known sqrt is_derive Derive ex_derive Num Var Neg Add Sub Mul Div Pow Rate Generator
+Define Rename Unit Relation Sign Moves Invert Differentiate Equal Derives Smooth Root
+Nonnegative AtLeast Nonzero mono pw check decided carried carriage certified run nothing
+sound conj proj1 proj2 eq_refl I or_introl or_intror exactly_one splits value states
+all_state claim expr list nil cons app step bool true false
+"""
+RESERVED = frozenset(_WORDS.split())
+PREFIXES = ("fact_", "as_", "models_", "claims_", "steps_", "theory_", "runs_", "more_", "known_")
+_OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)}
+
+
+def identifiers(names: Iterable[str]) -> dict[str, str]:
+    """Return the names of quantities in Coq: their own, or changed where a word is taken."""
+    known = list(names)
+    taken = {*known, *RESERVED}
+    found = {}
+    for name in known:
+        word = name
+        if name in RESERVED or name.startswith(PREFIXES):
+            while word in taken:
+                word += "_"
+            taken.add(word)
+        found[name] = word
+    return found
+
+
+def names_in(tree: Tree) -> Iterator[str]:
+    """Yield the names of a tree, from left to right, as often as they occur."""
+    match tree:
+        case int():
+            return
+        case str():
+            yield tree
+        case ("D", "(", argument) | ("-", argument):
+            yield from names_in(argument)
+        case (base, "**", int()):
+            yield from names_in(base)
+        case _:
+            for operand in tree[::2]:
+                yield from names_in(operand)
+
+
+def parts(tree: Tree) -> Iterator[Tree]:
+    """Yield all subtrees, each after its own."""
+    match tree:
+        case int() | str():
+            operands: list[Tree] = []
+        case ("-", argument) | ("D", "(", argument) | (argument, "**", int()):
+            operands = [argument]
+        case _:
+            operands = list(tree[::2])
+    for operand in operands:
+        yield from parts(operand)
+    yield tree
+
+
+def divisors(tree: Tree) -> Iterator[Tree]:
+    """Yield the divisors in a text except numbers, each after those in itself."""
+    for part in parts(tree):
+        if is_chain(part) and isinstance(part, tuple):
+            pairs = zip(part[1::2], part[2::2], strict=True)
+            yield from (y for operator, y in pairs if operator == "/" and not isinstance(y, int))
+
+
+def derivatives(tree: Tree) -> Iterator[Tree]:
+    """Yield the arguments of D in a text, each after those in itself."""
+    yield from (part[2] for part in parts(tree) if isinstance(part, tuple) and part[0] == "D")
+
+
+def is_chain(tree: Tree) -> bool:
+    """Say whether a tree is a chain of operators: x + y - z, x * y / z."""
+    return isinstance(tree, tuple) and len(tree) > 2 and tree[1] in _OPERATORS
+
+
+def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
+    """Rename the names in a tree."""
+    match tree:
+        case int():
+            return tree
+        case str():
+            return names.get(tree, tree)
+        case ("D", "(", argument):
+            return ("D", "(", renamed(argument, names))
+        case ("-", argument):
+            return ("-", renamed(argument, names))
+        case (base, "**", int(exponent)):
+            return (renamed(base, names), "**", exponent)
+    return tuple(renamed(x, names) if k % 2 == 0 else x for k, x in enumerate(tree))
+
+
+def real(tree: Tree, say: Callable[[str], str], level: int = 0) -> str:
+    """Return a text as real numbers of Coq; `say` writes a name."""
+    match tree:
+        case int():
+            return str(tree)
+        case str():
+            return _in_brackets(say(tree), " " in say(tree) and level > 2)
+        case ("-", argument):
+            return _in_brackets(f"- {real(argument, say, 3)}", level > 0)
+        case ("D", "(", argument):
+            return _in_brackets(f"Derive (fun t : R => {real(argument, say)}) t", level > 0)
+        case (base, "**", int(exponent)):
+            return _in_brackets(f"{real(base, say, 3)} ^ {exponent}", level > 2)
+    binds = _OPERATORS[tree[1]][1]
+    text = real(tree[0], say, max(binds - 1, 1))
+    for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+        text += f" {operator} {real(operand, say, binds)}"
+    return _in_brackets(text, level >= binds)
+
+
+def _in_brackets(text: str, needed: bool) -> str:
+    return f"({text})" if needed else text
+
+
+def data(tree: Tree, index: Mapping[str, int]) -> str:
+    """Return a text as an `expr` of the prelude; names by their places in the list of atoms."""
+    match tree:
+        case int():
+            return f"(Num {tree})"
+        case str():
+            return f"(Var {index[tree]})"
+        case ("-", argument):
+            return f"(Neg {data(argument, index)})"
+        case ("D", "(", argument):
+            return f"(Rate {data(argument, index)})"
+        case (base, "**", int(exponent)):
+            return f"(Pow {data(base, index)} {exponent})"
+    text = data(tree[0], index)
+    for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+        text = f"({_OPERATORS[operator][0]} {text} {data(operand, index)})"
+    return text
+
+
+def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
+    """Return a polynomial as the prelude's list of terms."""
+    places = [index[str(generator)] for generator in polynomial.ring.gens]
+    found = []
+    for powers, number in polynomial.terms():
+        factors = [f"pw {k} {power}" for k, power in zip(places, powers, strict=True) if power]
+        found.append(f"mono {rational(number)} {listed(factors)}")
+    return listed(found)
+
+
+def rational(number: Number) -> str:
+    """Return numerator and denominator."""
+    above = number.numerator
+    return f"{above if above >= 0 else f'({above})'} {number.denominator}"
+
+
+def listed(items: Iterable[object]) -> str:
+    """Return a list of Coq."""
+    return f"[{'; '.join(map(str, items))}]"

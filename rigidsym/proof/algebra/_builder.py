@@ -1,0 +1,258 @@
+"""The builder of a ledger: short ways to open contexts and to state claims.
+
+Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any, TypeAlias, TypeVar
+
+from sympy import Expr
+
+from rigidsym.proof.algebra._enclosures import encloses
+from rigidsym.proof.algebra._normal_form import divide, nested
+from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
+from rigidsym.proof.kernel._rules import differences
+from rigidsym.proof.kernel._statement import weakest
+
+Result = TypeVar("Result")
+# An expression for the kernel, as text or as what `text` makes into one.
+Side: TypeAlias = str | int | Element | Expr
+Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
+Point: TypeAlias = Mapping[str, str]
+# A context's name, and where its witness differs from that of the context it is a case of.
+Case: TypeAlias = tuple[str, Point]
+# {"fact": id}, or what a context defines a name as, or reads it as:
+# {"context": name, "definition" or "reading": name, "source": equations of the paper}.
+Entry: TypeAlias = Mapping[str, str | list[str]]
+
+
+class LedgerBuilder:
+    """A ledger that is being written, with the steps of its derivation and results of chapters.
+
+    Counts of mutants that the text `sealed`, a written ledger, has for the same facts are kept;
+    `recounted` is the number of facts whose mutants were counted again.
+    """
+
+    def __init__(self, sealed: str = "") -> None:
+        self.ledger = Ledger(encloses)
+        self.sealed, self.recounted = sealed, 0
+        # The steps of the derivation, in order, for readers; no fact rests on them.
+        self.steps: list[Any] = []
+        self._results: dict[type, Any] = {}
+
+    def keep(self, result: Any) -> None:
+        """Keep the result of a chapter for the chapters after it."""
+        self._results[type(result)] = result
+
+    def __contains__(self, kind: type) -> bool:
+        """Say whether a chapter has kept a result of this type."""
+        return kind in self._results
+
+    def result(self, kind: type[Result]) -> Result:
+        """Return the result that an earlier chapter kept, by its type."""
+        if kind not in self._results:
+            raise LookupError(f"no chapter has found {kind.__name__} yet")
+        return self._results[kind]
+
+    def open(self, context: Context) -> Ring:
+        """Admit a context and return its ring; raises KernelError where the kernel refuses it."""
+        return self.ledger.open(context)
+
+    def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations componentwise.  The context is the part of the id before the dot."""
+        return self.decide(_fact(fact_id, "equal", equations, "identity", source))
+
+    def compare(
+        self,
+        fact_id: str,
+        equations: Equations,
+        points: Iterable[Point] = (),
+        source: Iterable[str] = (),
+    ) -> Fact | None:
+        """Decide whether equations hold: admit that they do, or a point where they do not.
+
+        The points tried are those given, the witness of the context, and points near it, where
+        one name at a time has another value.  Return None where the kernel decides neither: the
+        normal form is not zero, and the sides agree at all these points.
+        """
+        fact = _fact(fact_id, "equal", equations, "identity", source)
+        try:
+            return self.decide(fact)
+        except KernelError as error:
+            if "undecided" not in str(error):
+                raise
+        refuted = replace(fact, kind="unequal", rule="counterexample")
+        names = self.ledger.contexts[fact.context].witness
+        near = ({name: value} for value in ("2", "1/2", "-1", "3") for name in names)
+        for point in (*points, {}, *near):
+            try:
+                return self._refute(refuted, point)
+            except KernelError:
+                continue
+        return None
+
+    def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
+        """Prove name = sqrt(radicand), by its square and the sign of the name."""
+        return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
+
+    def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove that quantities are nonnegative, by equal expressions whose form shows it."""
+        return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
+
+    def refute(
+        self,
+        fact_id: str,
+        equations: Equations,
+        point: Point,
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Show that equations do not always hold; `point` overrides the context's witness."""
+        return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
+
+    def _refute(self, fact: Fact, point: Point) -> Fact:
+        witness = self.ledger.contexts[fact.context].witness
+        return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
+
+    def theta(
+        self,
+        fact_id: str,
+        equations: Equations,
+        identity: str,
+        forms: Mapping[str, str],
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Prove equations by an identity of theta functions, with forms in place of its names."""
+        fact = _fact(fact_id, "equal", equations, "theta", source)
+        certificate = {"identity": identity, "forms": dict(forms)}
+        return self.ledger.add(replace(fact, certificate=certificate))
+
+    def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations that hold where the context starts, and so always."""
+        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+
+    def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
+        """Show that one context is, by the premises, a model of another."""
+        name = f"{context}.models_{source}"
+        return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
+
+    def assume(
+        self,
+        fact_id: str,
+        equations: Equations,
+        reference: str,
+        points: Iterable[Point],
+        whole: Iterable[str] = (),
+    ) -> Fact:
+        """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
+
+        It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
+        """
+        fact = _fact(fact_id, "equal", equations, "assumption", [reference])
+        certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
+        if names := list(whole):
+            certificate["whole"] = names
+        grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
+        return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
+
+    def split(self, context: str, name: str, *cases: Case) -> None:
+        """Open the cases name = 0, > 0 and, if given, < 0 of a context, with their witnesses."""
+        whole = self.ledger.contexts[context]
+        for (case, witness), part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
+            self.open(replace(part, name=case, witness={**whole.witness, **witness}))
+
+    def partition(self, context: str, name: str, *cases: str) -> Fact:
+        """Prove that each point of a context is in exactly one of its cases, or of their cases."""
+        found = (fact for fact in self.ledger.facts.values() if fact.kind == "partition")
+        finer = {fact.context: fact for fact in found if fact.context in cases}
+        leaves = [finer[case].rhs if case in finer else (case,) for case in cases]
+        fact = Fact(f"{context}.cases", context, "partition", (name,), sum(leaves, ()), "partition")
+        whole = replace(fact, certificate={"cases": list(cases)})
+        return self._conclude(whole, *(premise.id for premise in finer.values()))
+
+    def carry(self, context: str, fact_ids: Iterable[str]) -> None:
+        """Restate facts in a context that is known to be a model of theirs."""
+        for fact_id in fact_ids:
+            there = self.ledger.facts[fact_id]
+            name = f"{context}.{fact_id.split('.')[1]}"
+            here = replace(there, id=name, context=context, rule="transfer", certificate={})
+            self._conclude(here, fact_id, f"{context}.models_{there.context}")
+
+    def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
+        """Publish formulas for the number wing, in order of evaluation, in a group of sequences.
+
+        Each is a proved fact, or the definition or reading of a name in a context.
+        """
+        listed = list(entries)
+        for entry in listed:
+            if not self._is_known(entry):
+                raise KernelError(
+                    f"{sequence}: {entry} is no proved fact, definition or reading of a name"
+                )
+        self.ledger.published.setdefault(group, {})[sequence] = listed
+
+    def _is_known(self, entry: Entry) -> bool:
+        """Say whether an entry is a proved formula, or the definition or reading of a name."""
+        if "fact" in entry:
+            fact = self.ledger.facts.get(str(entry["fact"]))
+            kinds = ("equal", "root")
+            return fact is not None and fact.grade == Grade.PROVED and fact.kind in kinds
+        context = self.ledger.contexts.get(str(entry["context"]))
+        if context is None:
+            return False
+        if "definition" in entry:
+            return entry["definition"] in context.definitions
+        return entry["reading"] in context.reading
+
+    def decide(self, fact: Fact) -> Fact:
+        """Admit an identity with its cofactors; KernelError if its normal form is not zero."""
+        ring = self.ledger.rings[fact.context]
+        divided = [divide(ring, difference) for difference in differences(ring, fact)]
+        if any(remainder for _, remainder in divided):
+            raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
+        cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
+        return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
+
+    def _conclude(self, fact: Fact, *premises: str) -> Fact:
+        grades = [self.ledger.facts[premise].grade for premise in premises]
+        grade = weakest([fact.grade, *grades])
+        return self.ledger.add(replace(fact, premises=premises, grade=grade))
+
+
+def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]) -> Fact:
+    pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
+    lhs, rhs = (tuple(map(text, column)) for column in zip(*pairs, strict=True))
+    context = fact_id.split(".", maxsplit=1)[0]
+    return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
+
+
+def facts(context: str, names: str) -> list[Entry]:
+    """Return entries for facts of one context: `facts("regular", "H E_a")`."""
+    return [{"fact": f"{context}.{name}"} for name in names.split()]
+
+
+def definitions(context: str, names: str, *source: str) -> list[Entry]:
+    """Return entries for definitions of a context, used where these equations use them."""
+    return _said("definition", context, names, source)
+
+
+def readings(context: str, names: str, *source: str) -> list[Entry]:
+    """Return entries for readings of names: standard functions, used where these equations are."""
+    return _said("reading", context, names, source)
+
+
+def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Entry]:
+    return [{"context": context, how: name, "source": list(source)} for name in names.split()]
+
+
+def text(side: Side) -> str:
+    """Return the text from which the kernel reads an expression, a number or an element."""
+    if not isinstance(side, Element):
+        return str(side)
+    below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
+    return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
+
+
+def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
+    """Return the equations between two vectors or matrices, without those of equal texts."""
+    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]

@@ -1,0 +1,150 @@
+"""The language of ledgers: one grammar, and one reader for each kind of meaning.
+
+Text is made of natural numbers, names, ``+ - * /``, powers whose exponents are natural numbers, and
+calls ``f(x, y)``, with spaces between them at most.  Names are not Python's keywords; numbers have
+up to 1000 digits, texts up to 20,000 characters, and up to 50 brackets and signs are open at once.
+No tree is built: each part is given its meaning as soon as it is read.
+"""
+
+import keyword
+import re
+from abc import ABC, abstractmethod
+from typing import Generic, TypeAlias, TypeVar
+
+from rigidsym.proof.checker._records import Refused
+
+Meaning = TypeVar("Meaning")
+NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
+_NUMBER = r"(?:0|[1-9][0-9]{0,999})(?!\w)"
+_TOKEN = re.compile(rf" *({_NUMBER}|{NAME.pattern}|\*\*|[-+*/(),])", re.ASCII)
+_BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "**": 3}
+_LENGTH = 20_000
+_OPEN = 50
+# What has no meaning yet: a number, a name, or an operator with its parts.
+Form: TypeAlias = int | str | tuple["Form", ...]
+
+
+def is_name(text: object) -> bool:
+    """Say whether a text is a name, of a quantity or of a context."""
+    return isinstance(text, str) and bool(NAME.fullmatch(text)) and not keyword.iskeyword(text)
+
+
+class Language(ABC, Generic[Meaning]):
+    """Reader of the grammar, whose subclasses give numbers, names and operators a meaning."""
+
+    @abstractmethod
+    def number(self, number: int) -> Meaning:
+        """Return the meaning of a natural number."""
+
+    @abstractmethod
+    def name(self, name: str) -> Meaning:
+        """Return the meaning of a name, or raise Refused."""
+
+    @abstractmethod
+    def call(self, function: str, arguments: list[Meaning]) -> Meaning:
+        """Return the meaning of ``function(*arguments)``, or raise Refused."""
+
+    @abstractmethod
+    def combine(self, operator: str, left: Meaning, right: Meaning) -> Meaning:
+        """Return the meaning of two operands with one of ``+ - * /`` between them."""
+
+    @abstractmethod
+    def negative(self, operand: Meaning) -> Meaning:
+        """Return the meaning of ``-operand``."""
+
+    @abstractmethod
+    def power(self, base: Meaning, exponent: int) -> Meaning:
+        """Return the meaning of ``base**exponent``."""
+
+    def read(self, text: str) -> Meaning:
+        """Return the meaning of a text that is one expression."""
+        if len(text) > _LENGTH:
+            raise Refused(f"an expression of {len(text)} characters")
+        if text != text.strip(" ") or _TOKEN.sub("", text):
+            raise Refused(f"{text!a:.80} is not made of what expressions are made of")
+        tokens = ["", *reversed(_TOKEN.findall(text))]
+        value = self._read(tokens)
+        _expect(tokens, "")
+        return value
+
+    def _read(self, tokens: list[str], binding: int = 0, depth: int = 0) -> Meaning:
+        """Read on, up to an operator that binds no tighter than the one before."""
+        value = self._operand(tokens, depth)
+        while _BINDS.get(tokens[-1], 0) > binding:
+            operator = tokens.pop()
+            if operator == "**":
+                if not tokens[-1].isdigit() or tokens[-2] == "**":
+                    raise Refused("an exponent is not one natural number")
+                value = self.power(value, int(tokens.pop()))
+            else:
+                value = self.combine(operator, value, self._read(tokens, _BINDS[operator], depth))
+        return value
+
+    def _operand(self, tokens: list[str], depth: int) -> Meaning:
+        if depth > _OPEN:
+            raise Refused(f"more than {_OPEN} brackets and signs are open")
+        token = tokens.pop()
+        if token == "-":  # takes the whole power after it: -x**2 is -(x**2)
+            return self.negative(self._read(tokens, _BINDS["*"], depth + 1))
+        if token.isdigit():
+            return self.number(int(token))
+        if token == "(":
+            value = self._read(tokens, depth=depth + 1)
+            _expect(tokens, ")")
+            return value
+        if not is_name(token):
+            raise Refused(f"{token!r} stands where a quantity is due")
+        if tokens[-1] == "(":
+            return self.call(token, self._arguments(tokens, depth + 1))
+        return self.name(token)
+
+    def _arguments(self, tokens: list[str], depth: int) -> list[Meaning]:
+        tokens.pop()
+        arguments = [self._read(tokens, depth=depth)]
+        while tokens[-1] == ",":
+            tokens.pop()
+            arguments.append(self._read(tokens, depth=depth))
+        _expect(tokens, ")")
+        return arguments
+
+
+class Forms(Language[Form]):
+    """Reader that gives each expression its form: a tree of tuples."""
+
+    def number(self, number: int) -> Form:
+        """Return the number."""
+        return number
+
+    def name(self, name: str) -> Form:
+        """Return the name."""
+        return name
+
+    def call(self, function: str, arguments: list[Form]) -> Form:
+        """Return a call of a function."""
+        return ("call", function, *arguments)
+
+    def combine(self, operator: str, left: Form, right: Form) -> Form:
+        """Return an operator and its two sides."""
+        return operator, left, right
+
+    def negative(self, operand: Form) -> Form:
+        """Return a sign and its operand."""
+        return "-", operand
+
+    def power(self, base: Form, exponent: int) -> Form:
+        """Return a power."""
+        return "**", base, exponent
+
+
+def is_formula(text: str) -> bool:
+    """Say whether a text is an expression, whatever its names mean."""
+    try:
+        Forms().read(text)
+    except Refused:
+        return False
+    return True
+
+
+def _expect(tokens: list[str], due: str) -> None:
+    if (token := tokens.pop()) != due:
+        raise Refused(f"{token!r} stands where {due!r} is due")

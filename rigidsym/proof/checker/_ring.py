@@ -1,0 +1,143 @@
+"""Q[generators] with the units inverted: fractions of FLINT polynomials, never cancelled.
+
+A denominator is always a product of declared units, because `Ring.inverse` makes no other.
+Monomials are ordered lexicographically, later generators larger, as ledgers are written for.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import comb
+from operator import add, mul, sub
+
+from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from rigidsym.proof.checker._language import Language
+from rigidsym.proof.checker._records import Refused
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Quotient:
+    """above / below."""
+
+    above: fmpq_mpoly
+    below: fmpq_mpoly
+
+    def __add__(self, other: "Quotient") -> "Quotient":
+        if self.below == other.below:
+            return Quotient(self.above + other.above, self.below)
+        lift = other.below / self.below.gcd(other.below)
+        below = self.below * lift
+        return Quotient(self.above * lift + other.above * (below / other.below), below)
+
+    def __neg__(self) -> "Quotient":
+        return Quotient(-self.above, self.below)
+
+    def __sub__(self, other: "Quotient") -> "Quotient":
+        return self + -other
+
+    def __mul__(self, other: "Quotient") -> "Quotient":
+        return Quotient(self.above * other.above, self.below * other.below)
+
+    def __pow__(self, exponent: int) -> "Quotient":
+        terms = max(len(self.above), len(self.below), 1)
+        if not 1 <= exponent <= 64 or comb(terms + exponent - 1, exponent) > 100_000:
+            raise Refused(f"power {exponent} of {terms} terms: too large, or not from 1 to 64")
+        return Quotient(self.above**exponent, self.below**exponent)
+
+
+class Ring(Language[Quotient]):
+    """The arithmetic of a context: what names mean, what may be divided by, what vanishes."""
+
+    def __init__(self, generators: list[str], definitions: dict[str, str]) -> None:
+        self.polynomials = fmpq_mpoly_ctx.get(generators[::-1], "lex")
+        self.one = self.polynomials.constant(1)
+        self.values = {str(gen): self.over_one(gen) for gen in self.polynomials.gens()}
+        self.unread = dict(definitions)
+        self.units: list[fmpq_mpoly] = []
+        self.relations: list[fmpq_mpoly] = []
+        self.rates: dict[str, Quotient | None] | None = None
+
+    def over_one(self, polynomial: fmpq_mpoly) -> Quotient:
+        """Return a polynomial as a quotient."""
+        return Quotient(polynomial, self.one)
+
+    def number(self, number: int) -> Quotient:
+        """Return a natural number."""
+        return self.over_one(self.polynomials.constant(number))
+
+    def call(self, function: str, arguments: list[Quotient]) -> Quotient:
+        """Return D(x); there is no other function."""
+        if function != "D" or len(arguments) != 1:
+            raise Refused(f"{function} of {len(arguments)} is no function here")
+        return self.rate(arguments[0])
+
+    def combine(self, operator: str, left: Quotient, right: Quotient) -> Quotient:
+        """Return the result of one operation; a divisor has to be invertible."""
+        if operator == "/":
+            return left * self.inverse(right)
+        return {"+": add, "-": sub, "*": mul}[operator](left, right)
+
+    def negative(self, operand: Quotient) -> Quotient:
+        """Return the opposite."""
+        return -operand
+
+    def power(self, base: Quotient, exponent: int) -> Quotient:
+        """Return a power that is positive and not too large."""
+        return base**exponent
+
+    def name(self, name: str) -> Quotient:
+        """Return the value of a name; inside its own definition a name is unknown."""
+        if name not in self.values:
+            if name not in self.unread:
+                raise Refused(f"{name!r} has no meaning here")
+            self.values[name] = self.read(self.unread.pop(name))
+        return self.values[name]
+
+    def inverse(self, quotient: Quotient) -> Quotient:
+        """Return 1/quotient, if its numerator, as it is or modulo the relations, is invertible."""
+        for above in (quotient.above, self.remainder(quotient.above)):
+            if scale := self.scale(above):
+                return Quotient(quotient.below / scale, above / scale)
+        raise Refused("a division by what is not a product of units")
+
+    def scale(self, polynomial: fmpq_mpoly) -> fmpq:
+        """Return c if the polynomial is c times a product of units, else 0."""
+        for unit in self.units:
+            while not polynomial.is_constant() and not unit.is_constant():
+                quotient, rest = divmod(polynomial, unit)
+                if rest:
+                    break
+                polynomial = quotient
+        constant = polynomial and polynomial.is_constant()
+        return polynomial.leading_coefficient() if constant else fmpq(0)
+
+    def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
+        """Divide a polynomial by those that vanish, in turn, until nothing changes.
+
+        This ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
+        The remainder depends on the order of the divisors, so both orders are used.
+        """
+        divisors = [*filter(None, self.relations), *filter(None, given)]
+        rest = _divided(polynomial, divisors)
+        return rest and _divided(_divided(polynomial, divisors[::-1]), divisors)
+
+    def rate(self, quotient: Quotient) -> Quotient:
+        """Return D(a/b): the sum over the generators x of (a_x b - a b_x)/b**2 D(x)."""
+        if self.rates is None:
+            raise Refused("this context has no time derivative")
+        (above, below), total = (quotient.above, quotient.below), self.over_one(self.one * 0)
+        for name, rate in self.rates.items():
+            if slope := above.derivative(name) * below - above * below.derivative(name):
+                if rate is None:
+                    raise Refused(f"D({name}) is not known")
+                total += Quotient(slope, below**2) * rate
+        return total
+
+
+def _divided(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    previous = None
+    while polynomial != previous:
+        previous = polynomial
+        for divisor in divisors:
+            polynomial = polynomial % divisor
+    return polynomial

@@ -1,0 +1,317 @@
+"""The rules of inference, and the check that applies them to a ledger from its start to its end.
+
+A rule raises Refused, or returns the grade that the fact has if its premises have the best one.
+"""
+
+from collections.abc import Callable, Container, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
+
+from flint import fmpq_mpoly
+
+from rigidsym.proof.checker._enclosures import enclose, look_elsewhere
+from rigidsym.proof.checker._language import is_name
+from rigidsym.proof.checker._records import Claim, Hypotheses, Refused, fill, fits, load
+from rigidsym.proof.checker._ring import Quotient, Ring
+from rigidsym.proof.checker._specification import Catalogue
+from rigidsym.proof.checker._theory import Theory
+
+Left = TypeVar("Left")
+Right = TypeVar("Right")
+
+
+@dataclass(slots=True)
+class Accepted:
+    """The contexts and facts accepted so far, which alone a fact may rest on."""
+
+    theories: dict[str, Theory] = field(default_factory=dict)
+    facts: dict[str, Claim] = field(default_factory=dict)
+
+
+def identity(so_far: Accepted, fact: Claim) -> str:
+    """Check (lhs - rhs) * units = sum of cofactor * relation, for each component.
+
+    For a root, lhs**2 is in the place of lhs, which has to be visibly nonnegative; for a sign the
+    right sides have to be.
+    """
+    seen = so_far.theories[fact.context].seen
+    for text in {"root": fact.lhs, "nonnegative": fact.rhs}.get(fact.kind, []):
+        if not seen.show(text):
+            raise Refused(f"{text} is not seen to be nonnegative")
+    ring, gaps = so_far.theories[fact.context].ring, _gaps(so_far, fact)
+    rows = fact.certificate.get("cofactors")
+    if not isinstance(rows, list) or not all(fits(row, list[str]) for row in rows):
+        raise Refused("the certificate holds no table of cofactors")
+    for gap, row in _pairs(gaps, rows):
+        if not _gives(ring, _combination(ring, row), gap):
+            raise Refused("the cofactors do not give the difference of the sides")
+    return "PROVED"
+
+
+def counterexample(so_far: Accepted, fact: Claim) -> str:
+    """Check that both sides differ at a point of the context, so that lhs = rhs does not follow."""
+    values: Any = fact.certificate.get("point")
+    if not fits(values, dict[str, str]):
+        raise Refused("the certificate holds no point")
+    theory = so_far.theories[fact.context]
+    if theory.given.thetas or theory.given.start:
+        raise Refused("not every point is one of the functions that are declared")
+    at = theory.point(values)
+    if not any(gap.above(*at) for gap in _gaps(so_far, fact)):
+        raise Refused("both sides agree at the point")
+    return "PROVED"
+
+
+def model(so_far: Accepted, fact: Claim) -> str:
+    """Check that the hypotheses and rates of the context in rhs hold here, by the premises."""
+    if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
+        raise Refused("a model is of exactly one context")
+    here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
+    declared = so_far.theories[fact.context].given
+    if (
+        not {*there.start} <= {*declared.start}
+        or not there.thetas.items() <= declared.thetas.items()
+    ):
+        raise Refused("a start, or what is declared a theta function, does not carry over")
+    given = [gap.above for equation in _equations(so_far, fact) for gap in _gaps(so_far, equation)]
+    if any(here.ring.remainder(zero.above, given) for zero in _zeros(here.ring, there)):
+        raise Refused("a relation, definition or rate does not carry over")
+    for unit in there.units:
+        here.ring.inverse(here.ring.read(unit))
+    if not all(map(here.seen.show, there.nonnegative)):
+        raise Refused("a sign does not carry over")
+    return "PROVED"
+
+
+def transfer(so_far: Accepted, fact: Claim) -> str:
+    """Check that a statement, unchanged, is that of a fact of which this context is a model."""
+    there, bridge = (so_far.facts[premise] for premise in fact.premises)
+    if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
+        raise Refused("the second premise does not make this context a model of the first's")
+    if (fact.kind, fact.lhs, fact.rhs) != (there.kind, there.lhs, there.rhs):
+        raise Refused("the statement is not that of the first premise")
+    return "PROVED"
+
+
+def partition(so_far: Accepted, fact: Claim) -> str:
+    """Check that the cases are: x zero, positive and, unless visibly nonnegative, negative.
+
+    In time it stays so: the case x = 0 is closed under d/dt, so that D(x) is a multiple of x, and
+    no motion crosses x = 0.  A case may be split further by one premise about it.
+    """
+    whole = so_far.theories[fact.context]
+    cases: Any = fact.certificate.get("cases")
+    if len(fact.lhs) != 1 or not is_name(x := fact.lhs[0]) or not fits(cases, list[str]):
+        raise Refused("a partition is by one name, into a list of cases")
+    signs = "0+" if len(cases) == 2 and whole.seen.show(x) else "0+-"
+    for name, sign in _pairs(cases, [*signs]):
+        if name not in so_far.theories:
+            raise Refused(f"no context {name!r}")
+        if not _is_case(so_far.theories[name].given, whole.given, x, sign):
+            raise Refused(f"{name} is not the case where the sign of {x} is {sign}")
+    if fact.rhs != _leaves(cases, [so_far.facts[premise] for premise in fact.premises]):
+        raise Refused("these are not the cases")
+    return "PROVED"
+
+
+def theta(so_far: Accepted, fact: Claim) -> str:
+    """Check that each lhs - rhs is, up to sign, a part of an identity of theta functions."""
+    theory = so_far.theories[fact.context]
+    identity: Any = fact.certificate.get("identity")
+    forms: Any = fact.certificate.get("forms")
+    if not isinstance(identity, str) or not fits(forms, dict[str, str]):
+        raise Refused("the certificate holds no identity, or no forms")
+    values = theory.thetas.values(identity, forms)
+    for gap in _gaps(so_far, fact):
+        if all(theory.ring.remainder(gap.above + x) for value in values for x in (value, -value)):
+            raise Refused("the identity is not that lhs is rhs")
+    return "PROVED"
+
+
+def start(so_far: Accepted, fact: Claim) -> str:
+    """Check that lhs = rhs holds at the start, and that D(lhs - rhs) vanishes with lhs - rhs.
+
+    The gaps f satisfy f' = A f, whose only solution that is 0 once is 0.
+    """
+    theory, gaps = so_far.theories[fact.context], _gaps(so_far, fact)
+    above = [gap.above for gap in gaps]
+    if not theory.start or any(theory.ring.remainder(gap, theory.start) for gap in above):
+        raise Refused("lhs is not rhs at the start")
+    slopes = [theory.ring.rate(theory.ring.over_one(gap)).above for gap in above]
+    if any(theory.ring.remainder(slope, above) for slope in slopes):
+        raise Refused("lhs = rhs is not closed under d/dt")
+    return "PROVED"
+
+
+def assumption(so_far: Accepted, fact: Claim) -> str:
+    """Check that somebody else's result has a reference and, at any points, that balls agree."""
+    reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
+    if not isinstance(reference, str) or not reference:
+        raise Refused("an assumption needs a reference")
+    if not isinstance(points, list) or not all(fits(point, dict[str, str]) for point in points):
+        raise Refused("points are a list of names with numbers")
+    whole = fact.certificate.get("whole", [])
+    if not fits(whole, list[str]):
+        raise Refused("whole is no list of names")
+    _gaps(so_far, fact)
+    for point in points:
+        enclose(so_far.theories[fact.context].given, fact, point)
+    if points:
+        look_elsewhere(so_far.theories[fact.context].given, fact, [*points[0]], whole)
+    return "ENCLOSED" if points else "ASSUMED"
+
+
+# The kinds of statement that a rule makes, from how many premises, and the rule.
+RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str]]] = {
+    "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
+    "counterexample": ({"unequal"}, {0}, counterexample),
+    "model": ({"model"}, range(1000), model),
+    "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
+    "partition": ({"partition"}, range(4), partition),
+    "theta": ({"equal"}, {0}, theta),
+    "start": ({"equal"}, {0}, start),
+    "assumption": ({"equal"}, {0}, assumption),
+}
+
+
+def check_news(so_far: Accepted, fact: Claim) -> None:
+    """Refuse a fact with a component that its context states, or whose sides are the same."""
+    for lhs, rhs in _pairs(fact.lhs, fact.rhs):
+        if so_far.theories[fact.context].says(lhs, rhs):
+            raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
+
+
+def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
+    """Return lhs - rhs, or lhs**2 - rhs for a root, of each component."""
+    read, power = so_far.theories[fact.context].ring.read, 2 if fact.kind == "root" else 1
+    return [read(lhs) ** power - read(rhs) for lhs, rhs in _pairs(fact.lhs, fact.rhs)]
+
+
+def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
+    """Return the sum of cofactor * relation."""
+    total = ring.one * 0
+    for text, relation in _pairs(row, ring.relations):
+        cofactor = ring.read(text)
+        if cofactor.below != ring.one:
+            raise Refused("a cofactor is not a polynomial")
+        total += cofactor.above * relation
+    return total
+
+
+def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
+    """Say whether combination = gap * (a product of units), so that the gap vanishes with it."""
+    if combination == gap.above or not combination or not gap.above:
+        return combination == gap.above  # the product is gap.below
+    factor, rest = divmod(combination * gap.below, gap.above)
+    return not rest and ring.scale(factor) == 1
+
+
+def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
+    """Return the premises of a model, which have to be equations of its own context."""
+    premises = [so_far.facts[premise] for premise in fact.premises]
+    if any((p.kind, p.context) != ("equal", fact.context) for p in premises):
+        raise Refused("a premise is not an equation of this context")
+    return premises
+
+
+def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
+    """Return the relations of a context, and its definitions and rates less their values here."""
+    read, name, rate = ring.read, ring.name, ring.rate
+    zeros = [name(generator) - name(generator) for generator in there.generators]
+    zeros += [*map(read, there.relations)]
+    zeros += [name(defined) - read(text) for defined, text in there.definitions.items()]
+    if there.rates is not None:
+        rates = {**dict.fromkeys(there.generators, "0"), **there.rates}
+        zeros += [rate(name(moving)) - read(text) for moving, text in rates.items() if text != "?"]
+    return zeros
+
+
+def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
+    """Say whether a case is the whole with one hypothesis more, name and witness aside."""
+    more = replace(whole, name=case.name, witness=case.witness)
+    if sign == "0":
+        return case == replace(more, relations=[*whole.relations, x])
+    signed = [*whole.nonnegative, x if sign == "+" else f"-{x}"]
+    return case == replace(more, units=[*whole.units, x], nonnegative=signed)
+
+
+def _leaves(cases: list[str], premises: list[Claim]) -> list[str]:
+    """Return the cases, or the cases that a premise splits them into."""
+    finer = {premise.context: premise.rhs for premise in premises if premise.kind == "partition"}
+    if len(finer) < len(premises) or not finer.keys() <= {*cases}:
+        raise Refused("a premise is not a partition of a case, or not the only one")
+    return [leaf for case in cases for leaf in finer.get(case, [case])]
+
+
+def _pairs(left: list[Left], right: list[Right]) -> list[tuple[Left, Right]]:
+    if len(left) != len(right):
+        raise Refused(f"{len(left)} items where {len(right)} are due")
+    return list(zip(left, right, strict=True))
+
+
+WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
+
+
+def check(text: str, specification: str = "") -> int:
+    """Check a ledger and return its number of facts; Refused if anything is wrong."""
+    return sum(grades(text, specification).values())
+
+
+def grades(text: str, specification: str = "") -> dict[str, int]:
+    """Check a ledger and count its facts by grade; Refused if a fact is wrong or missing."""
+    with _blaming("ledger"):
+        contexts, claims, published = load(text)
+    judge = Judge()
+    for entry in contexts:
+        with _blaming("context", entry, "name"):
+            judge.open(fill(Hypotheses, entry))
+    for entry in claims:
+        with _blaming("fact", entry, "id"):
+            judge.accept(fill(Claim, entry))
+    given = {name: theory.given for name, theory in judge.theories.items()}
+    with _blaming("specification"):
+        Catalogue(given, judge.facts, published).require(specification)
+    found = [fact.grade for fact in judge.facts.values()]
+    return {grade: found.count(grade) for grade in reversed(WORST_TO_BEST) if grade in found}
+
+
+class Judge(Accepted):
+    """Checker that accepts contexts and facts, one after the other."""
+
+    def open(self, given: Hypotheses) -> None:
+        """Accept a context of a new name."""
+        if given.name in self.theories:
+            raise Refused("this name is taken")
+        self.theories[given.name] = Theory(given)
+
+    def accept(self, fact: Claim) -> None:
+        """Accept a fact of a new id whose rule holds, at the grade of its weakest support."""
+        if not all(map(is_name, fact.id.split("."))):
+            raise Refused("this id is not made of names")
+        if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
+            raise Refused("this id is taken, or a premise is not a fact so far")
+        if fact.context not in self.theories or fact.rule not in RULES:
+            raise Refused(f"no context {fact.context!a} or no rule {fact.rule!a}")
+        kinds, premises, rule = RULES[fact.rule]
+        if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
+            raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
+        if fact.kind in ("equal", "root", "nonnegative"):
+            check_news(self, fact)
+        grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
+        if fact.grade != (earned := min(grades, key=WORST_TO_BEST.index)):
+            raise Refused(f"claims {fact.grade}, has earned {earned}")
+        self.facts[fact.id] = fact
+
+
+@contextmanager
+def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
+    """Turn any error inside into a Refused of one line that names the entry."""
+    try:
+        yield
+    except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:
+        name = entry.get(key) if isinstance(entry, dict) else ""
+        printable = name if str(name).isascii() and str(name).isprintable() else ascii(name)
+        culprit = f"{kind} {printable}" if name != "" else kind
+        reason = str(error) or type(error).__name__
+        raise Refused(" ".join(f"{culprit}: {reason}".split())) from None

@@ -1,0 +1,118 @@
+"""A context, opened: its hypotheses are read, closed under d/dt, and hold at its witness."""
+
+from flint import fmpq
+
+from rigidsym.proof.checker._language import Form, Forms, is_name
+from rigidsym.proof.checker._records import Hypotheses, Refused
+from rigidsym.proof.checker._ring import Ring
+from rigidsym.proof.checker._theta import Functions
+
+
+class Signs:
+    """Quantities that are visibly nonnegative in a context, all names being real.
+
+    These are its nonnegative quantities, their sums, products and quotients, and even powers.
+    """
+
+    def __init__(self, given: Hypotheses) -> None:
+        self._read = Forms().read
+        self._definitions = given.definitions
+        self._seen = {self._read(text) for text in given.nonnegative}
+
+    def show(self, text: str) -> bool:
+        """Say whether a quantity is visibly nonnegative, wherever it is defined."""
+        return self._shown(self._read(text))
+
+    def _shown(self, form: Form) -> bool:
+        if form in self._seen:
+            return True
+        match form:
+            case int():
+                shown = True
+            case str(name):
+                shown = name in self._definitions and self.show(self._definitions[name])
+            case ("**", base, int(exponent)):
+                shown = exponent % 2 == 0 or self._shown(base)
+            case ("+" | "*" | "/", left, right):
+                shown = self._shown(left) and self._shown(right)
+            case _:
+                shown = False
+        if shown:  # once is enough, however often it occurs
+            self._seen.add(form)
+        return shown
+
+
+class Theory:
+    """An opened context: its hypotheses hold at some point and, if it moves, keep holding."""
+
+    def __init__(self, given: Hypotheses) -> None:
+        _check_names(given)
+        self.given, self.ring = given, (ring := Ring(given.generators, given.definitions))
+        for unit in given.units:
+            ring.units.append(ring.read(unit).above)
+        ring.relations = [ring.read(relation).above for relation in given.relations]
+        if given.rates is not None:
+            rates = given.rates.items()
+            ring.rates = {name: None if rate == "?" else ring.read(rate) for name, rate in rates}
+        for name in given.definitions:  # now, lest one that nothing uses go unread
+            ring.name(name)
+        self.signs, self.seen = [*map(ring.read, given.nonnegative)], Signs(given)
+        self.start = [ring.read(text).above for text in given.start]
+        self.thetas = Functions(ring, given.thetas)
+        self.thetas.check(given.generators, given.rates)
+        self._check_closed()
+        at = self.point(given.witness)
+        if self.start and (given.rates is None or any(zero(*at) for zero in self.start)):
+            raise Refused("it does not start at its witness, or has no time to start at")
+
+    def point(self, values: dict[str, str]) -> list[fmpq]:
+        """Return the rational point with these values, after checking every hypothesis there."""
+        if values.keys() != {*self.given.generators}:
+            raise Refused("a point gives other names than the generators")
+        at = [rational(values[name]) for name in self.ring.polynomials.names()]
+        if not all(unit(*at) for unit in self.ring.units):
+            raise Refused("a unit is zero at the point")
+        if any(relation(*at) for relation in self.ring.relations):
+            raise Refused("a relation does not hold at the point")
+        if any(sign.above(*at) / sign.below(*at) < 0 for sign in self.signs):
+            raise Refused("a sign is wrong at the point")
+        zeros = [sign for sign in self.signs if not sign.above(*at)]
+        rates = map(self.ring.rate, zeros if self.ring.rates is not None else ())
+        if any(self.ring.remainder(rate.above) for rate in rates):
+            raise Refused("a sign is about to be wrong: 0 at the point, and it moves")
+        return at
+
+    def says(self, lhs: str, rhs: str) -> bool:
+        """Say whether sides are alike, or one is the context's definition or rate of the other."""
+        left, right = map(Forms().read, (lhs, rhs))
+        return left == right or self._has_for(left) == right or self._has_for(right) == left
+
+    def _has_for(self, form: Form) -> Form | None:
+        text, rates = "?", self.given.rates
+        match form:
+            case str(name):
+                text = self.given.definitions.get(name, "?")
+            case ("call", "D", str(name)) if rates is not None and name in self.given.generators:
+                text = rates.get(name, "0")
+        return None if text == "?" else Forms().read(text)
+
+    def _check_closed(self) -> None:
+        """Refuse a relation whose derivative does not vanish: it could hold at one instant only."""
+        ring = self.ring
+        for relation in ring.relations if ring.rates is not None else ():
+            if ring.remainder(ring.rate(ring.over_one(relation)).above):
+                raise Refused(f"{relation} = 0 is not closed under d/dt")
+
+
+def _check_names(given: Hypotheses) -> None:
+    """Refuse names that are none or mean two things, and rates of other names than generators."""
+    names = [*given.generators, *given.definitions]
+    if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
+        raise Refused("a name is no name, or means two things")
+    if not (given.rates or {}).keys() <= {*given.generators}:
+        raise Refused("a rate is given to what is not a generator")
+
+
+def rational(text: str) -> fmpq:
+    """Return the value of a text without names."""
+    return Ring([], {}).read(text).above.leading_coefficient()

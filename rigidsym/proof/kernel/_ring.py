@@ -1,0 +1,149 @@
+"""Elements of a differential ring: a polynomial over a product of declared units; D is d/dt."""
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import comb, prod
+from operator import add, mul, sub
+from typing import Any, TypeAlias
+
+from sympy.polys.domains import QQ
+from sympy.polys.monomials import monomial_divides
+from sympy.polys.orderings import lex
+from sympy.polys.rings import PolyElement, xring
+
+from rigidsym.proof.kernel._language import KernelError, Tree, parse
+
+Number: TypeAlias = Any  # a rational number, of the class that SymPy computes with here
+_ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is x times 1/y
+
+
+def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
+    """Return the value at a rational point, given in the order of the ring's generators."""
+    return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Element:
+    """numerator / below, which counts each unit as often as it is a factor."""
+
+    numerator: PolyElement
+    below: Counter[PolyElement] = field(default_factory=Counter)
+
+    def over(self, below: Counter[PolyElement]) -> PolyElement:
+        """Return the numerator of this element over a larger denominator."""
+        gaps = map(Element, (below - self.below).elements())
+        return prod(gaps, start=Element(self.numerator)).numerator
+
+    def __add__(self, other: "Element", combine: Callable[..., PolyElement] = add) -> "Element":
+        if not self.below and not other.below:
+            return Element(combine(self.numerator, other.numerator))
+        below = self.below | other.below
+        return Element(combine(self.over(below), other.over(below)), below)
+
+    def __sub__(self, other: "Element") -> "Element":
+        return self.__add__(other, sub)
+
+    def __mul__(self, other: "Element") -> "Element":
+        below = self.below + other.below if self.below else other.below
+        few, many = sorted((self.numerator, other.numerator), key=len)
+        return Element(many.mul_term(*few.items()) if len(few) == 1 else many * few, below)
+
+    def __neg__(self) -> "Element":
+        return Element(-self.numerator, self.below)
+
+    def __pow__(self, exponent: int) -> "Element":
+        terms = max(len(self.numerator), 1)
+        if not 1 <= exponent <= 64 or comb(terms + exponent - 1, exponent) > 100_000:
+            raise KernelError(f"power {exponent} of {terms} terms: too large, or not from 1 to 64")
+        below = Counter({unit: exponent * power for unit, power in self.below.items()})
+        return Element(self.numerator**exponent, below)
+
+
+class Ring:
+    """Q[generators] localised at the units, with the names and the derivation of a context.
+
+    Later generators are larger (lexicographic order): a relation that introduces a root or a
+    function value leads with it, and division by the relations is the normal form.
+    """
+
+    def __init__(self, generators: tuple[str, ...], definitions: Mapping[str, str]) -> None:
+        self.poly, gens = xring(generators[::-1], QQ, lex)
+        self.places = {name: place for place, name in enumerate(generators[::-1])}
+        self.unread = dict(definitions)
+        self.units: tuple[PolyElement, ...] = ()
+        self.relations: tuple[PolyElement, ...] = ()
+        self.rates: dict[str, Element | None] | None = None
+        self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
+
+    def inverse(self, element: Element) -> Element:
+        """Return 1/element; refused unless its numerator is a number times a product of units."""
+        below, rest = self._factors(element.numerator)
+        if not rest.is_ground:
+            below, rest = self._factors(self.remainder(element.numerator))
+        if not rest or not rest.is_ground:
+            raise KernelError(f"1/({element.numerator!s:.99}): no product of the declared units")
+        return Element(Element(self.poly(1 / rest.LC)).over(element.below), below)
+
+    def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
+        """Return the units that divide a polynomial, each as often as it does, and the rest."""
+        found, leading = Counter[PolyElement](), polynomial.LM
+        for unit in self.units:
+            while not unit.is_ground and monomial_divides(unit.LM, leading):
+                quotient, rest = polynomial.div(unit)
+                if rest:
+                    break
+                polynomial, leading, found[unit] = quotient, quotient.LM, found[unit] + 1
+        return found, polynomial
+
+    def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
+        """Divide by relations and other zeros; remainder 0 proves that the polynomial vanishes."""
+        return polynomial.rem([*given, *self.relations])
+
+    def rate(self, element: Element) -> Element:
+        """Return D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k."""
+        if self.rates is None:
+            raise KernelError(f"D({element.numerator}): this context has no time derivative")
+        total = Element(self.poly(0))
+        for name, rate in self.rates.items():
+            if slope := element.numerator.diff(self.places[name]):
+                if rate is None:
+                    raise KernelError(f"D({name}) is not known in this context")
+                total += Element(slope) * rate
+        for unit, power in element.below.items():
+            total -= Element(element.numerator * power, Counter([unit])) * self.rate(Element(unit))
+        return total * Element(self.poly(1), element.below)
+
+    def read(self, text: str) -> Element:
+        """Return the element of an expression; its names have to be known, its divisors units."""
+        return self.value(parse(text))
+
+    def value(self, tree: Tree) -> Element:
+        """Return the element of a tree, which is computed once."""
+        if (known := self.values.get(tree)) is None:
+            known = self.values[tree] = self._value(tree)
+        return known
+
+    def _value(self, tree: Tree) -> Element:
+        match tree:
+            case int():
+                return Element(self.poly(tree))
+            case str():  # a definition is read once: inside itself it means nothing
+                if tree not in self.unread:
+                    raise KernelError(f"{tree!r} has no meaning here")
+                return self.read(self.unread.pop(tree))
+            case ("-", operand):
+                return -self.value(operand)
+            case ("/", operand):
+                return self.inverse(self.value(operand))
+            case ("D", "(", argument):
+                return self.rate(self.value(argument))
+            case (function, "(", *_):
+                raise KernelError(f"{function}(...) has no meaning here, or not of so many")
+            case (base, "**", int(exponent)):
+                return self.value(base) ** exponent
+        total = self.value(tree[0])
+        for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+            value = self.value(("/", operand) if operator == "/" else operand)
+            total = _ARITHMETIC[operator](total, value)
+        return total

@@ -1,0 +1,118 @@
+"""Printed equations as values: text, senses, readings, conditions, flaws, repairs.
+
+A sense says how a line is put into the language of a context; a reading is one way to understand
+the print.  Nothing here says what is true: `rigidsym.proof.paper._verdicts` looks it up.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from rigidsym.proof.paper._printed import PLAIN, Vocabulary
+from rigidsym.view._html.proofs import equation_html
+
+
+class Flaw(StrEnum):
+    """Kinds of flaws of a printed line, whether or not it is false."""
+
+    VARIABLE = "roots of another variable"
+    MODULUS = "parameter read as modulus"
+    LEFT_SIDE = "wrong left side"
+    UNDEFINED = "undefined symbol"
+    TWICE = "number or symbol used twice"
+    TWO_WAYS = "condition stated two ways"
+    WEAK = "condition too weak"
+    SIGNS = "signs that cannot be constant"
+    IMAGINARY = "imaginary on real motions"
+    BRANCH = "branch not named"
+    ORDER = "factors in another order"
+    COMPONENT = "component equated with a matrix"
+    REASON = "wrong reason"
+    REFERENCE = "wrong reference"
+    JUDGEMENT = "a judgement"
+    JUMP = "sign of q jumps"
+
+
+class Root(StrEnum):
+    """The independent slips that the misprints come from."""
+
+    SCALE = "(14) and (10) to (12) take the roots in different variables"
+    HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"
+    MODULUS = "mu^2 is printed for mu"
+    DOT = "phi1' is printed for phi1"
+
+
+@dataclass(frozen=True, slots=True)
+class Sense:
+    """A line in the language of a context, where a fact of the ledger decides it.
+
+    `defines` maps names that the line defines to those of the context; `says` are further
+    equations, from the text.  `given` are other displays whose definitions are taken as they are
+    printed, `mended` those taken as they are repaired.  The line `of` another number, or `latex`,
+    takes the place of the line itself, or `only` some of its statements are used; `texts` are
+    equations in the language of the context already.  `differentiated` compares the time
+    derivatives of both sides.
+    """
+
+    context: str
+    vocabulary: Vocabulary = PLAIN
+    defines: Mapping[str, str] = field(default_factory=dict)
+    says: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()
+    mended: tuple[str, ...] = ()
+    of: str = ""
+    latex: str | None = None
+    only: tuple[int, ...] = ()
+    texts: Mapping[str, str] = field(default_factory=dict)
+    differentiated: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """A condition of a line: its text, the divisors it covers, and why it is needed.
+
+    `needed_by` shows that: without the condition a denominator is zero, or the line fails.
+    """
+
+    text: str
+    units: tuple[str, ...] = ()
+    needed_by: tuple[Sense, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One way to understand the print, its consequences, and the senses that decide it."""
+
+    text: str
+    implies: str
+    senses: tuple[Sense, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """One printed equation: its number, LaTeX, reading, and the senses that decide it.
+
+    `repair` is the mended line, with the senses `mended`; `roots` are the slips that it comes from,
+    and `with_mended` are the senses where another line is repaired and this one is not.
+    """
+
+    number: str
+    latex: str
+    reading: str
+    senses: tuple[Sense, ...]
+    conditions: tuple[Condition, ...] = ()
+    repair: str = ""
+    mended: tuple[Sense, ...] = ()
+    readings: tuple[Reading, ...] = ()
+    flaws: Mapping[Flaw, str] = field(default_factory=dict)
+    roots: tuple[Root, ...] = ()
+    with_mended: Mapping[str, tuple[Sense, ...]] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return f"<Equation ({self.number}): {self.reading}>"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex}$"
+
+    def _repr_html_(self) -> str:
+        return equation_html(self)

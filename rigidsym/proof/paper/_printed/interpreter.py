@@ -1,0 +1,394 @@
+"""Printed displays in the language of a context: what they define there, and what they state.
+
+A vocabulary gives the print's words their names.  Roots and functions of a time have names in the
+context.  That a name is what the print has there is asked with the statement: its square is what
+stands under the root, and sn, cn, dn, am and Pi have the derivatives that the printed argument and
+parameter give them.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from rigidsym.language._expression import Call, Expression, Name, Number, Operation, parse, to_text
+from rigidsym.proof.paper._printed.parser import Display, PrintError, Statement
+from rigidsym.proof.paper._printed.values import (
+    IDENTITY,
+    ONE,
+    ZERO,
+    Complex,
+    Matrix,
+    Value,
+    add,
+    alike,
+    divide,
+    multiply,
+    negative,
+    over,
+    power,
+    subtract,
+)
+
+
+class Second(StrEnum):
+    """Meaning of the second argument of an elliptic function."""
+
+    PARAMETER = "parameter"
+    MODULUS = "modulus"
+
+
+@dataclass(frozen=True, slots=True)
+class Vocabulary:
+    """The names and texts of a context for printed words.
+
+    `words` maps printed names or expressions to texts; `roots` names the printed square roots in
+    order, `jacobi` the sn, cn and dn of the printed elliptic functions in order, and `arguments`
+    their arguments, where the context has them; `pm` is the sign for a printed +-, `when` a
+    quantity that a printed condition says is not negative.  `second` says whether the second
+    argument of sn is the parameter, `moves` whether the first grows with time.
+    """
+
+    words: Mapping[str, str] = field(default_factory=dict)
+    roots: Sequence[str] = ()
+    jacobi: Sequence[tuple[str, str, str]] = ()
+    pm: str = "1"
+    arguments: Sequence[str] = ()
+    when: str = ""
+    second: Second = Second.PARAMETER
+    moves: bool = True
+
+
+Triple = tuple[Complex, Complex, Complex]
+PLAIN = Vocabulary()
+_BINARY: dict[str, Callable[[Value, Value], Value]] = {
+    "+": add,
+    "-": subtract,
+    "*": multiply,
+    "/": divide,
+}
+
+
+class Interpreter:
+    """Interpreter of trees by one vocabulary; `asked` are the equations that they rely on."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self.vocabulary = vocabulary
+        self.asked: list[tuple[Expression, Expression]] = []
+        self.meant = {word: in_names(text) for word, text in vocabulary.words.items()}
+        self._roots: dict[str, Complex] = {}
+        self._triples: dict[str, Triple] = {}
+
+    def value(self, tree: Expression) -> Value:
+        """Return the meaning of a tree; PrintError where the vocabulary has none."""
+        known = self.meant.get(to_text(tree))
+        if known is not None:
+            return known
+        match tree:
+            case Number():
+                return Complex(tree)
+            case Name("imaginary"):
+                return Complex(ZERO, ONE)
+            case Operation("**", Call("abs", (inner,)), Number(2)):
+                return Complex(self.number(inner).square())
+            case Operation("**", base, exponent):
+                return self.power(self.value(base), exponent)
+            case Operation(operator, left, right):
+                return _BINARY[operator](self.value(left), self.value(right))
+            case Call(function, arguments):
+                return self.call(function, arguments)
+        raise PrintError(f"{to_text(tree)}: the vocabulary has no word for it")
+
+    def number(self, tree: Expression) -> Complex:
+        """Return the meaning of a tree that has to be a number."""
+        found = self.value(tree)
+        if isinstance(found, Matrix):
+            raise PrintError(f"{to_text(tree)}: a matrix, where a number is due")
+        return found
+
+    def real(self, tree: Expression) -> Expression:
+        """Return the meaning of a tree that has to be real."""
+        found = self.number(tree)
+        if found.imag != ZERO:
+            raise PrintError(f"{to_text(tree)}: complex, where a real number is due")
+        return found.real
+
+    def power(self, base: Value, exponent: Expression) -> Value:
+        """Return an integer power; below zero, of a matrix with determinant one."""
+        match exponent:
+            case Name("dagger") if isinstance(base, Matrix):
+                return base.dagger()
+            case Number(whole):
+                return power(base, whole)
+            case Call("neg", (Number(whole),)):
+                if isinstance(base, Matrix):
+                    self.ask(base.determinant(), Complex(ONE))
+                return power(base, -whole)
+        raise PrintError(f"{to_text(exponent)}: no whole exponent")
+
+    def call(self, function: str, arguments: tuple[Expression, ...]) -> Value:
+        """Return the meaning of a function of trees."""
+        match function, arguments:
+            case "neg", (inner,):
+                return multiply(Complex(negative(ONE)), self.value(inner)).each(_tidy)
+            case "pm", (inner,):
+                return multiply(Complex(parse(self.vocabulary.pm)), self.value(inner))
+            case "at", (inner, Name("t")):
+                return self.value(inner)
+            case "D", (inner,):
+                return self.value(inner).each(rate)
+            case "d", (Name("t"),):
+                return Complex(ONE)
+            case "d", (inner,):
+                return self.value(inner).each(rate)
+            case "matrix", entries:
+                a, b, c, d = map(self.number, entries)
+                return Matrix((a, b, c, d))
+            case "bracket", (left, right):
+                x, y = self.value(left), self.value(right)
+                return subtract(multiply(x, y), multiply(y, x))
+            case "det", (inner,):
+                found = self.value(inner)
+                return found.determinant() if isinstance(found, Matrix) else found
+            case "exp", (Operation("*", angle, generator),):
+                return self.exponential(angle, generator)
+            case "sqrt", (radicand,):
+                return self.root(radicand)
+            case (("sn" | "cn" | "dn"), (argument, parameter)):
+                return self.triple(argument, parameter)[("sn", "cn", "dn").index(function)]
+            case "Pi", (characteristic, angle, parameter):
+                return self.third_kind(characteristic, angle, parameter)
+            case "am", (argument, parameter):
+                return self.amplitude(argument, parameter)
+            case "arcsn", (value, parameter):
+                return self.inverse(value, parameter)
+        raise PrintError(f"{to_text(Call(function, arguments))}: the vocabulary has no word for it")
+
+    def exponential(self, angle: Expression, generator: Expression) -> Value:
+        """Return exp(phi A) = cos(phi/2) + 2 sin(phi/2) A, where the square of A is -1/4."""
+        half = Operation("/", angle, Number(2))
+        cosine, sine = (self.number(Call(name, (half,))) for name in ("cos", "sin"))
+        matrix = self.value(generator)
+        quarter = Complex(over(negative(ONE), Number(4)))
+        self.ask(multiply(matrix, matrix), IDENTITY.scaled(quarter))
+        return add(cosine, multiply(multiply(Complex(Number(2)), sine), matrix))
+
+    def root(self, radicand: Expression) -> Complex:
+        """Return the name of a square root, and ask that its square is the printed radicand."""
+        text = to_text(radicand)
+        if text not in self._roots:
+            if len(self._roots) == len(self.vocabulary.roots):
+                raise PrintError(f"sqrt({text}): the vocabulary has no word for it")
+            root = self._roots[text] = _number(self.vocabulary.roots[len(self._roots)])
+            self.ask(squared(root), self.number(radicand))
+        return self._roots[text]
+
+    def triple(self, argument: Expression, parameter: Expression) -> Triple:
+        """Return the names of sn, cn and dn, and ask for the rates that are printed."""
+        text = f"{to_text(argument)} | {to_text(parameter)}"
+        if text not in self._triples:
+            if len(self._triples) == len(self.vocabulary.jacobi):
+                raise PrintError(f"sn({text}): the vocabulary has no word for it")
+            place = len(self._triples)
+            s, c, d = map(_number, self.vocabulary.jacobi[place])
+            if self.vocabulary.arguments:
+                self.ask(self.number(argument), _number(self.vocabulary.arguments[place]))
+            self._triples[text] = (s, c, d)
+            self.ask(squared(c) + squared(s), Complex(ONE))
+            self.complement(s, d, parameter)
+            speed = self.number(argument).each(rate)
+            if self.vocabulary.moves:
+                self.ask(s.each(rate), speed * (c * d))
+        return self._triples[text]
+
+    def complement(self, s: Complex, d: Complex, second: Expression) -> None:
+        """Ask that dn^2 = 1 - m sn^2, with the printed m."""
+        m = self.number(second)
+        if self.vocabulary.second == Second.MODULUS:
+            m = squared(m)
+        self.ask(squared(d) + m * squared(s), Complex(ONE))
+
+    def amplitude(self, argument: Expression, parameter: Expression) -> Complex:
+        """Return the angle whose sine is sn, and ask that its rate is dn times the argument's."""
+        _, _, d = self.triple(argument, parameter)
+        angle = Complex(Name("theta"))
+        self.ask(angle.each(rate), self.number(argument).each(rate) * d)
+        return angle
+
+    def third_kind(self, n: Expression, angle: Expression, parameter: Expression) -> Complex:
+        """Return the name of Pi, and ask that it is the integral of 1/((1 - n sn^2) dn)."""
+        s, _, d = map(_number, self.vocabulary.jacobi[0])
+        self.complement(s, d, parameter)
+        integral = Complex(Name("Pi"))
+        below = (Complex(ONE) - self.number(n) * squared(s)) * d
+        self.ask(integral.each(rate) * below, self.number(angle).each(rate))
+        return integral
+
+    def inverse(self, value: Expression, parameter: Expression) -> Value:
+        """Return an argument at which sn has the printed value, for the printed parameter."""
+        s, _, d = map(_number, self.vocabulary.jacobi[0])
+        self.ask(s, self.number(value))
+        self.complement(s, d, parameter)
+        return self.meant["C_i"]
+
+    def condition(self, left: Expression, relation: str, right: Expression) -> None:
+        """Ask that an inequality is about the vocabulary's quantity `when`."""
+        if self.vocabulary.when:
+            x, y = map(self._size, (left, right))
+            over = x - y if relation in (">", ">=") else y - x
+            self.ask(over, _number(self.vocabulary.when))
+
+    def _size(self, tree: Expression) -> Complex:
+        """Return a side of an inequality, squared for absolute values and numbers beside them."""
+        match tree:
+            case Call("abs", (inner,)):
+                return Complex(self.number(inner).square())
+            case Number():
+                return squared(Complex(tree))
+        return self.number(tree)
+
+    def ask(self, left: Value, right: Value) -> None:
+        """Ask that two values are the same."""
+        self.asked += [(x, y) for x, y in zip(left, right, strict=True) if x != y]
+
+
+def rate(expression: Expression) -> Expression:
+    """Return D of an expression; 0 for a number."""
+    return ZERO if isinstance(expression, Number) else Call("D", (expression,))
+
+
+def squared(number: Complex) -> Complex:
+    """Return the square of a number."""
+    if number.imag == ZERO:
+        return Complex(Operation("**", number.real, Number(2)))
+    return number * number
+
+
+def _tidy(expression: Expression) -> Expression:
+    """Return -1 x as -x."""
+    match expression:
+        case Operation("*", Call("neg", (Number(1),)), right):
+            return negative(right)
+        case Call("neg", (Number(1),)):
+            return expression
+    return expression
+
+
+class _Plain(Interpreter):
+    """Interpreter of the texts of a vocabulary, whose names are the context's."""
+
+    def value(self, tree: Expression) -> Value:
+        if isinstance(tree, Name) and tree.name != "imaginary":
+            return Complex(tree)
+        return super().value(tree)
+
+
+def in_names(text: str) -> Value:
+    """Return the meaning of a text in a context's own names."""
+    return _Plain(PLAIN).value(parse(text))
+
+
+def _number(text: str) -> Complex:
+    return _Plain(PLAIN).number(parse(text))
+
+
+EQUALITIES = ("=", "<->")
+ORDERS = ("<", "<=", ">", ">=")
+
+
+@dataclass(frozen=True, slots=True)
+class Translation:
+    """Texts of definitions in a context, and the components of equations, left and right."""
+
+    definitions: Mapping[str, str]
+    equations: tuple[tuple[str, str], ...]
+
+
+def translate(
+    displays: Iterable[Display],
+    vocabulary: Vocabulary,
+    defines: Mapping[str, str],
+    *,
+    differentiated: bool = False,
+) -> Translation:
+    """Translate displays by one vocabulary; raises PrintError where it has no word.
+
+    `defines` maps printed names that the displays define to those of the context; a matrix is put
+    in where it is used.  All else is stated, with `differentiated` of the time derivatives.
+    """
+    displays, interpreter = list(displays), Interpreter(vocabulary)
+    lines = [pair for display in displays for pair in _equations(display)]
+    for name, meaning in defines.items():
+        interpreter.meant[name] = Complex(Name(meaning))
+    _check_defined(displays, defines)
+    definitions: dict[str, str] = {}
+    for left, right in lines:
+        if defined(left) in defines:
+            found = interpreter.value(right)
+            if isinstance(found, Matrix) or found.imag != ZERO:
+                interpreter.meant[defined(left)] = found
+            else:
+                definitions[defines[defined(left)]] = to_text(interpreter.real(right))
+    stated: list[tuple[Expression, Expression]] = []
+    meaning = growth if differentiated else Interpreter.value
+    for left, right in lines:
+        if defined(left) not in defines:
+            sides = alike(meaning(interpreter, left), meaning(interpreter, right))
+            stated += [pair for pair in zip(*sides, strict=True) if pair[0] != pair[1]]
+    pieces = [x for display in displays for x in display if isinstance(x, Statement)]
+    for piece in pieces:
+        if not piece.relations:  # a quantity that the text mentions
+            interpreter.value(piece.sides[0])
+    for piece in pieces:
+        if piece.relations[:1] and piece.relations[0] in ORDERS:
+            interpreter.condition(piece.sides[0], piece.relations[0], piece.sides[1])
+    texts = [(to_text(x), to_text(y)) for x, y in (*stated, *interpreter.asked)]
+    return Translation(definitions, tuple(dict.fromkeys(texts)))
+
+
+def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
+    """Yield the two sides of every equation in a display; chains are taken apart."""
+    for piece in display:
+        if isinstance(piece, Statement):
+            neighbours = zip(piece.sides, piece.relations, piece.sides[1:], strict=False)
+            yield from ((x, y) for x, relation, y in neighbours if relation in EQUALITIES)
+
+
+def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> None:
+    """Refuse displays that leave something undefined, or define it twice."""
+    found = [[defined(left) for left, _ in _equations(display)] for display in displays]
+    for name in defines:
+        times = [names.count(name) for names in found]
+        if not any(times) or max(times) > 1:
+            raise PrintError(f"{name}: defined {max(times)} times")
+
+
+def defined(left: Expression) -> str:
+    """Return the name that a left side defines, at any time."""
+    match left:
+        case Call("at", (inner, Name("t"))):
+            return to_text(inner)
+    return to_text(left)
+
+
+def growth(interpreter: Interpreter, tree: Expression) -> Value:
+    """Return the time derivative of a tree, of an integral its integrand.
+
+    A factor before an integral is asked to be constant.
+    """
+    known = interpreter.meant.get(to_text(Call("D", (tree,))))
+    if known is not None:
+        return known
+    match tree:
+        case Call("at", (inner, Name("t"))):
+            return growth(interpreter, inner)
+        case Call("integral", (integrand,)):
+            return interpreter.value(integrand)
+        case Operation("+", left, right):
+            return add(growth(interpreter, left), growth(interpreter, right))
+        case Operation("-", left, right):
+            return subtract(growth(interpreter, left), growth(interpreter, right))
+        case Operation("*", factor, Call("integral", (integrand,))):
+            constant = interpreter.value(factor)
+            interpreter.ask(constant.each(rate), constant.each(lambda _: Number(0)))
+            return multiply(constant, interpreter.value(integrand))
+    return interpreter.value(tree).each(rate)

@@ -1,0 +1,373 @@
+"""A recursive-descent parser of printed LaTeX, in the paper's own vocabulary.
+
+    display   = {statement | words | "," | ";"}
+    statement = sum {relation sum}
+    sum       = [sign] product {sign product}
+    product   = factor {["/"] factor}
+    factor    = quantity ["^" exponent]
+
+A product is written by putting factors side by side; a function without brackets takes one
+quantity.  A name before (t) or a number in brackets is at that time, before a list it is applied
+to it; before anything else in brackets it is a factor.
+
+The sides of a statement are expressions of `rigidsym.language`; what these have no form for is a
+call: `matrix` of four entries, `bracket`, `at` a time, `d` of a differential, `integral` of a
+product with one, `pm` of what has either sign, `abs`, `nabla`, `partial`.  The imaginary unit is
+the name `imaginary`, and a bar or a star is part of a name: `Rbar`, `y_star`.
+"""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TypeAlias
+
+from rigidsym.language._expression import Call, Expression, Name, Number, Operation
+
+
+class PrintError(ValueError):
+    """A display that cannot be read, or that has no meaning in a context."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """Sides with a relation between each two: `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` or `:`."""
+
+    sides: tuple[Expression, ...]
+    relations: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """Text between formulas."""
+
+    text: str
+
+
+Display: TypeAlias = tuple[Statement | Words, ...]
+
+
+_TOKEN = re.compile(
+    r"\\text\{[^{}]*\}|\\(?:mathrm|operatorname|begin|end)\{[A-Za-z]+\}|\\mathrm\s*[A-Za-z]"
+    r"|\\left\||\\right\||\\[A-Za-z]+|\\[ ,;:!]|\\\\|[A-Za-z]|[0-9]|[-+=<>/^_&{}()\[\]|,;:]"
+)
+_ROOM = {r"\ ", r"\,", r"\;", r"\:", r"\!", r"\left", r"\right"}
+
+
+def tokens(latex: str) -> Iterator[str]:
+    """Yield the tokens from left to right; raises PrintError for anything else."""
+    place = 0
+    while place < len(latex):
+        if latex[place].isspace():
+            place += 1
+            continue
+        found = _TOKEN.match(latex, place)
+        if not found:
+            raise PrintError(f"{latex[place : place + 20]!r}: not a token of printed LaTeX")
+        place = found.end()
+        if found[0] not in _ROOM:
+            yield found[0]
+
+
+RELATIONS = {
+    "=": "=",
+    r"\le": "<=",
+    r"\ge": ">=",
+    "<": "<",
+    ">": ">",
+    r"\ne": "!=",
+    r"\leftrightarrow": "<->",
+    ":": ":",
+}
+SIGNS = {"+": "+", "-": "-", r"\pm": "pm"}
+LETTERS = (
+    *("alpha", "beta", "gamma", "delta", "zeta", "vartheta", "kappa", "mu", "xi", "sigma", "phi"),
+    *("chi", "Omega", "Pi", "dagger"),
+)
+GREEK = frozenset(f"\\{name}" for name in LETTERS)
+FUNCTIONS = frozenset([r"\cos", r"\sin", r"\tan", r"\exp", r"\det"])
+NAMED = frozenset(["sn", "cn", "dn", "am", "sgn"])
+PREFIXES = {r"\nabla": "nabla", r"\partial": "partial", "d": "d"}
+CLOSING = {"(": ")", r"\left|": r"\right|", "|": "|"}
+
+
+@lru_cache
+def parse(latex: str) -> Display:
+    """Return the statements and words of a display; raises PrintError for a token left over."""
+    reader = _Reader(latex)
+    return _cases(reader.display())
+
+
+def _cases(found: list[Statement | Words]) -> Display:
+    """Give the last of several cases the left side of those before it."""
+    for k, (piece, after) in enumerate(zip(found, [*found[1:], None], strict=False)):
+        otherwise = isinstance(after, Words) and after.text == "otherwise"
+        if otherwise and isinstance(piece, Statement) and not piece.relations:
+            stated = [p for p in found[:k] if isinstance(p, Statement)]
+            left = next(p.sides[0] for p in reversed(stated) if p.relations[:1] == ("=",))
+            found[k] = Statement((left, *piece.sides), ("=",))
+    return tuple(found)
+
+
+class _Reader:
+    """Reader of the tokens of one display."""
+
+    def __init__(self, latex: str) -> None:
+        self.latex, self.tokens, self.place = latex, [*tokens(latex), ""], 0
+
+    @property
+    def next(self) -> str:
+        """The next token."""
+        return self.tokens[self.place]
+
+    def take(self, due: str = "") -> str:
+        """Return the next token and go on; it has to be `due`, if that is given."""
+        if (due and self.next != due) or not self.next:
+            raise PrintError(
+                f"{self.latex!r}: {self.next or 'the end'!r} stands where {due or 'more'!r} is due"
+            )
+        self.place += 1
+        return self.tokens[self.place - 1]
+
+    def display(self) -> list[Statement | Words]:
+        """Read the whole display."""
+        found: list[Statement | Words] = []
+        while self.next:
+            if self.next in ",;":
+                self.take()
+            elif self.next.startswith(r"\text{"):
+                found.append(Words(self.take()[len(r"\text{") : -1].strip()))
+            else:
+                found.append(self.statement())
+                if self.next and self.next not in ",;" and not self.next.startswith(r"\text{"):
+                    self.take(",")
+        return found
+
+    def statement(self) -> Statement:
+        """Read sides and the relations between them."""
+        sides, relations = [self.sum()], []
+        while self.next in RELATIONS:
+            relations.append(RELATIONS[self.take()])
+            sides.append(self.sum())
+        return Statement(tuple(sides), tuple(relations))
+
+    def sum(self) -> Expression:
+        """Read terms with their signs."""
+        total: Expression | None = None
+        while total is None or self.next in SIGNS:
+            sign = SIGNS[self.take()] if self.next in SIGNS else "+"
+            term = self.product() if self.begins() or self.next == "|" else self.lone(sign)
+            if sign == "pm":
+                term = Call("pm", (term,))
+            if total is None:
+                total = Call("neg", (term,)) if sign == "-" else term
+            else:
+                total = Operation("-" if sign == "-" else "+", total, term)
+        return total
+
+    def lone(self, sign: str) -> Expression:
+        """Read the factor after a sign, or nothing after a +- that the text mentions."""
+        return Number(1) if sign == "pm" and self.next.startswith(r"\text{") else self.factor()
+
+    def product(self) -> Expression:
+        """Read factors side by side, and quotients."""
+        total = self.power(self.enclosed()) if self.next == "|" else self.factor()
+        while self.next == "/" or self.begins():
+            operator = "/" if self.next == "/" else "*"
+            if operator == "/":
+                self.take()
+            total = Operation(operator, total, self.factor())
+        return total
+
+    def begins(self) -> bool:
+        """Say whether a factor begins here."""
+        token = self.next
+        return (
+            token.isalnum()
+            or token in ("(", "[", r"\left|", r"\frac", r"\tfrac", r"\sqrt", r"\int", r"\mathbb")
+            or token in (r"\dot", r"\bar", r"\nabla", r"\partial")
+            or token in GREEK | FUNCTIONS
+            or token.startswith((r"\mathrm", r"\operatorname", r"\begin"))
+        )
+
+    def factor(self) -> Expression:
+        """Read a quantity to a power."""
+        return self.power(self.quantity())
+
+    def power(self, base: Expression) -> Expression:
+        """Read the exponent after a quantity, if there is one."""
+        if self.next != "^":
+            return base
+        self.take()
+        return Operation("**", base, self.argument())
+
+    def argument(self) -> Expression:
+        """Read the argument of an exponent, a fraction or a root: a group, or one token."""
+        if self.next != "{":
+            return self.letter() if not self.next.isdigit() else Number(int(self.take()))
+        self.take()
+        found = self.sum()
+        self.take("}")
+        return found
+
+    def quantity(self) -> Expression:
+        """Read a quantity, which has no operators outside of brackets."""
+        token = self.next
+        if token.isdigit():
+            return self.number()
+        if token in CLOSING:
+            return self.enclosed()
+        match token:
+            case "[":
+                return self.bracket()
+            case r"\frac" | r"\tfrac":
+                self.take()
+                return Operation("/", self.argument(), self.argument())
+            case r"\int":
+                self.take()
+                return Call("integral", (self.product(),))
+            case r"\sqrt":
+                self.take()
+                return Call("sqrt", (self.argument(),))
+            case r"\begin{pmatrix}":
+                return self.matrix()
+        if token in PREFIXES:
+            self.take()
+            return Call(PREFIXES[token], (self.symbol(),))
+        name = self.function()
+        return self.applied(name) if name else self.symbol()
+
+    def number(self) -> Number:
+        """Read a natural number."""
+        digits = self.take()
+        while self.next.isdigit():
+            digits += self.take()
+        return Number(int(digits))
+
+    def enclosed(self) -> Expression:
+        """Read a sum in brackets, or an absolute value."""
+        opening = self.take()
+        found = self.sum()
+        self.take(CLOSING[opening])
+        return found if opening == "(" else Call("abs", (found,))
+
+    def bracket(self) -> Expression:
+        """Read the Lie bracket of two matrices."""
+        self.take("[")
+        left = self.sum()
+        self.take(",")
+        right = self.sum()
+        self.take("]")
+        return Call("bracket", (left, right))
+
+    def matrix(self) -> Expression:
+        """Read a matrix of two rows of two entries."""
+        self.take()
+        entries = [self.sum()]
+        for due in ("&", "\\\\", "&"):
+            self.take(due)
+            entries.append(self.sum())
+        self.take(r"\end{pmatrix}")
+        return Call("matrix", tuple(entries))
+
+    def function(self) -> str:
+        """Return the name of a function, if one is next."""
+        token = self.next
+        name = token.rpartition("{")[2].rstrip("}").removeprefix("\\")
+        known = token in FUNCTIONS or (token.endswith("}") and name in NAMED)
+        return name if known or (token == r"\Pi" and self.tokens[self.place + 1] == "(") else ""
+
+    def applied(self, name: str) -> Expression:
+        """Read a function of a list, or of the one quantity that follows; sn^2 u is (sn u)^2."""
+        self.take()
+        exponent = None
+        if self.next == "^":
+            self.take()
+            exponent = self.argument()
+        inverse = exponent == Call("neg", (Number(1),))
+        arguments = self.list() if self.next == "(" else (self.quantity(),)
+        found = Call(f"arc{name}" if inverse else name, arguments)
+        return found if inverse or exponent is None else Operation("**", found, exponent)
+
+    def list(self) -> tuple[Expression, ...]:
+        """Read arguments in brackets, separated by a comma, a semicolon or a bar."""
+        self.take("(")
+        found = [self.sum()]
+        while self.next in (",", ";", "|"):
+            self.take()
+            found.append(self.sum())
+        self.take(")")
+        return tuple(found)
+
+    def symbol(self) -> Expression:
+        """Read a name with its indices, and a time or a list that it is applied to."""
+        found = self.letter()
+        bare = found.arguments[0] if isinstance(found, Call) and found.function == "D" else found
+        if isinstance(bare, Name):
+            named = Name(bare.name + self.below() + self.star())
+            found = Call("D", (named,)) if found is not bare else named
+        if self.next != "(":
+            return found
+        after = self.tokens[self.place + 1 : self.place + 3]
+        if after[1:] == [")"] and (after[0] == "t" or after[0].isdigit()):
+            (time,) = self.list()
+            return Call("at", (found, time))
+        return self.list_of(found)
+
+    def list_of(self, found: Expression) -> Expression:
+        """Read a list that a name is applied to; one sum in brackets is a factor, left alone."""
+        start = self.place
+        arguments = self.list()
+        if len(arguments) > 1 and isinstance(found, Name):
+            return Call(found.name, arguments)
+        self.place = start
+        return found
+
+    def letter(self) -> Expression:
+        """Read a letter, Latin or Greek, or one with a dot or a bar."""
+        token = self.take()
+        if token in (r"\dot", r"\bar"):
+            inner = self.group()
+            base = inner.name if isinstance(inner, Name) else ""
+            return Call("D", (inner,)) if token == r"\dot" else Name(f"{base}bar")
+        if token == r"\mathbb":
+            return Name(self.take())
+        if token.startswith(r"\mathrm") and token[-1] == "i":
+            return Name("imaginary")
+        if token in GREEK or (token.isalpha() and token.isascii()):
+            return Name(token.removeprefix("\\"))
+        raise PrintError(f"{self.latex!r}: {token!r} stands where a quantity is due")
+
+    def group(self) -> Expression:
+        """Read a letter, in braces or not."""
+        if self.next != "{":
+            return self.letter()
+        self.take()
+        found = self.letter()
+        self.take("}")
+        return found
+
+    def below(self) -> str:
+        """Read an index."""
+        if self.next != "_":
+            return ""
+        self.take()
+        if self.next != "{":
+            return f"_{self.take()}"
+        self.take()
+        index = ""
+        while self.next != "}":
+            index += self.take()
+        self.take()
+        return f"_{index}"
+
+    def star(self) -> str:
+        """Read a star among the exponents; the rest of the braces stays an exponent."""
+        ahead = self.tokens[self.place : self.place + 3]
+        if ahead[:2] == ["^", r"\star"]:
+            self.place += 2
+            return "_star"
+        if ahead == ["^", "{", r"\star"]:
+            del self.tokens[self.place + 2]
+            return "_star"
+        return ""

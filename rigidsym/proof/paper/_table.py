@@ -1,0 +1,75 @@
+"""Verdicts as text: a row each for an overview, and the details of one."""
+
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
+
+from rigidsym.language._unicode import in_unicode
+from rigidsym.proof.paper._counterexample import Counterexample
+from rigidsym.proof.paper._equation import Flaw
+from rigidsym.proof.paper._verdicts import Ruling, Verdict
+
+COLUMNS = ("equation", "verdict", "repair, or how it is read", "fails at")
+_COUNTED = {
+    Ruling.HOLDS: "{} hold",
+    Ruling.CONDITIONAL: "{} hold under a condition",
+    Ruling.MISPRINT: "{} are misprints",
+    Ruling.AMBIGUOUS: "{} ambiguous",
+    Ruling.OPEN: "{} open",
+}
+
+
+def counted(ruled: Sequence[Verdict]) -> str:
+    """Count the verdicts of each ruling, in words."""
+    counts = Counter(verdict.ruling for verdict in ruled)
+    said = (form.format(counts[ruling]) for ruling, form in _COUNTED.items() if counts[ruling])
+    return ", ".join(said)
+
+
+def row(verdict: Verdict) -> tuple[str, str, str, str]:
+    """Return the columns of an overview."""
+    point, misprint = verdict.counterexample, verdict.ruling == Ruling.MISPRINT
+    shown = in_unicode(verdict.equation.repair) if misprint else verdict.equation.reading
+    fails = "" if point is None else str(point.motion) if point.motion else _values(point)
+    return f"({verdict.equation.number})", _ruling(verdict), shown, fails
+
+
+def details(verdict: Verdict) -> Iterator[tuple[str, str]]:
+    """Yield the details of one equation, each with its label."""
+    equation = verdict.equation
+    yield "printed", in_unicode(equation.latex)
+    yield "verdict", _ruling(verdict)
+    yield "read as", equation.reading
+    if equation.repair:
+        yield "as derived", in_unicode(equation.repair)
+    if verdict.ruling == Ruling.MISPRINT and verdict.conditions:
+        yield "which holds if", ", ".join(verdict.conditions)
+    for repair in verdict.repairs:
+        yield "found by search", repair
+    yield from (("root cause", root) for root in verdict.roots)
+    for number in verdict.right_with:
+        yield "right as printed", f"once ({number}) is mended"
+    if found := verdict.counterexample:
+        motion = [f"in the motion {found.motion}"] if found.motion else []
+        yield "fails at", "\n".join([_values(found), *motion, *found.sides])
+    for read in verdict.readings:
+        fate = "holds" if read.holds else "fails"
+        yield "reading", f"{read.reading.text}: {fate}; {read.reading.implies}"
+    for flaw, text in equation.flaws.items():
+        yield "flaw", f"{flaw}: {in_unicode(text) if flaw == Flaw.UNDEFINED else text}"
+    needed = dict.fromkeys(name for by in verdict.needed_by.values() for name in by)
+    every: dict[str, Collection[str]] = {
+        "proved by": verdict.proved_by,
+        "refuted by": verdict.refuted_by,
+        "repaired by": verdict.repaired_by,
+        "conditions needed by": needed,
+    }
+    yield from ((what, ", ".join(names)) for what, names in every.items() if names)
+
+
+def _ruling(verdict: Verdict) -> str:
+    conditional = verdict.ruling == Ruling.CONDITIONAL
+    return " ".join((verdict.ruling, *([", ".join(verdict.conditions)] if conditional else [])))
+
+
+def _values(found: Counterexample) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in found.point.items())

@@ -1,0 +1,247 @@
+"""The verdict on each printed equation, computed from the facts of a ledger."""
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Any
+
+from rigidsym.proof.paper._answers import Answer, Answers, Data, ids, together
+from rigidsym.proof.paper._counterexample import Counterexample, counterexample
+from rigidsym.proof.paper._equation import Equation, Reading, Root
+from rigidsym.proof.paper._proof import PROOF
+from rigidsym.proof.paper._section2 import SECTION_2
+from rigidsym.proof.paper._section3 import SECTION_3
+from rigidsym.proof.paper._section4 import SECTION_4
+from rigidsym.view._html.proofs import verdict_html
+
+# All printed equations, misprints kept.
+EQUATIONS: tuple[Equation, ...] = (*SECTION_2, *SECTION_3, *SECTION_4, *PROOF)
+# Nonzero throughout the paper: moments of inertia, and the momentum.
+STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "c_a", "c_b", "c_d", "K"}
+# Divisors that never vanish in their contexts: K and rho are nonnegative, |M_a| <= K, side is +-1.
+NEVER_ZERO = {"nu", "K + sigma*c_a*Omega_a", "side", "1 + side*(cos_half**2 - sin_half**2)"}
+
+
+class Ruling(StrEnum):
+    """Kinds of verdicts."""
+
+    HOLDS = "holds"
+    CONDITIONAL = "holds if"
+    MISPRINT = "misprint"
+    AMBIGUOUS = "ambiguous"
+    OPEN = "open"
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """A reading, whether the print holds with it, and by which facts."""
+
+    reading: Reading
+    holds: bool | None
+    proved_by: tuple[str, ...]
+    refuted_by: tuple[str, ...]
+    counterexample: Counterexample | None
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data for programs."""
+        return {
+            "reading": self.reading.text,
+            "implies": self.reading.implies,
+            "holds": self.holds,
+            "proved_by": list(self.proved_by),
+            "refuted_by": list(self.refuted_by),
+            "counterexample": self.counterexample.to_json() if self.counterexample else None,
+        }
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The ruling on one equation, and the facts that it rests on.
+
+    `conditions` are those of the equation, or of its repair where it is a misprint; `readings` are
+    decided one by one; `right_with` are other lines which, mended, make this one right as printed;
+    `counterexample` is a point where it fails, or would without a condition; `repairs` are those
+    that the repair search found.
+    """
+
+    equation: Equation
+    ruling: Ruling
+    conditions: tuple[str, ...] = ()
+    proved_by: tuple[str, ...] = ()
+    refuted_by: tuple[str, ...] = ()
+    repaired_by: tuple[str, ...] = ()
+    needed_by: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    readings: tuple[Read, ...] = ()
+    right_with: tuple[str, ...] = ()
+    counterexample: Counterexample | None = None
+    repairs: tuple[str, ...] = ()
+    mutants: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def roots(self) -> tuple[Root, ...]:
+        """The slips that the line comes from."""
+        return self.equation.roots
+
+    def to_json(self) -> dict[str, Any]:
+        """Return plain data for programs."""
+        equation = self.equation
+        return {
+            "equation": equation.number,
+            "latex": equation.latex,
+            "reading": equation.reading,
+            "verdict": self.ruling.value,
+            "conditions": list(self.conditions),
+            "root_causes": [root.value for root in equation.roots],
+            "right_as_printed_with": list(self.right_with),
+            "repair": equation.repair,
+            "repairs_found": list(self.repairs),
+            "counterexample": self.counterexample.to_json() if self.counterexample else None,
+            "proved_by": list(self.proved_by),
+            "refuted_by": list(self.refuted_by),
+            "repaired_by": list(self.repaired_by),
+            "conditions_needed_by": {text: list(by) for text, by in self.needed_by.items()},
+            "readings": [read.to_json() for read in self.readings],
+            "flaws": {flaw.value: text for flaw, text in equation.flaws.items()},
+            "mutants": dict(self.mutants),
+        }
+
+    def facts(self) -> tuple[str, ...]:
+        """Return all facts that the verdict rests on, each once."""
+        found = [*self.proved_by, *self.refuted_by, *self.repaired_by]
+        for read in self.readings:
+            found += [*read.proved_by, *read.refuted_by]
+        for names in self.needed_by.values():
+            found += names
+        return tuple(dict.fromkeys(found))
+
+    def __repr__(self) -> str:
+        conditional = self.ruling is Ruling.CONDITIONAL
+        where = f" {' and '.join(self.conditions)}" if conditional else ""
+        return f"<Verdict on ({self.equation.number}): {self.ruling}{where}>"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.equation.repair or self.equation.latex}$"
+
+    def _repr_html_(self) -> str:
+        return verdict_html(self)
+
+
+def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Verdict]:
+    """Return a verdict for every printed equation, from a ledger as JSON data.
+
+    Raises PrintError for a print that cannot be read.
+    """
+    answers = Answers(ledger, equations)
+    return [verdict(equation, answers, ledger.get("published", {})) for equation in equations]
+
+
+def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
+    """Return the verdict on one equation; open unless all is decided, and the repair holds."""
+    here = [answers.to(equation.latex, sense) for sense in equation.senses]
+    mended = [answers.to(equation.repair, sense) for sense in equation.mended]
+    readings = tuple(_read(equation, reading, answers) for reading in equation.readings)
+    needed = {
+        condition.text: [answers.to(equation.latex, sense) for sense in condition.needed_by]
+        for condition in equation.conditions
+    }
+    right_with = tuple(
+        number
+        for number, senses in equation.with_mended.items()
+        if together(answers.to(equation.latex, sense) for sense in senses)
+    )
+    proofs = mended if mended else [*here, *_proofs(equation, answers)]
+    conditions = _conditions(equation, proofs, answers)
+    decided = all(answer.fact is not None for by in needed.values() for answer in by)
+    ruling = ruling_of(
+        together(here),
+        together(mended) if mended else False,
+        [read.holds for read in readings],
+        conditions,
+    )
+    proved_by = ids(here, "equal")
+    refuted_by = ids(here, "unequal")
+    points = [
+        counterexample(answer, answers.contexts)
+        for answer in (*here, *(answer for by in needed.values() for answer in by))
+    ]
+    found = published.get("repairs", ()) if ruling == Ruling.MISPRINT else ()
+    repairs = tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number)
+    fates = published.get("mutants", {})
+    cited = answers.citing(equation.number)
+    mutants = sum((Counter(fates.get(name, {})) for name in cited), Counter())
+    return Verdict(
+        equation,
+        ruling if decided else Ruling.OPEN,
+        conditions,
+        proved_by,
+        refuted_by,
+        ids(mended, "equal"),
+        {text: (*ids(by, "equal"), *ids(by, "unequal")) for text, by in needed.items()},
+        readings,
+        right_with,
+        next(filter(None, points), None),
+        repairs,
+        dict(sorted(mutants.items())),
+    )
+
+
+def _read(equation: Equation, reading: Reading, answers: Answers) -> Read:
+    found = [answers.to(equation.latex, sense) for sense in reading.senses]
+    points = (counterexample(answer, answers.contexts) for answer in found)
+    return Read(
+        reading,
+        together(found),
+        ids(found, "equal"),
+        ids(found, "unequal"),
+        next(filter(None, points), None),
+    )
+
+
+def _proofs(equation: Equation, answers: Answers) -> Iterator[Answer]:
+    """Yield the answers to readings that hold."""
+    for reading in equation.readings:
+        found = [answers.to(equation.latex, sense) for sense in reading.senses]
+        if together(found):
+            yield from found
+
+
+def ruling_of(
+    holds: bool | None,
+    mended: bool | None,
+    readings: Sequence[bool | None],
+    conditions: Sequence[str],
+) -> Ruling:
+    """Return the ruling: refuted and repaired is a misprint; readings that differ are ambiguous.
+
+    `holds` says whether the line holds as it is printed, `mended` whether it has a repair that
+    does; None where that is open.
+    """
+    if holds is None or mended is None or None in readings:
+        return Ruling.OPEN
+    if not holds and mended:
+        return Ruling.MISPRINT
+    if not all(readings):
+        return Ruling.AMBIGUOUS if any(readings) else Ruling.OPEN
+    if not holds:
+        return Ruling.OPEN
+    return Ruling.CONDITIONAL if conditions else Ruling.HOLDS
+
+
+def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) -> tuple[str, ...]:
+    """Return the stated conditions, and every divisor of the proofs that none of them covers."""
+    stated = tuple(condition.text for condition in equation.conditions)
+    covered = {unit for condition in equation.conditions for unit in condition.units}
+    units = needed_units(proofs, answers)
+    return stated + tuple(f"{unit} != 0" for unit in units if unit not in covered)
+
+
+def needed_units(proofs: Iterable[Answer], answers: Answers) -> list[str]:
+    """Return the divisors of proofs, except those that never vanish."""
+    named = {
+        answer.question.context: None
+        for answer in proofs
+        if answer.holds and answer.question.context in answers.contexts
+    }
+    units = dict.fromkeys(unit for name in named for unit in answers.contexts[name]["units"])
+    return [unit for unit in units if unit not in STANDING | NEVER_ZERO]

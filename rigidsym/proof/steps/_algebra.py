@@ -1,0 +1,108 @@
+"""Steps over named matrices: coordinates in a basis, products and determinants."""
+
+from collections.abc import Sequence
+
+import sympy
+from sympy import (
+    Determinant,
+    MatAdd,
+    MatMul,
+    MatrixExpr,
+    MatrixSymbol,
+    Poly,
+    ZeroMatrix,
+)
+
+from rigidsym.proof.steps._record import Step, StepError
+from rigidsym.proof.steps._scope import Scope
+
+
+def coordinates(
+    scope: Scope,
+    fact_id: str,
+    expression: MatrixExpr,
+    basis: Sequence[MatrixExpr],
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Find the x_k of expression = sum x_k B_k by the traces of an orthogonal basis.
+
+    The kernel multiplies the expression and decides the equation entry by entry.  Raises StepError
+    where the expression is not in the span.
+    """
+    whole = scope.explicit(expression)
+    known = map(scope.explicit, basis)
+    # tr(B* X) / tr(B* B), which is real for X in the real span of an orthogonal basis
+    parts = (sympy.expand((b.H * whole).trace() / (b.H * b).trace()) for b in known)
+    found = tuple(tidy(scope, part) for part in parts)
+    pairs = zip(found, basis, strict=True)
+    terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
+    right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
+    fact = scope.decide_matrices(fact_id, expression, right, source)
+    return scope.note("coordinates", why, found, [(expression, right)], fact)
+
+
+def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
+    """Write an expression in whole angles if possible, modulo the relations, factors collected."""
+    if not expression.is_real and expression.has(sympy.I):
+        real = sympy.expand(expression)
+        if real.coeff(sympy.I) != 0:
+            raise StepError(f"coordinates: {real} is not real")
+    whole = double(scope, expression)
+    return scope.reduced(whole)
+
+
+def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
+    """Replace cos(x/2)^2 by (1 + cos x)/2 and so on, where every half angle occurs twice."""
+    named = scope.dictionary.named(expression)
+    for cosine, sine, whole_cosine, whole_sine in _pairs(scope):
+        if not named.free_symbols & {cosine, sine}:
+            continue
+        terms = Poly(named, cosine, sine).terms()
+        if any(sum(powers) not in (0, 2) for powers, _ in terms):
+            return expression
+        values = {
+            (0, 0): sympy.S.One,
+            (2, 0): (1 + whole_cosine) / 2,
+            (0, 2): (1 - whole_cosine) / 2,
+            (1, 1): whole_sine / 2,
+        }
+        named = sympy.expand(sum(values[powers] * factor for powers, factor in terms))
+    return scope.dictionary.meant(named)
+
+
+def _pairs(scope: Scope) -> list[tuple[sympy.Symbol, ...]]:
+    """Return the generators cos, sin of angles, and the names of those of the doubled angles."""
+    names = scope.dictionary.names
+    found = []
+    for function, cosine in names.items():
+        angle = function.args[0]
+        doubled = [f(2 * angle) for f in (sympy.cos, sympy.sin)]
+        if isinstance(function, sympy.cos) and all(f in names for f in doubled):
+            found.append((cosine, names[sympy.sin(angle)], *(names[f] for f in doubled)))
+    return found
+
+
+def multiply(
+    scope: Scope,
+    fact_id: str,
+    left: MatrixExpr,
+    right: MatrixExpr,
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """State left = right for two expressions in named matrices, which the kernel multiplies out."""
+    fact = scope.decide_matrices(fact_id, left, right, source)
+    return scope.note("multiply", why, right, [(left, right)], fact)
+
+
+def determinant(
+    scope: Scope, fact_id: str, name: MatrixSymbol, why: str, source: Sequence[str] = ()
+) -> Step:
+    """Compute the determinant of a named matrix as a real expression."""
+    value = tidy(scope, scope.explicit(name).det(method="berkowitz"))
+    real, imaginary = scope.determinant(name)
+    parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]
+    parts += [(imaginary, "0")] if imaginary else []
+    fact = scope.decide(fact_id, parts, source)
+    return scope.note("multiply", why, value, [(Determinant(name), value)], fact)

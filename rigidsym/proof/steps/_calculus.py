@@ -1,0 +1,201 @@
+"""Steps on one expression: rates, partial fractions, integrals by a table, elimination, roots."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol
+from sympy.solvers.solveset import NonlinearError
+
+from rigidsym.proof.kernel import KernelError
+from rigidsym.proof.steps._names import collected, symbol
+from rigidsym.proof.steps._record import Step, StepError
+from rigidsym.proof.steps._scope import Scope
+
+
+def differentiate(
+    scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
+) -> Step:
+    """Differentiate an expression by time, by the rates of the context."""
+    value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
+    fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source)
+    return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
+
+
+def rate_of(expression: Expr) -> Expr:
+    """Return the unevaluated time derivative of an expression."""
+    D: Any = sympy.Function("D")
+    return D(expression)
+
+
+def rewrite(
+    scope: Scope,
+    fact_id: str,
+    expression: Expr,
+    value: Expr,
+    why: str,
+    source: Sequence[str] = (),
+    verb: str = "rewrite",
+) -> Step:
+    """State expression = value, where an earlier step or SymPy found the value."""
+    conditions = scope.divisors(expression, value)
+    there = scope.at(fact_id, *conditions)
+    fact = there.decide(fact_id, [(expression, value)], source)
+    return there.note(verb, why, value, [(expression, value)], fact, conditions)
+
+
+def eliminate(
+    scope: Scope,
+    fact_id: str,
+    expression: Expr,
+    equations: Sequence[Expr],
+    unknowns: Sequence[Expr],
+    why: str,
+    source: Sequence[str] = (),
+    name: Expr | None = None,
+) -> Step:
+    """Eliminate unknowns by equations = 0 that are linear in them.
+
+    Unknowns are symbols or powers of symbols, such as Omega2**2.  If `name` is given, the result
+    is stated as its value, else as that of the expression.  Raises StepError where the equations
+    do not determine the unknowns or some of them are left.
+    """
+    stand_ins = {x: sympy.Dummy() for x in unknowns}
+    hidden = [sympy.expand(equation).subs(stand_ins) for equation in equations]
+    try:
+        (solution,) = sympy.linsolve(hidden, *stand_ins.values())
+    except (ValueError, NonlinearError):
+        raise StepError(f"eliminate: {fact_id}: no one solution of these equations") from None
+    found = dict(zip(stand_ins.values(), solution, strict=True))
+    above, below = sympy.fraction(sympy.together(expression))
+    parts = [sympy.expand(x).subs(stand_ins).subs(found) for x in (above, below)]
+    value = scope.reduced(parts[0] / parts[1])
+    if value.has(*unknowns):  # the relations of the context may bring them back
+        value = collected(parts[0] / parts[1])
+    if value.free_symbols & {*stand_ins.values()}:
+        raise StepError(f"eliminate: {fact_id}: the equations leave an unknown free")
+    left = expression if name is None else name
+    return rewrite(scope, fact_id, left, value, why, source, "eliminate")
+
+
+def apart(expression: Expr, variable: Expr) -> Expr:
+    """Return partial fractions in a variable, which may be a power, each as c/(1 - n x)."""
+    stand_in = sympy.Dummy()
+    parts = [
+        sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))
+    ]
+    terms = sympy.Add.make_args(sympy.apart(parts[0] / parts[1], stand_in))
+    return sympy.Add(*(_normalised(term, stand_in).subs(stand_in, variable) for term in terms))
+
+
+def _normalised(term: Expr, variable: Symbol) -> Expr:
+    """Return c/(a + b x) as (c/a)/(1 - (-b/a) x), the form that tables of integrals have."""
+    above, below = sympy.fraction(sympy.together(term))
+    if not below.has(variable):
+        return collected(term)
+    constant = sympy.expand(below).subs(variable, 0)
+    rest = sympy.factor((constant - sympy.expand(below)) / constant / variable)
+    return collected(above / constant) / (1 - rest * variable)
+
+
+def integrate(
+    scope: Scope,
+    fact_id: str,
+    rate: Expr,
+    table: Mapping[Symbol, Expr],
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Integrate a sum of terms, each a constant times an entry of a table of rates.
+
+    Raises StepError for a term that is not in the table.
+    """
+    total = sympy.S.Zero
+    moving = {symbol(name) for name in scope.context.rates or {}}
+    for term in sympy.Add.make_args(rate):
+        factors = {f: collected(sympy.cancel(term / slope)) for f, slope in table.items()}
+        constant = {
+            f: x for f, x in factors.items() if not scope.dictionary.named(x).free_symbols & moving
+        }
+        if not constant:
+            raise StepError(f"integrate: {fact_id}: {term} is not in the table")
+        function, factor = next(iter(constant.items()))
+        total += factor * function
+    fact = scope.decide(fact_id, [(f"D({scope.text(total)})", rate)], source)
+    conditions = scope.divisors(total)
+    return scope.note(
+        "integrate", why, total, [(sympy.Integral(rate, symbol("t")), total)], fact, conditions
+    )
+
+
+def nonnegative(
+    scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
+) -> Step:
+    """State that an expression is a sum or product whose form shows that it is nonnegative."""
+    try:
+        fact = scope.builder.sign(fact_id, {scope.text(expression): scope.text(form)}, source)
+    except KernelError as error:
+        raise StepError(str(error)) from None
+    return scope.note("nonnegative", why, form, [(expression, form)], fact)
+
+
+def roots(
+    scope: Scope,
+    fact_id: str,
+    polynomial: Expr,
+    variable: Expr,
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Find all roots of a polynomial, which has to factor into linear factors."""
+    stand_in = sympy.Dummy()
+    plain = sympy.expand(polynomial).subs(variable, stand_in)
+    leading, factors = sympy.factor_list(sympy.numer(sympy.together(plain)), stand_in)
+    linear = [(sympy.Poly(factor, stand_in), power) for factor, power in factors]
+    if any(factor.degree() > 1 for factor, _ in linear):
+        raise StepError(f"roots: {fact_id}: a factor is not linear")
+    values = tuple(
+        sympy.factor(-factor.TC() / factor.LC()) for factor, power in linear for _ in range(power)
+    )
+    leading = sympy.factor(sympy.Poly(plain, stand_in).LC())
+    product = sympy.Mul(leading, *(variable - x for x in values), evaluate=False)
+    conditions = scope.divisors(*values)
+    there = scope.at(fact_id, *conditions)
+    fact = there.decide(fact_id, [(polynomial, product)], source)
+    return there.note("roots", why, values, [(polynomial, product)], fact, conditions)
+
+
+def coefficients(expression: Expr, variable: Expr) -> tuple[Expr, ...]:
+    """Return the coefficients of a polynomial, the highest power first, each collected."""
+    stand_in = sympy.Dummy()
+    plain = sympy.expand(expression).subs(variable, stand_in)
+    return tuple(map(collected, sympy.Poly(plain, stand_in).all_coeffs()))
+
+
+def match(
+    scope: Scope,
+    fact_id: str,
+    ansatz: Expr,
+    wanted: Expr,
+    variable: Expr,
+    unknowns: Sequence[Symbol],
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Find unknowns for which two polynomials in a variable agree, by their coefficients.
+
+    The kernel decides that each solution makes them agree.  Raises StepError where none does.
+    """
+    stand_in = sympy.Dummy()
+    gap = sympy.expand(sympy.expand(ansatz - wanted).subs(variable, stand_in))
+    equations = sympy.Poly(gap, stand_in).all_coeffs()
+    solutions = sympy.solve(equations, list(unknowns), dict=True)
+    found = [s for s in solutions if all(s.get(x, x) != 0 for x in unknowns)]
+    if not found:
+        raise StepError(f"match: {fact_id}: no choice of {unknowns} makes them agree")
+    found.sort(key=lambda solution: sympy.default_sort_key(solution[unknowns[0]]))
+    pairs = [(ansatz.subs(solution), wanted.subs(solution)) for solution in found]
+    fact = scope.decide(fact_id, pairs, source)
+    equations = [equation for solution in found for equation in solution.items()]
+    conditions = scope.divisors(*(value for _, value in equations))
+    return scope.note("match", why, found, equations, fact, conditions)

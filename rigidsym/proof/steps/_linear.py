@@ -1,0 +1,175 @@
+"""Solutions of linear equations, one or a family, decided in both directions."""
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+import sympy
+from sympy import Matrix
+from sympy.polys.matrices import DomainMatrix
+from sympy.solvers.solveset import NonlinearError
+
+from rigidsym.proof.steps._record import Step, StepError
+from rigidsym.proof.steps._scope import Scope
+
+
+def solve(
+    scope: Scope,
+    fact_id: str,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[Any],
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Solve linear equations left = right that have one solution.
+
+    With e = left - right, the kernel decides that each unknown minus its value is a combination of
+    the e, so that nothing else is a solution, and that each e is one of these differences, so that
+    it is a solution.  Raises StepError where there is none, or more than one.
+    """
+    word = scope.dictionary.named
+    named = [(word(left), word(right)) for left, right in equations]
+    asked = [word(unknown) for unknown in unknowns]
+    system, constants = _system(fact_id, named, asked)
+    inverse, rows = _inverse(scope, fact_id, system, asked)
+    value = (inverse * constants[rows, :]).applyfunc(scope.reduced)
+    there = scope.at(fact_id, *scope.divisors(*value, *inverse))
+    lefts = [f"({there.text(x)}) - ({there.text(y)})" for x, y in named]
+    gaps = [f"({there.text(x)} - ({there.text(v)}))" for x, v in zip(asked, value, strict=True)]
+    pairs = [
+        (gap[1:-1], _combination(there, inverse.row(k), lefts, rows)) for k, gap in enumerate(gaps)
+    ]
+    pairs += [
+        (left, _combination(there, system.row(k), gaps, range(len(gaps))))
+        for k, left in enumerate(lefts)
+    ]
+    fact = there.decide(fact_id, pairs, source)
+    meant = [scope.dictionary.meant(v) for v in value]
+    found = dict(zip(map(scope.dictionary.meant, asked), meant, strict=True))
+    return there.note("solve", why, found, found.items(), fact, scope.divisors(*meant))
+
+
+def _system(
+    fact_id: str, equations: Sequence[tuple[sympy.Expr, ...]], unknowns: Sequence[Any]
+) -> tuple[Any, Any]:
+    """Return the matrix and the right side of equations left = right."""
+    try:
+        return sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
+    except NonlinearError:
+        asked = ", ".join(map(str, unknowns))
+        raise StepError(f"solve: {fact_id}: the equations are not linear in {asked}") from None
+
+
+def _inverse(
+    scope: Scope, fact_id: str, system: Any, unknowns: Sequence[Any]
+) -> tuple[Any, list[int]]:
+    """Return the inverse of rows that determine the unknowns, and these rows."""
+    rows = list(_pivots(system.T))
+    if len(rows) < len(unknowns):
+        pivots = _pivots(system)
+        free = ", ".join(str(x) for k, x in enumerate(unknowns) if k not in pivots)
+        raise StepError(f"solve: {fact_id}: the equations leave {free} free")
+    square = system[rows, :]
+    determinant = scope.reduced(square.det(method="berkowitz"))
+    if determinant == 0:
+        raise StepError(f"solve: {fact_id}: the determinant is 0 by the relations of {scope.name}")
+    adjugate = square.adjugate(method="berkowitz")
+    return adjugate.applyfunc(lambda x: scope.reduced(x / determinant)), rows
+
+
+def _pivots(system: Any) -> tuple[int, ...]:
+    """Return the columns with a pivot, over the field of fractions of the entries."""
+    return DomainMatrix.from_Matrix(system).to_field().rref()[1]
+
+
+def _combination(scope: Scope, factors: Any, texts: Sequence[str], rows: Sequence[int]) -> str:
+    terms = [
+        f"({scope.text(factor)})*({texts[row]})"
+        for factor, row in zip(factors, rows, strict=True)
+        if factor != 0
+    ]
+    return " + ".join(terms) or "0"
+
+
+def solve_family(
+    scope: Scope,
+    fact_id: str,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[sympy.Symbol],
+    parameter: sympy.Symbol,
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """Solve linear equations that leave one direction free: particular + parameter * direction.
+
+    The particular solution is the one without a denominator.  The kernel decides that each of them
+    solves the equations, and that what solves them differs from it by a multiple of the direction.
+    Raises StepError where not exactly one direction is free.
+    """
+    system, constants = _system(fact_id, equations, unknowns)
+    free = system.nullspace()
+    if len(free) != 1:
+        raise StepError(f"solve: {fact_id}: {len(free)} directions are free, one was expected")
+    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in free[0]])
+    whole = free[0].applyfunc(lambda x: sympy.cancel(x * below))
+    direction: Any = whole / sympy.gcd_list(list(whole))  # without denominators or common factor
+    particular: Any = _regular(system, constants, direction, unknowns)
+    columns = zip(unknowns, particular, direction, strict=True)
+    family: Any = {x: p + parameter * d for x, p, d in columns}
+    pairs = [(scope.text(x.subs(family)), scope.text(y)) for x, y in equations]
+    pairs += _parallel(scope, system, equations, unknowns, particular, direction)
+    fact = scope.decide(fact_id, pairs, source)
+    choice = f"{parameter} is free"
+    return scope.note("solve", why, family, family.items(), fact, choice=choice)
+
+
+def _regular(
+    system: Matrix, constants: Matrix, direction: Matrix, unknowns: Sequence[sympy.Symbol]
+) -> Matrix:
+    """Return the solution without denominators, by a choice of the free unknown."""
+    (solution,) = sympy.linsolve((system, constants), *unknowns)
+    free = next(x for x, value in zip(unknowns, solution, strict=True) if x == value)
+    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
+    at_pole = [sympy.numer(sympy.together(x)) for x in solution]
+    for numerator in at_pole:
+        # Where the denominator is zero, so has the numerator to be.
+        rest = sympy.expand(numerator.subs(dict.fromkeys(below.free_symbols, 0)))
+        if rest.has(free):
+            value = sympy.solve(rest, free)[0]
+            return Matrix(solution).applyfunc(lambda x, v=value: sympy.cancel(x.subs(free, v)))
+    return Matrix(solution)
+
+
+def _parallel(
+    scope: Scope,
+    system: Matrix,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[sympy.Symbol],
+    particular: Matrix,
+    direction: Matrix,
+) -> list[tuple[str, str]]:
+    """Return the minors of (difference, direction) as combinations of the equations."""
+    size = len(unknowns)
+    lefts = [f"({scope.text(x)}) - ({scope.text(y)})" for x, y in equations]
+    found = []
+    for i, j in combinations(range(size), 2):
+        row = sympy.zeros(1, size)
+        row[j], row[i] = direction[i], -direction[j]
+        factors = _factors(system, row)
+        one, two = (f"({scope.text(unknowns[k])} - ({scope.text(particular[k])}))" for k in (i, j))
+        minor = f"({scope.text(direction[i])})*{two} - ({scope.text(direction[j])})*{one}"
+        found.append((minor, _combination(scope, factors, lefts, range(len(lefts)))))
+    return found
+
+
+def _factors(system: Any, row: Any) -> Any:
+    """Return a row as a combination of the system's rows, of one row if possible."""
+    for k in range(system.rows):
+        pairs = list(zip(row, system.row(k), strict=True))
+        ratios = {sympy.cancel(x / y) for x, y in pairs if y != 0}
+        if len(ratios) == 1 and all(x == 0 for x, y in pairs if y == 0):
+            found = sympy.zeros(1, system.rows)
+            found[k] = ratios.pop()
+            return found
+    factors, free = system.T.gauss_jordan_solve(row.T)
+    return factors.subs(dict.fromkeys(free, 0)).applyfunc(sympy.cancel).T

@@ -1,0 +1,224 @@
+"""Two-by-two complex matrices by their names: `R*M*R.I`, entry by entry as texts for the kernel.
+
+A matrix R is up to eight definitions of its context, R_11_re to R_22_im; parts that are zero have
+none.  A product reaches the kernel as the sums of products of these, unexpanded: the kernel
+multiplies.  The inverse is written by the conjugate transpose: `Scope.decide_matrices` sees to it
+that what is inverted is unitary.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from typing import Any, TypeAlias
+
+import sympy
+from sympy import (
+    Identity,
+    ImmutableMatrix,
+    Inverse,
+    MatAdd,
+    MatMul,
+    MatPow,
+    MatrixExpr,
+    MatrixSymbol,
+    ZeroMatrix,
+)
+from sympy.matrices.expressions.adjoint import Adjoint
+from sympy.printing.printer import Printer
+
+from rigidsym.language._expression import Call, Expression, Name, Operation
+from rigidsym.language._expression import Number as Whole
+from rigidsym.proof.steps._record import StepError
+
+INDICES = ((1, 1), (1, 2), (2, 1), (2, 2))
+# The tree of a real number, None where it is zero; a complex number; a matrix by its indices.
+Real: TypeAlias = Expression | None
+Number: TypeAlias = tuple[Real, Real]
+Entries: TypeAlias = Mapping[tuple[int, int], Number]
+
+
+class Rate(MatrixExpr):
+    """Time derivative of a matrix expression."""
+
+    @property
+    def shape(self) -> Any:
+        """The shape of the matrix that is differentiated."""
+        inner: Any = self.args[0]
+        return inner.shape
+
+    def _latex(self, printer: Printer) -> str:
+        inner = printer._print(self.args[0])
+        simple = isinstance(self.args[0], MatrixSymbol)
+        return rf"\dot{{{inner}}}" if simple else rf"\frac{{d}}{{dt}}\left({inner}\right)"
+
+    def _sympystr(self, printer: Printer) -> str:
+        return f"D({printer._print(self.args[0])})"
+
+
+def matrix(name: str) -> MatrixSymbol:
+    """Return a two-by-two matrix by its name."""
+    return MatrixSymbol(name, 2, 2)
+
+
+def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
+    """Return real and imaginary part of an expression in real symbols, a polynomial in i."""
+    expanded = sympy.expand(value)
+    imaginary = expanded.coeff(sympy.I)
+    return expanded - sympy.expand(sympy.I * imaginary), imaginary
+
+
+def part_name(name: str, index: tuple[int, int], part: int) -> str:
+    """Return R_12_im for the imaginary part of the upper right entry of R."""
+    return f"{name}_{index[0]}{index[1]}_{('re', 'im')[part]}"
+
+
+def explicit(
+    expression: MatrixExpr,
+    values: Mapping[str, ImmutableMatrix],
+    rate: Callable[[sympy.Expr], sympy.Expr],
+) -> ImmutableMatrix:
+    """Multiply out an expression in named matrices."""
+
+    def of(node: Any) -> ImmutableMatrix:
+        match node:
+            case MatrixSymbol():
+                return values[node.name]
+            case Identity():
+                return ImmutableMatrix.eye(2)
+            case ZeroMatrix():
+                return ImmutableMatrix.zeros(2)
+            case MatAdd():
+                return sum(map(of, node.args[1:]), of(node.args[0]))
+            case MatMul():
+                scalar, factors = node.as_coeff_matrices()
+                return (scalar * reduce(_product, map(of, factors))).applyfunc(sympy.expand)
+            case Inverse() | Adjoint():
+                return of(node.args[0]).H
+            case MatPow() if node.exp.is_Integer and node.exp > 0:
+                return reduce(_product, [of(node.base)] * int(node.exp))
+            case Rate():
+                parts = [*map(split, of(node.args[0]).flat())]
+                return ImmutableMatrix(2, 2, [rate(x) + sympy.I * rate(y) for x, y in parts])
+        raise StepError(f"{node}: no matrix expression of this vocabulary")
+
+    return of(expression)
+
+
+def _product(left: ImmutableMatrix, right: ImmutableMatrix) -> ImmutableMatrix:
+    return (left * right).applyfunc(sympy.expand)
+
+
+def entries(
+    expression: MatrixExpr,
+    values: Mapping[str, ImmutableMatrix],
+    scalar: Callable[[sympy.Expr], Expression],
+) -> Entries:
+    """Return the trees of the entries of an expression; `scalar` makes those of factors."""
+
+    def of(node: Any) -> Entries:
+        match node:
+            case MatrixSymbol():
+                return _named(node.name, values[node.name])
+            case Identity():
+                return {(i, j): (Whole(1) if i == j else None, None) for i, j in INDICES}
+            case ZeroMatrix():
+                return dict.fromkeys(INDICES, (None, None))
+            case MatAdd():
+                return reduce(_added, map(of, node.args))
+            case MatMul():
+                factor, matrices = node.as_coeff_matrices()
+                whole = reduce(_multiplied, map(of, matrices))
+                return whole if factor == 1 else _scaled(factor, scalar, whole)
+            case Inverse() | Adjoint():
+                inner = of(node.args[0])
+                return {(i, j): (inner[j, i][0], _minus(None, inner[j, i][1])) for i, j in INDICES}
+            case MatPow() if node.exp.is_Integer and node.exp > 0:
+                return reduce(_multiplied, [of(node.base)] * int(node.exp))
+            case Rate():
+                inner = of(node.args[0])
+                return {index: (_derived(x), _derived(y)) for index, (x, y) in inner.items()}
+        raise StepError(f"{node}: no matrix expression of this vocabulary")
+
+    return of(expression)
+
+
+def determinant(entry: Entries) -> Number:
+    """Return real and imaginary part of a d - b c."""
+    (a, b), (c, d) = ((entry[i, 1], entry[i, 2]) for i in (1, 2))
+    first, second = _complex_product(a, d), _complex_product(b, c)
+    return _minus(first[0], second[0]), _minus(first[1], second[1])
+
+
+def _complex_product(left: Number, right: Number) -> Number:
+    (a, b), (c, d) = left, right
+    return _minus(_times(a, c), _times(b, d)), _plus(_times(a, d), _times(b, c))
+
+
+def _named(name: str, value: ImmutableMatrix) -> Entries:
+    found = {}
+    for i, j in INDICES:
+        parts = enumerate(split(value[i - 1, j - 1]))
+        real, imaginary = (Name(part_name(name, (i, j), k)) if x else None for k, x in parts)
+        found[i, j] = real, imaginary
+    return found
+
+
+def _plus(left: Real, right: Real) -> Real:
+    if left is None or right is None:
+        return left if right is None else right
+    if isinstance(right, Call) and right.function == "neg":
+        return Operation("-", left, right.arguments[0])
+    return Operation("+", left, right)
+
+
+def _minus(left: Real, right: Real) -> Real:
+    return left if right is None else _plus(left, _negative(right))
+
+
+def _negative(tree: Expression) -> Expression:
+    if isinstance(tree, Call) and tree.function == "neg":
+        return tree.arguments[0]
+    return Call("neg", (tree,))
+
+
+def _times(left: Real, right: Real) -> Real:
+    if left is None or right is None:
+        return None
+    signs, factors = 0, []
+    for tree in (left, right):
+        negative = isinstance(tree, Call) and tree.function == "neg"
+        signs += negative
+        factors += [_negative(tree)] if negative else [tree]
+    found = [tree for tree in factors if tree != Whole(1)] or [Whole(1)]
+    product = Operation("*", *found) if len(found) == 2 else found[0]
+    return _negative(product) if signs == 1 else product
+
+
+def _derived(real: Real) -> Real:
+    return None if real is None or isinstance(real, Whole) else Call("D", (real,))
+
+
+def _added(left: Entries, right: Entries) -> Entries:
+    pairs = ((index, left[index], right[index]) for index in INDICES)
+    return {index: (_plus(a, c), _plus(b, d)) for index, (a, b), (c, d) in pairs}
+
+
+def _scaled(
+    factor: sympy.Expr, scalar: Callable[[sympy.Expr], Expression], whole: Entries
+) -> Entries:
+    """Multiply a matrix by a factor of any sign."""
+    negative = factor.could_extract_minus_sign()
+    tree = scalar(-factor if negative else factor)
+    by = _negative(tree) if negative else tree
+    return {index: (_times(by, x), _times(by, y)) for index, (x, y) in whole.items()}
+
+
+def _multiplied(left: Entries, right: Entries) -> Entries:
+    found: dict[tuple[int, int], Number] = {}
+    for i, j in INDICES:
+        real: Real = None
+        imaginary: Real = None
+        for k in (1, 2):
+            x, y = _complex_product(left[i, k], right[k, j])
+            real, imaginary = _plus(real, x), _plus(imaginary, y)
+        found[i, j] = real, imaginary
+    return found

@@ -1,0 +1,119 @@
+"""SymPy's expressions in the names of a context, and back; and the form in which they read best.
+
+The kernel knows names only: `cos_half_phi1` is a generator whose reading is cos(phi1/2).  Where a
+reading is a function of other quantities, SymPy works with the function: this is the dictionary.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import sympy
+from sympy import Expr, Mul
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.str import StrPrinter
+
+from rigidsym.language._expression import parse
+from rigidsym.language.functions._translation import BY_PARAMETER, sympified
+from rigidsym.proof.kernel import Context
+from rigidsym.proof.steps._record import StepError
+
+
+def symbol(name: str) -> sympy.Symbol:
+    """Return the real symbol of a name."""
+    return sympy.Symbol(name, real=True)
+
+
+def symbols(text: str) -> tuple[sympy.Symbol, ...]:
+    """Return the real symbols of several names: `symbols("c1 c2 c3")`."""
+    return tuple(map(symbol, text.split()))
+
+
+def read(text: str) -> sympy.Expr:
+    """Read a text of the ledger, or the reading of a name, as an expression in real symbols."""
+    return sympified(parse(text), symbol, BY_PARAMETER)
+
+
+class Dictionary:
+    """The names of a context, and the functions that they mean."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    @cached_property
+    def names(self) -> Mapping[Any, sympy.Symbol]:
+        """The name of each function: cos(phi1/2) -> cos_half_phi1."""
+        found = {}
+        for name, reading in self.context.reading.items():
+            try:
+                meaning = read(reading)
+            except (ValueError, SyntaxError):
+                continue  # words
+            if isinstance(meaning, sympy.Function):
+                found[meaning] = symbol(name)
+        return found
+
+    @cached_property
+    def functions(self) -> Mapping[sympy.Symbol, sympy.Expr]:
+        """The function of each name: cos_half_phi1 -> cos(phi1/2)."""
+        return {name: function for function, name in self.names.items()}
+
+    def named(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return the expression with names for functions."""
+        return sympy.sympify(expression).xreplace(dict(self.names))
+
+    def meant(self, expression: sympy.Expr) -> sympy.Expr:
+        """Return the expression with functions for their names."""
+        return expression.xreplace(dict(self.functions))
+
+    def text(self, expression: sympy.Expr | int) -> str:
+        """Return the text for the kernel; raises StepError where a part has no name here."""
+        named = self.named(sympy.sympify(expression))
+        strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
+        if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
+            raise StepError(f"{strange[0]} has no name in {self.context.name}")
+        return _Printer().doprint(named)
+
+
+class _Printer(StrPrinter):
+    """SymPy's own text, with quotients for negative powers."""
+
+    def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
+        base, exponent = expr.as_base_exp()
+        if not exponent.is_Integer:
+            raise StepError(f"{expr}: the kernel knows whole powers only")
+        inner = self.parenthesize(base, PRECEDENCE["Pow"])
+        if exponent > 0:
+            return inner if exponent == 1 else f"{inner}**{exponent}"
+        return f"1/{inner}" if exponent == -1 else f"1/{inner}**{-exponent}"
+
+
+def collected(expression: Expr) -> Expr:
+    """Return the expression as one fraction of factors, each in its shorter form and sign."""
+    above, below = sympy.fraction(sympy.factor(expression))
+    sign_above, above = _side(above)
+    sign_below, below = _side(below)
+    return sign_above * sign_below * above / below
+
+
+def positive(expression: Expr) -> Expr:
+    """Return the expression or its negative, whichever begins with a plus."""
+    return -expression if str(expression).startswith("-") else expression
+
+
+def _side(side: Expr) -> tuple[int, Expr]:
+    """Return the sign, and a product of factors that begin with a plus, as short as it gets."""
+    sign, factors = 1, []
+    for factor in Mul.make_args(side):
+        base, power = factor.as_base_exp()
+        if base.is_Add and str(base).startswith("-"):
+            base, sign = -base, sign * (-1 if power % 2 else 1)
+        factors.append(base**power)
+    product = Mul(*factors)
+    sums = [factor for factor in factors if factor.is_Add]
+    whole = sympy.expand(Mul(*sums))
+    if len(sums) > 1 and sympy.count_ops(whole) <= sympy.count_ops(Mul(*sums)):
+        flip = -1 if str(whole).startswith("-") else 1
+        rest = [factor for factor in factors if not factor.is_Add]
+        return sign * flip, Mul(*rest, flip * whole)
+    return sign, product

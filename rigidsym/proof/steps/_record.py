@@ -1,0 +1,58 @@
+"""The record of a step, and the error of one that fails."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from rigidsym.proof.kernel import Fact
+
+
+class StepError(ValueError):
+    """A step that cannot be done: its name and the reason in one line."""
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Step:
+    """One line of a derivation: its verb and reason, its value, and the fact that proves it.
+
+    `shown` are the equations of the line as SymPy's `Eq`, unevaluated and with matrices by their
+    names; `conditions` must not be zero, `choice` says in words what was chosen.
+    """
+
+    verb: str
+    why: str
+    value: Any
+    shown: tuple[sympy.Basic, ...]
+    fact: Fact
+    conditions: tuple[sympy.Expr, ...] = ()
+    choice: str = ""
+
+    @property
+    def source(self) -> tuple[str, ...]:
+        """Equations of the paper, or references, that the fact is from."""
+        return self.fact.source
+
+    def __getitem__(self, key: Any) -> Any:
+        """Return an entry of the value: `step[Omega1]`, `step[0, 1]`."""
+        return self.value[key]
+
+    def __repr__(self) -> str:
+        equations = "; ".join(f"{left} = {right}" for left, right in (x.args for x in self.shown))
+        return f"<{self.verb}: {equations} [{self.fact.id}]>"
+
+    def _repr_html_(self) -> str:
+        from rigidsym.view._article import line_html
+
+        return line_html(self)
+
+    def _repr_latex_(self) -> str:
+        from rigidsym.view._article import line_latex
+
+        return line_latex(self)
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
+        """Print the line as IPython does in a terminal."""
+        from rigidsym.view._article import line_text
+
+        printer.text("..." if cycle else line_text(self))

@@ -1,0 +1,243 @@
+"""The derived solution as data: the sequences of formulas that the ledger publishes.
+
+The number wing starts here.  It reads ledger.json and nothing else of the proof wing.  A formula is
+a proved fact, or a name's definition or reading in a context.  All other formulas are refused, and
+so are those that use a name before it is known.  A sequence's inputs are the names that it uses and
+does not set; another ledger's sequence may use no others than that of the installed ledger.
+"""
+
+import hashlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+
+from rigidsym.errors import LedgerError
+from rigidsym.io.ledger import ledger_data, ledger_text, sealed_text, specification_text
+from rigidsym.language import _specification as specification
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    children,
+    complement,
+    parse,
+    rebuild,
+    to_text,
+)
+from rigidsym.language._sequence import CONSTANTS, Formula, FormulaSequence
+from rigidsym.language._specification import Unproved, read, require
+from rigidsym.solution import _signs as signs
+from rigidsym.solution._partition import Partition, Record, check_order, decisions, partition_of
+
+AXES = ("a", "b", "d")
+Records = Mapping[str, Record]
+# The sequences that numbers need, in the order in which the digest has them.
+SEQUENCES = (
+    *("constants", "state", "theta", "pull_back", "theta_state", "shift", "scaling", "landen"),
+    *("rates", "circular", "circular_state", "hyperbolic", "hyperbolic_state", "ascent"),
+    *("pi_circular", "pi_hyperbolic", "step", "doubling", "projection", "thirds", "second_half"),
+    *("step_rates", "kick", "steady", "moments", "columns", "sensitivity", "middle", "passing"),
+    *("excesses", "spun", "elapsed_F", "elapsed_E", "turn_constants", "turn", "momentum"),
+    *("fourier", "fourier_rest", "periods", "turned_body", "fourth_powers", "elapsed_slopes"),
+    *("sine", "sine_state", "theorem1", "theorem1_state", "turned"),
+)
+# The quantities that are standard functions.  Where contexts read a name in two ways, the second
+# entry has its context in front.
+READINGS = {
+    "s": "jacobi_sn(u_1, 1 - m_c)",
+    "c": "jacobi_cn(u_1, 1 - m_c)",
+    "d": "jacobi_dn(u_1, 1 - m_c)",
+    "u": "jacobi_argument(sn, cn, dn)",
+    **{f"{x}n": f"jacobi_{x}n(u, 1 - m_1)" for x in "scd"},
+    "J": "elliptic_j(u_1, n, 1 - m_c)",
+    "J_0": "elliptic_j(phase, n, 1 - m_c)",
+    "beta": "arcsc(x, 1 - k_1**2)",
+    "g": "pi/(2*elliptic_k(1 - m_c))",
+    "nome_1": "nome(1 - m_c)",
+    "nome_m": "sqrt(nome(1 - m_c))",
+    "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
+    "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
+    "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
+    "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
+    "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
+    "W": "theta4(g*u_1, nome_m)*re(theta3(g*I*beta, nome_m))",
+    "gc": "pi/(2*elliptic_k(1 - k_1**2))",
+    "nome_c": "nome(1 - k_1**2)",
+    "hyperbolic_form:zeta": "-gc*dtheta2(gc*beta, nome_c)/theta2(gc*beta, nome_c)",
+    "hyperbolic_form:T4_re": "re(theta2(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T4_im": "im(theta2(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T1_re": "im(theta1(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T1_im": "-re(theta1(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:W": "2*re(theta2(2*gc*I*u_1, nome_c**2))*theta3(2*gc*beta, nome_c**2)",
+    "X_re": "cos(Lambda*t)",
+    "X_im": "sin(Lambda*t)",
+    "cos_half_psi": "cos(psi/2)",
+    "sin_half_psi": "sin(psi/2)",
+    "cos_half_theta": "cos(theta/2)",
+    "sin_half_theta": "sin(theta/2)",
+    "K_1": "elliptic_k(1 - m_c)",
+    "turn": "2*pi",
+    "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
+    "one_rate:zeta": "sqrt(root_j)",
+    "one_rate:xi": "half*sqrt(alpha*root_k)",
+    "one_rate:C_i": "arcsn(Omega_i/zeta, mu)",
+    "one_rate:sn": "jacobi_sn(xi*t + C_i, mu)",
+    "Pi": "elliptic_pi(n, jacobi_am(xi*t + C_1, mu), mu) - Pi_0",
+    "Pi_0": "elliptic_pi(n, jacobi_am(C_1, mu), mu)",
+    "cos_half_phi1": "cos(phi1/2)",
+    "sin_half_phi1": "sin(phi1/2)",
+}
+# Functions whose last argument is the parameter m.
+_OF_PARAMETER = {
+    *("jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_am", "elliptic_j", "elliptic_k"),
+    *("elliptic_pi", "nome", "arcsc", "arcsn"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """The sequences by name, a digest of all their statements, and the means to evaluate them.
+
+    partition: the signs that decide the kind of a motion.  The ledger does not publish
+    two of the sequences: `decisions` is the partition as formulas, and `signs` has the signs that
+    make the hypotheses of the theorem `start_signs` hold.
+    """
+
+    sequences: Mapping[str, tuple[Formula, ...]]
+    digest: str
+    evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
+    partition: Partition = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        count = sum(map(len, self.sequences.values()))
+        sequences = f"{count} formulas in {len(self.sequences)} sequences"
+        return f"<Solution: {sequences}, digest {self.digest[:12]}>"
+
+
+@cache
+def sealed() -> Solution:
+    """Return the solution of the sealed ledger."""
+    return load(sealed_text())
+
+
+def sequence(name: str) -> FormulaSequence:
+    """Return a formula sequence of the sealed ledger, ready to be evaluated."""
+    return sealed().evaluated[name]
+
+
+def load(text: str) -> Solution:
+    """Return the solution that a ledger publishes; raises LedgerError where it proves less."""
+    data = ledger_data(text)
+    facts, contexts, sequences = _published(data)
+    evaluated = {name: _evaluated(formulas) for name, formulas in sequences.items()}
+    for name in SEQUENCES:
+        if name not in sequences:
+            raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
+        check_order(name, evaluated[name].formulas, {*CONSTANTS, *_inputs()[name]})
+        _check_contexts(name, {formula.context for formula in sequences[name]}, facts)
+    try:  # That the proofs hold is for the checkers to decide.
+        require(specification_text(), data)
+    except Unproved as error:
+        raise LedgerError(f"ledger: {error}") from None
+    specified = read(specification_text())
+    partition = partition_of(facts.values(), contexts, specified)
+    sequences["decisions"] = decisions(partition)
+    sequences["signs"] = _signs(specified[signs.THEOREM].nonnegative, sequences["constants"], facts)
+    evaluated |= {name: _evaluated(sequences[name]) for name in ("decisions", "signs")}
+    lines = [
+        f"{name}: {formula.fact}: {formula.name} = {to_text(formula.expression)}"
+        for name, formulas in sequences.items()
+        for formula in formulas
+    ]
+    digest = hashlib.sha256("\n".join(lines).encode()).hexdigest()
+    return Solution(sequences, digest, evaluated, partition)
+
+
+def _published(data: Record) -> tuple[Records, Records, dict[str, tuple[Formula, ...]]]:
+    """Return the facts by id, the contexts by name, and the sequences that numbers need."""
+    try:
+        facts = {fact["id"]: fact for fact in data["facts"]}
+        contexts = {context["name"]: context for context in data["contexts"]}
+        published = specification.sequences(data)
+        sequences = {
+            name: tuple(_formula(entry, facts, contexts) for entry in published[name])
+            for name in SEQUENCES
+            if name in published
+        }
+    except (KeyError, TypeError, AttributeError) as error:
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
+    return facts, contexts, sequences
+
+
+@cache
+def _inputs() -> dict[str, frozenset[str]]:
+    """Return the inputs of each sequence in the ledger of this installation."""
+    *_, sequences = _published(ledger_data(ledger_text()))
+    return {name: _evaluated(formulas).inputs for name, formulas in sequences.items()}
+
+
+def _evaluated(formulas: Iterable[Formula]) -> FormulaSequence:
+    return FormulaSequence((formula.name, formula.expression) for formula in formulas)
+
+
+def _signs(
+    nonnegative: Iterable[str], constants: Iterable[Formula], facts: Records
+) -> tuple[Formula, ...]:
+    """Return the signs in their order; tau, on which chi depends, is the published formula."""
+    place = signs.THEOREM
+    (source,) = (x["source"] for x in facts.values() if x["context"] == place)
+    *first, last = (
+        Formula(name, expression, f"choice {place}.{name}", place, tuple(source))
+        for name, expression in signs.rules(nonnegative).items()
+    )
+    (tau,) = (formula for formula in constants if formula.name == "tau")
+    return (*first, tau, last)
+
+
+def _formula(entry: Record, facts: Records, contexts: Records) -> Formula:
+    """Return a published formula: a definition or a reading of a context, or a proved fact."""
+    if "definition" in entry or "reading" in entry:
+        context = contexts[entry["context"]]
+        place, source = context["name"], tuple(entry["source"])
+        if "definition" in entry:
+            name = entry["definition"]
+            expression = parse(context["definitions"][name])
+            return Formula(name, expression, f"definition {place}.{name}", place, source)
+        name = entry["reading"]
+        reading = context["reading"][name]
+        expression = _by_complement(parse(reading))
+        if READINGS.get(f"{place}:{name}", READINGS.get(name)) != reading:
+            rule = "its reading is not the one that numbers know"
+            raise LedgerError(f"ledger: {place}:{name}: {rule}")
+        return Formula(name, expression, f"reading {place}.{name}", place, source)
+    fact = facts[entry["fact"]]
+    proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
+    if not proved or len(fact["lhs"]) != 1:
+        raise LedgerError(f"ledger: {fact['id']} is published but is not one proved formula")
+    (name,), (text,) = fact["lhs"], fact["rhs"]
+    expression = parse(text)
+    if fact["kind"] == "root":
+        expression = Call("sqrt", (expression,))
+    return Formula(name, expression, fact["id"], fact["context"], tuple(fact["source"]))
+
+
+def _by_complement(expression: Expression) -> Expression:
+    match expression:
+        case Call(function, (*arguments, parameter)) if function in _OF_PARAMETER:
+            return Call(function, (*arguments, complement(parameter)))
+    return rebuild(expression, tuple(map(_by_complement, children(expression))))
+
+
+def _check_contexts(sequence: str, contexts: set[str], facts: Records) -> None:
+    """Check that all formulas hold at once: one context is a model of all others."""
+    models = [
+        (fact["context"], fact["rhs"][0])
+        for fact in facts.values()
+        if (fact["kind"], fact["grade"]) == ("model", "PROVED")
+    ]
+    for context in contexts:
+        modelled = [context]
+        for name in modelled:
+            modelled += [other for model, other in models if model == name]
+        if contexts <= {*modelled}:
+            return
+    raise LedgerError(f"ledger: {sequence}: no context is a model of all: {sorted(contexts)}")

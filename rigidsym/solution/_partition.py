@@ -1,0 +1,242 @@
+"""The kinds of motions, and the signs of quantities that decide them, from the ledger.
+
+The ledger splits a context by the sign of a quantity into cases: zero, above zero and, for some
+quantities, below.  It splits cases again, down to leaves.  The fact `sorted_body.cases` says that
+every motion is in exactly one leaf; the specification says how a motion of a leaf moves.
+
+Every runtime decides the leaf by formulas (`decisions`).  Their inputs are 0 for zero and 1 for
+anything else: differences of moments, largest first, and the rates about the same axes; and one
+number with the sign of E_2, which is decided exactly before.  All other quantities that decide are
+sums of products of numbers that are not negative.  Such a sum vanishes exactly where it vanishes
+with ones in the place of what is not zero.
+"""
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from rigidsym.errors import LedgerError
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    children,
+    names,
+    parse,
+    to_text,
+)
+from rigidsym.language._sequence import Formula, FormulaSequence
+from rigidsym.language._specification import Theorem
+
+# The context that all splits begin with: moments c_1 >= c_2 >= c_3 > 0, and rates.
+ROOT = "sorted_body"
+INPUTS = ("c_3", "c_13", "c_23", "Omega_1", "Omega_2", "Omega_3")
+# Theorems of the specification on rates that circulate about an axis, by the side of a leaf.
+_ABOUT = {1: "about_1", -1: "about_3"}
+# The inputs of `decisions`; the last is the one whose sign matters.
+SIGNED = "E_2"
+DIFFERENCES = ("c_12", "c_13", "c_23")
+GIVEN = (*DIFFERENCES, "Omega_1", "Omega_2", "Omega_3", SIGNED)
+# The smallest moment is never zero.
+ONES = {"c_3": 1}
+
+# A fact or a context, as it is in the ledger.
+Record = Mapping[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """The split of a context by the sign of a quantity.
+
+    cases: those for zero, above zero and, for some quantities, below.
+    fact: the fact that there are no other cases.
+    """
+
+    quantity: str
+    cases: tuple[str, ...]
+    fact: str
+    source: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """A kind of motion, and the fact that states its formulas' signs.
+
+    side: 1 where the rates circulate about the axis of largest moment, -1 where about that of the
+    smallest, 0 where they are constant.
+    """
+
+    name: str
+    fact: str
+    source: tuple[str, ...]
+    side: int
+
+
+@dataclass(frozen=True, slots=True)
+class Partition:
+    """The splits by context, the leaves they end in, and the formulas of their quantities."""
+
+    splits: Mapping[str, Split]
+    leaves: Mapping[str, Leaf]
+    quantities: FormulaSequence
+
+    def leaf(self, moments: tuple[Fraction, ...], rates: tuple[Fraction, ...]) -> Leaf:
+        """Return the leaf of a motion: moments, largest first, and the rates about these axes."""
+        c_1, c_2, c_3 = moments
+        given = dict(zip(INPUTS, (c_3, c_1 - c_3, c_2 - c_3, *rates), strict=True))
+        values = self.quantities.evaluate(given, {"power": pow})
+        return self.walk(lambda quantity: (values[quantity] > 0) - (values[quantity] < 0))
+
+    def walk(self, sign_of: Callable[[str], int]) -> Leaf:
+        """Return the leaf that the signs of quantities, 0, 1 or -1, lead to."""
+        name = ROOT
+        while name in self.splits:
+            split = self.splits[name]
+            name = split.cases[sign_of(split.quantity)]
+        return self.leaves[name]
+
+    def path(self, case: str) -> tuple[tuple[str, int], ...]:
+        """Return the quantities that lead to a case, from the root on, and the sign of each."""
+        for name, split in self.splits.items():
+            if case in split.cases:
+                sign = (0, 1, -1)[split.cases.index(case)]
+                return (*self.path(name), (split.quantity, sign))
+        return ()
+
+
+def partition_of(
+    facts: Collection[Record], contexts: Mapping[str, Record], specified: Mapping[str, Theorem]
+) -> Partition:
+    """Return the partition that a ledger proves; raises LedgerError where it proves none.
+
+    specified: the blocks of the specification, all of which the ledger proves.
+    """
+    try:
+        proved = {
+            fact["context"]: fact
+            for fact in facts
+            if (fact["kind"], fact["grade"]) == ("partition", "PROVED")
+        }
+        if ROOT not in proved:
+            raise LedgerError(f"ledger: it does not prove the partition {ROOT}.cases")
+        leaves = proved[ROOT]["rhs"]
+        splits, reached = _splits(proved)
+        if sorted(reached) != sorted(leaves):
+            raise LedgerError(f"ledger: {ROOT}.cases: its leaves are not {', '.join(reached)}")
+        decided = frozenset(split.quantity for split in splits.values())
+        quantities = _quantities(splits, contexts).up_to(decided)
+        return Partition(splits, {x: _leaf(x, facts, specified) for x in leaves}, quantities)
+    except (KeyError, TypeError, AttributeError) as error:
+        raise LedgerError(f"ledger: its partition is not readable: {error!r}") from None
+
+
+def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
+    """Return the splits by context, and the leaves, as often as splits lead to them."""
+    splits: dict[str, Split] = {}
+    leaves, todo = [], [ROOT]
+    for name in todo:
+        if name not in proved:
+            leaves.append(name)
+        elif name in splits:
+            raise LedgerError(f"ledger: {name}.cases: splits lead to it twice")
+        else:
+            fact = proved[name]
+            cases = tuple(fact["certificate"]["cases"])
+            splits[name] = Split(fact["lhs"][0], cases, fact["id"], tuple(fact["source"]))
+            todo += cases
+    return splits, leaves
+
+
+def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> FormulaSequence:
+    """Return the definitions of the root, which must be those of every context that is split."""
+    root = contexts[ROOT]
+    for name in splits:
+        if contexts[name]["definitions"] != root["definitions"]:
+            raise LedgerError(f"ledger: {name}: its definitions are not those of {ROOT}")
+    if tuple(root["generators"]) != INPUTS:
+        raise LedgerError(f"ledger: {ROOT} is not about {', '.join(INPUTS)}")
+    formulas = [(name, parse(text)) for name, text in root["definitions"].items()]
+    check_order(ROOT, formulas, INPUTS)
+    return FormulaSequence(formulas)
+
+
+def check_order(
+    place: str, formulas: Iterable[tuple[str, Expression]], inputs: Iterable[str]
+) -> None:
+    """Raise LedgerError for a formula that uses a name which is neither an input nor known yet."""
+    known = {*inputs}
+    for name, expression in formulas:
+        if missing := sorted({*names(expression)} - known):
+            raise LedgerError(f"ledger: {place}: {name} needs {', '.join(missing)}")
+        known.add(name)
+
+
+def _leaf(name: str, facts: Iterable[Record], specified: Mapping[str, Theorem]) -> Leaf:
+    """Return a leaf with the fact that states its signs in the specification, and its side."""
+    theorem, wanted = specified[name], (name, "nonnegative", "PROVED")
+    required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
+    stating = [
+        fact
+        for fact in facts
+        if (fact["context"], fact["kind"], fact["grade"]) == wanted
+        and required <= {lhs.replace(" ", "") for lhs in fact["lhs"]}
+    ]
+    if not required or not stating:
+        raise LedgerError(f"ledger: no fact states how it moves in {name}")
+    about = (side for side, x in _ABOUT.items() if {*specified[x].then} <= {*theorem.then})
+    return Leaf(name, stating[0]["id"], tuple(stating[0]["source"]), next(about, 0))
+
+
+def decisions(partition: Partition) -> tuple[Formula, ...]:
+    """Return the sequence of formulas whose last, ROOT, is the side of a motion (see Leaf).
+
+    Raises LedgerError for a quantity that might have either sign.
+    """
+    leaves = (
+        Formula(leaf.name, _whole(leaf.side), leaf.fact, leaf.name, leaf.source)
+        for leaf in partition.leaves.values()
+    )
+    splits = (
+        Formula(name, _chosen(split), split.fact, name, split.source)
+        for name, split in reversed(list(partition.splits.items()))
+    )
+    return (*_decided(partition), *leaves, *splits)
+
+
+def _decided(partition: Partition) -> Iterator[Formula]:
+    """Yield the quantities whose signs decide, by the inputs of `decisions`."""
+    wanted = {split.quantity for split in partition.splits.values()} - {*GIVEN}
+    for name, expression in partition.quantities.up_to(frozenset(wanted)).formulas:
+        if name not in GIVEN:
+            _check_sign(expression)
+            fact = f"definition {ROOT}.{name}"
+            yield Formula(name, expression, fact, ROOT, ())
+
+
+def _check_sign(expression: Expression) -> None:
+    """Accept sums of products of moments, differences and squares: they are not negative."""
+    match expression:
+        case Operation("+" | "*"):
+            for part in children(expression):
+                _check_sign(part)
+        case Operation("**", Name(), Number(2)):
+            pass
+        case Name(name) if name.startswith("c_"):
+            pass
+        case _:
+            raise LedgerError(f"ledger: {to_text(expression)}: it is not seen to have one sign")
+
+
+def _whole(number: int) -> Expression:
+    return Call("neg", (Number(-number),)) if number < 0 else Number(number)
+
+
+def _chosen(split: Split) -> Expression:
+    """Return the case for the sign of a quantity: zero, above, or below where there is that."""
+    quantity, (zero, above, *below) = Name(split.quantity), map(Name, split.cases)
+    if below:
+        zero = Call("choose", (Number(0), quantity, zero, below[0]))
+    return Call("choose", (quantity, Number(0), zero, above))

@@ -1,0 +1,119 @@
+"""The kind of a motion, decided exactly from exact inputs by the ledger's partition."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from fractions import Fraction
+from typing import Any, TypeVar
+
+from rigidsym.solution._formulas import sealed, sequence
+from rigidsym.solution._signs import SIGNS, handedness
+
+_DISCRIMINANT = frozenset({"E_b"})
+# Fractions, or floats and arrays of them.
+Moment = TypeVar("Moment", Fraction, float)
+Value = TypeVar("Value")
+
+
+class Regime(StrEnum):
+    """The family a motion belongs to; every motion is in exactly one.
+
+    The rates are constant in the first three, and change in the last four.
+    """
+
+    REST = "rest"
+    SPHERICAL = "spherical"
+    SPIN = "spin"
+    SYMMETRIC = "symmetric"
+    SEPARATRIX = "separatrix"
+    LARGEST = "circulation about the axis of largest inertia"
+    SMALLEST = "circulation about the axis of smallest inertia"
+
+    @property
+    def steady(self) -> bool:
+        """True where the rates are constant, and the attitude one exponential."""
+        return self in (Regime.REST, Regime.SPHERICAL, Regime.SPIN)
+
+
+@dataclass(frozen=True, slots=True)
+class Polhode:
+    """The regime, its leaf in the ledger's partition, and the axes by their role.
+
+    `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
+    `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
+    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros).  Where rates are
+    constant, a is the axis of largest inertia.
+    """
+
+    regime: Regime
+    leaf: str
+    axes: tuple[int, int, int]
+    epsilon: int
+    sigma: int
+    rho: int
+    chi: int
+
+
+_REGIMES = {
+    **{"rest": Regime.REST, "spherical": Regime.SPHERICAL},
+    **{f"spin_{k}": Regime.SPIN for k in (1, 2, 3)},
+    **{
+        f"{body}_{x}": Regime.SPIN
+        for body in ("oblate", "prolate")
+        for x in ("polar", "equatorial")
+    },
+    **{"oblate_motion": Regime.SYMMETRIC, "prolate_motion": Regime.SYMMETRIC},
+    **{"separatrix_motion": Regime.SEPARATRIX},
+    **{"largest": Regime.LARGEST, "smallest": Regime.SMALLEST},
+}
+
+
+def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
+    """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
+    solution = sealed()
+    low, middle, high = sorted(range(3), key=lambda k: inertia[k])
+    order = (high, middle, low)
+    moments, rates = (tuple(values[k] for k in order) for values in (inertia, omega))
+    leaf = solution.partition.leaf(moments, rates)
+    a, b, d = order if leaf.side >= 0 else (low, middle, high)
+    known = {"epsilon": handedness(a, b, d), "c_ad": inertia[a] - inertia[d]}
+    known |= {"Omega_a": omega[a], "Omega_d": omega[d]}
+    signs = solution.evaluated["signs"].evaluate(known, {"choose": _chosen})
+    return Polhode(_REGIMES[leaf.name], leaf.name, (a, b, d), *(int(signs[name]) for name in SIGNS))
+
+
+def _chosen(x: Fraction, y: Fraction, one: int, other: int) -> int:
+    return one if x <= y else other
+
+
+def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
+    """Return E_b = K^2 - 2 H c_b, b being the middle axis; its sign decides the circulation."""
+    axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
+    values: dict[str, Any] = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
+    values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
+    return sequence("constants").up_to(_DISCRIMINANT).evaluate(values, {"power": pow})["E_b"]
+
+
+class Mode(StrEnum):
+    """The axis that the momentum circulates about, as astronomers name it by the body's shape.
+
+    The long axis is that of the smallest moment, the short axis that of the largest.  Source:
+    Samarasinha and A'Hearn, Icarus 93 (1991), 194-225.
+    """
+
+    SHORT_AXIS = "short-axis mode"
+    LONG_AXIS = "long-axis mode"
+
+
+def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Mode | None:
+    """Return the mode of a motion, spins about one of these axes included, decided exactly.
+
+    None on the separatrix, for spin about the middle axis, for spheres, and at rest.
+    """
+    moments = sorted(inertia)
+    if polhode.regime == Regime.SPIN:
+        turned = next(c for c, rate in zip(inertia, omega, strict=True) if rate)
+        return {moments[2]: Mode.SHORT_AXIS, moments[0]: Mode.LONG_AXIS}.get(turned)
+    if polhode.regime in (Regime.SEPARATRIX, Regime.SPHERICAL, Regime.REST):
+        return None
+    return Mode.SHORT_AXIS if polhode.rho > 0 else Mode.LONG_AXIS

@@ -1,0 +1,6 @@
+"""The derived solution as SymPy: forms by name, with free symbols or with a motion's numbers."""
+
+from rigidsym.solution._symbolic.forms import FORMS, of_motion, symbolic
+from rigidsym.solution._symbolic.value import Symbolic
+
+__all__ = ["FORMS", "Symbolic", "of_motion", "symbolic"]

@@ -1,0 +1,162 @@
+"""Calculations on symbols by the formulas of the ledger, and conditions under which they hold."""
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache
+from types import MappingProxyType
+from typing import Any
+
+from sympy import Eq, Ge, I, Ne, asin, atanh, elliptic_f, pi
+from sympy.logic.boolalg import Boolean
+
+from rigidsym.io.ledger import ledger_data, ledger_text
+from rigidsym.language._expression import Expression, names, parse
+from rigidsym.language.functions._translation import BY_COMPLEMENT, sympified
+from rigidsym.solution._formulas import sealed
+from rigidsym.solution._polhode import Polhode
+from rigidsym.solution._symbolic.symbols import Constant, named
+from rigidsym.solution._symbolic.value import Dynamics, Symbolic, column
+
+_CONSTANTS = {"pi": pi, "I": I}
+
+
+@dataclass(frozen=True, slots=True)
+class ExactMotion:
+    """A motion in SymPy's exact numbers: moments, rates, a unit quaternion, and its kind.
+
+    exact: moments and rates as fractions.
+    """
+
+    inertia: tuple[Any, ...]
+    omega0: tuple[Any, ...]
+    attitude0: tuple[Any, ...]
+    polhode: Polhode
+    exact: tuple[Sequence[Fraction], Sequence[Fraction]]
+
+
+@dataclass
+class Calculation:
+    """Quantities by name, the constants among them in order, and the facts that they rest on.
+
+    `exact`: constants are numbers with a name.  Otherwise later constants contain the symbols of
+    earlier ones, except for those that are a number whatever the motion.
+    """
+
+    exact: bool
+    known: dict[str, Any] = field(default_factory=dict)
+    constants: dict[Any, Any] = field(default_factory=dict)
+    facts: dict[str, None] = field(default_factory=dict)
+
+    def solution(
+        self,
+        form: str,
+        given: ExactMotion | None,
+        conditions: Iterable[Boolean],
+        choices: Mapping[str, str],
+        quantities: Mapping[str, Any],
+        attitude: Iterable[Any],
+        rates: Iterable[Any],
+        dynamics: Dynamics,
+    ) -> Symbolic:
+        """Return a form of the solution with the constants and facts of this calculation."""
+        return Symbolic(
+            form=form,
+            regime=given.polhode.regime if given else None,
+            constants=MappingProxyType(self.constants),
+            conditions=nontrivial(conditions),
+            choices=MappingProxyType({named(name): text for name, text in choices.items()}),
+            facts=tuple(self.facts),
+            quantities=MappingProxyType(dict(quantities)),
+            attitude=column(attitude),
+            rates=column(rates),
+            dynamics=dynamics,
+        )
+
+    def name(self, name: str, value: Any, rename: str = "") -> None:
+        """Add a constant, by its symbol."""
+        symbol = named(rename or name)
+        self.constants[symbol] = value
+        plain = symbol if not self.exact else Constant(rename or name, value)
+        self.known[name] = value if value.is_Rational else plain
+
+    def compute(
+        self,
+        sequence: str,
+        only: Iterable[str] | None = None,
+        rename: Mapping[str, str] | None = None,
+    ) -> None:
+        """Add the constants of a sequence that are needed for `only` and not known yet."""
+        solution = sealed()
+        needed = solution.evaluated[sequence].up_to(frozenset(only)).formulas if only else ()
+        wanted = {name for name, _ in needed}
+        for formula in solution.sequences[sequence]:
+            if formula.name not in self.known and (only is None or formula.name in wanted):
+                self.facts[formula.fact] = None
+                value = evaluated(formula.expression, self.known)
+                self.name(formula.name, value, (rename or {}).get(formula.name, ""))
+
+    def work_out(
+        self, sequence: str, known: Mapping[str, Any], constant: Collection[str] = ()
+    ) -> dict[str, Any]:
+        """Return the quantities of a sequence, each put into those after it.
+
+        Those in `constant` are skipped.  Only the facts are added to the calculation.
+        """
+        found = {**self.known, **known}
+        for formula in sealed().sequences[sequence]:
+            if formula.name in constant:
+                continue
+            self.facts[formula.fact] = None
+            found[formula.name] = evaluated(formula.expression, found)
+        return found
+
+
+def evaluated(expression: Expression, known: Mapping[str, Any]) -> Any:
+    """Return an expression of the ledger with values for its names; `pi` and `I` are SymPy's."""
+
+    def argument(sn: Any, cn: Any, dn: Any) -> Any:
+        """Return u of sn where cn >= 0."""
+        m = known["m"]
+        return atanh(sn) if m == 1 else elliptic_f(asin(sn), m)
+
+    def value_of(name: str) -> Any:
+        return _CONSTANTS[name] if name in _CONSTANTS else known[name]
+
+    return sympified(expression, value_of, {**BY_COMPLEMENT, "jacobi_argument": argument})
+
+
+def used(*sequences: str) -> frozenset[str]:
+    """Return the names that sequences use."""
+    return frozenset[str]().union(*(sealed().evaluated[name].used for name in sequences))
+
+
+@cache
+def _contexts() -> dict[str, Mapping[str, Any]]:
+    return {context["name"]: context for context in ledger_data(ledger_text())["contexts"]}
+
+
+def conditions_of(
+    context: str, known: Mapping[str, Any], given: Iterable[str] = ()
+) -> tuple[Boolean, ...]:
+    """Return the conditions of a context on known names, and its relations between `given` ones."""
+    ledger, inputs = _contexts()[context], {*given}
+    clauses = (("units", Ne, {*known}), ("nonnegative", Ge, {*known}), ("relations", Eq, inputs))
+    found = (
+        relation(evaluated(parse(text), known), 0)
+        for column, relation, about in clauses
+        for text in ledger[column]
+        if {*names(parse(text))} <= about
+    )
+    return nontrivial(found)
+
+
+def choices(known: Mapping[str, Any]) -> tuple[Boolean, ...]:
+    """Return what the signs sigma, rho and chi require: axes and the half of a period at t = 0."""
+    texts = ("sigma*Omega_a", "rho*(c_a - c_d)", "chi*tau*Omega_d")
+    return nontrivial(Ge(evaluated(parse(text), known), 0) for text in texts)
+
+
+def nontrivial(conditions: Iterable[Any]) -> tuple[Boolean, ...]:
+    """Return the conditions that are not true whatever their symbols, each once."""
+    return tuple(dict.fromkeys(c for c in conditions if c is not True and c != True))  # noqa: E712

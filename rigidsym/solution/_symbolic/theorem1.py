@@ -1,0 +1,187 @@
+"""Theorem 1 as SymPy: rates by Lemma 1, phi1 by Pi, the mended halves, (18) and (37).
+
+With free symbols it is the paper's solution on one interval, over complex numbers.  With a motion's
+numbers it holds at all times, and is real:
+
+* About the axis that the rates circulate about, xi is imaginary, and xi t + C runs beside +-K(mu),
+  where with mu' = 1 - mu (DLMF 22.4(iii), 22.6(iv))
+
+      sn(+-K + i y | mu) = +-1/dn(y | mu'),
+      Pi(n; +-K + i y) - Pi(n; +-K) = i (y + n/(1 - n) Pi(mu'/(1 - n); y | mu')).
+
+* Where Omega3 < 0 the y* of (19) is -cot(phi3/2) (`half_angle_left`): F3 and F4 become -F4 and F3.
+  So phi3/2 is continuous but where Omega2 < 0 = Omega3: there (18) is taken with the other sign.
+"""
+
+from typing import Any
+
+from sympy import Expr, Gt, Integer, Ne, Piecewise, S, asin, cos, elliptic_f, sin, sqrt
+
+from rigidsym.language.functions import jacobi_am, jacobi_dn, jacobi_pi
+from rigidsym.solution import _sines as sines
+from rigidsym.solution._symbolic.calculation import (
+    Calculation,
+    ExactMotion,
+    conditions_of,
+)
+from rigidsym.solution._symbolic.symbols import TIME, named
+from rigidsym.solution._symbolic.value import Dynamics, Symbolic
+
+_ABD = ("0", "a", "b", "d")
+_SERVE = "pi and theta serve"
+_CYCLIC = ((1, 2), (2, 0), (0, 1))
+_CHOICES = {
+    "half_1": "the sign of xi_1 with which Omega1 starts, C_1 being a principal value (Remark 1)",
+    "half_2": "the same of Omega2",
+    "half_3": "the same of Omega3",
+    "side": "the sign of Omega3, which does not change: where it does, another interval begins",
+}
+
+
+def theorem1(form: str, given: ExactMotion | None) -> Symbolic:
+    """Return the paper's solution: on one interval, or of a motion at all times."""
+    work = Calculation(exact=given is not None)
+    _begin(work, given)
+    parts = [_sine(work, given, i) for i in range(3)]
+    constant = [("sn",) if "sn" in part.known else () for part in parts]
+    rates = [
+        part.work_out("sine_state", {"t": TIME}, names)["Omega_i"]
+        for part, names in zip(parts, constant, strict=True)
+    ]
+    first = parts[0].known
+    work.known |= {name: first[name] for name in ("zeta", "xi", "mu")} | {"C_1": first["C_i"]}
+    moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)} | {"t": TIME}
+    if "sn" in first:
+        work.compute("theorem1", ("H", "K", "n", "kappa"))
+        moving["Pi"] = _third_kind_across(work)
+    else:
+        work.compute("theorem1")
+    side = work.known["side"] = named("side") if given is None else S.One
+    holds = [*conditions_of("theorem1_motion", work.known, ("side",))]
+    for part in parts:
+        holds += conditions_of("one_rate", part.known, ("half",))
+        work.facts |= part.facts
+    if given is None:
+        at = _turned(work, _by_angles(work, {"t": S.Zero}), _by_angles(work, moving))
+        holds.append(Gt(side * rates[2], 0))
+    else:
+        at = _turned(work, *_followed(work, given, moving, parts[2].known))
+        holds.append(Ne(rates[2], 0))
+    known = work.known
+    return work.solution(
+        form,
+        given,
+        holds,
+        {} if given else _CHOICES,
+        {"energy": known["H"], "momentum": known["K"]},
+        [at[f"q_{x}"] for x in _ABD],
+        rates,
+        Dynamics(
+            tuple(known[f"c{k}"] for k in (1, 2, 3)),
+            tuple(known[f"q{k}"] for k in range(4)),
+            tuple(known[f"Omega{k}"] for k in (1, 2, 3)),
+        ),
+    )
+
+
+def _begin(work: Calculation, given: ExactMotion | None) -> None:
+    names = [f"{c}{k}" for c in ("c", "Omega") for k in (1, 2, 3)] + [f"q{k}" for k in range(4)]
+    if given is None:
+        work.known |= {name: named(name) for name in names}
+        return
+    sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
+    for name, value in zip(names, (*given.inertia, *given.omega0, *given.attitude0), strict=True):
+        work.name(name, value)
+
+
+def _sine(work: Calculation, given: ExactMotion | None, i: int) -> Calculation:
+    """Return the constants of one rate; their names end with the number of its axis."""
+    j, k = _CYCLIC[i] if given is None else sines.others(given.polhode, i)
+    known: dict[str, Any] = {
+        f"{letter}_{x}": work.known[f"{letter}{n + 1}"]
+        for letter in ("c", "Omega")
+        for x, n in zip("ijk", (i, j, k), strict=True)
+    }
+    name = f"half_{i + 1}"
+    known["half"] = named(name) if given is None else Integer(sines.half(*given.exact, i))
+    part = Calculation(work.exact, dict(known))
+    inner = ("alpha", "root_j", "root_k", "zeta", "xi", "mu", "H", "K_squared")
+    names = {n: f"{n}_{i + 1}" for n in inner} | {"C_i": f"C_{i + 1}"}
+    if given is not None and given.polhode.axes[0] == i:
+        part.compute("sine", ("zeta", "mu", "alpha", "root_k"), names)
+        _across_the_line(part, i)
+    else:
+        part.compute("sine", rename=names)
+    work.constants |= part.constants
+    return part
+
+
+def _across_the_line(part: Calculation, i: int) -> None:
+    """Name xi and C - +-K(mu), divided by i and Remark 1's sign, and compute sn: all are real."""
+    known = part.known
+    sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
+    part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
+    sine = sqrt((1 - (known["zeta"] / known["Omega_i"]) ** 2) / mc)
+    part.name("C_i", sign * known["half"] * elliptic_f(asin(sine), mc), f"y_{i + 1}")
+    known["sn"] = sign / jacobi_dn(known["xi"] * TIME + known["C_i"], mc)
+
+
+def _third_kind_across(work: Calculation) -> Expr:
+    """Return Pi less its value at t = 0, divided by i and Remark 1's sign."""
+    n, mu, xi, begin = (work.known[name] for name in ("n", "mu", "xi", "C_1"))
+    nu = (1 - mu) / (1 - n)
+    work.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))
+    along = jacobi_pi(nu, xi * TIME + begin, 1 - mu) - work.known["Pi_0"]
+    return xi * TIME + n / (1 - n) * along
+
+
+def _followed(
+    work: Calculation, given: ExactMotion, moving: dict[str, Any], third: dict[str, Any]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the quaternions of (18) at t = 0 and at all times, continuous at zeros of Omega3."""
+    right = _by_angles(work, moving)
+    start = _by_angles(work, {"t": S.Zero, "Pi": S.Zero})
+    (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
+    begins_left = w[2] < 0
+    if begins_left:
+        start = _left(start)
+    work.facts |= dict.fromkeys(("half_angle_left.cotangent", "half_angle_left.squares"))
+    if a == 2:
+        return start, _left(right) if begins_left else right
+    turned, left_sign, start_sign = S.One, 1, 1
+    if a == 1 and w[1] < 0:
+        left_sign, start_sign = -1, -1 if begins_left else 1
+    if a == 0:
+        # phi3 goes round: Omega2 < 0 = Omega3 wherever am is a multiple of 2 pi, or where it is an
+        # odd multiple of pi.  Omega3' = (c1 - c2)/c3 Omega1 Omega2.
+        half_am = jacobi_am(third["xi"] * TIME + third["C_i"], third["mu"]) / 2
+        at_zero = third["half"] * (c[0] - c[1]) * w[0] < 0
+        changing = sin(half_am) if at_zero else cos(half_am)
+        turned = Piecewise((1, changing > 0), (-1, True))
+        start_sign = -1 if at_zero and begins_left else 1
+    left, ahead = _left(right), moving["Omega3"] > 0
+    followed = {
+        x: turned * Piecewise((right[x], ahead), (left_sign * left[x], True)) for x in right
+    }
+    return {x: start_sign * value for x, value in start.items()}, followed
+
+
+def _left(right: dict[str, Any]) -> dict[str, Any]:
+    """Return (18) with -F4 for F3 and F3 for F4, where phi3 is larger by pi."""
+    zero, a, b, d = right.values()
+    return dict(zip(right, (-a, zero, d, -b), strict=True))
+
+
+def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
+    """Return the quaternion of (18), axes 1, 2, 3 being a, b, d."""
+    found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
+    return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
+
+
+def _turned(work: Calculation, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
+    """Name the constant quaternion of (37), and return the attitude with the given one at t = 0."""
+    given = {f"q_{x}": work.known[f"q{k}"] for k, x in enumerate(_ABD)}
+    front = work.work_out("pull_back", {**start, **given, "epsilon": S.One})
+    for x in _ABD:
+        work.name(f"p_{x}", front[f"p_{x}"])
+    return work.work_out("turned", {**moving, "epsilon": S.One})

@@ -1,0 +1,198 @@
+"""Motion under a torque, by splitting methods on the exact free motion."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym import _engines as engines
+from rigidsym import _inputs as inputs
+from rigidsym._engines import batches
+from rigidsym.errors import InputError
+from rigidsym.splitting import _methods as methods
+from rigidsym.splitting._adaptive import chosen
+from rigidsym.splitting._stepping import Bodies, Splitting, State
+from rigidsym.splitting._torques import Torque
+from rigidsym.splitting._trajectory import Mesh, Trajectory, run
+
+TOLERANCE = 1e-6
+
+
+def integrate(
+    inertia: ArrayLike,
+    q0: ArrayLike,
+    omega0: ArrayLike,
+    torque: Torque,
+    times: ArrayLike,
+    *,
+    step: float | None,
+    method: str = "saba2",
+    tolerance: float | None = None,
+    discontinuities: ArrayLike = (),
+    rate_dependent: bool = False,
+    engine: str = "numpy",
+    allow_nonphysical: bool = False,
+) -> Trajectory:
+    """Integrate the motion of bodies under a torque.
+
+    Parameters
+    ----------
+    inertia : (..., 3)
+        Principal moments; leading shapes of bodies broadcast.  Units, conventions and engines are
+        those of `TorqueFreeMotion`.
+    q0 : (..., 4)
+        Attitudes at times[0].
+    omega0 : (..., 3)
+        Rates at times[0].
+    torque : function
+        Torque in body axes, N m, (..., 3), of t (s), q (..., 4) and omega (..., 3); common ones are
+        in `rigidsym.splitting`.  With engine="c" those, except `Potential`, run without Python in
+        between.
+    times : (N,)
+        Times, s, increasing.
+    step : float or None
+        Step, s, the same throughout, counted from times[0].  None chooses steps, shorter where the
+        torque requires it, until the error is below `tolerance`.
+    method : {"strang", "saba2", "aba84", "bm4", "bm6"}
+        Splitting into free motions, which are exact, and kicks by the torque; the coefficients,
+        orders and sources are in `rigidsym.splitting.METHODS`.  The errors are those of the torque
+        alone: a weak one allows steps of a radian.  All methods are symplectic and symmetric; with
+        a torque from a potential the energy does not drift.
+    tolerance : float
+        Largest error at any of `times` for step=None, 1e-6 by default: a rotation, rad, or a change
+        of rates as a part of the body's largest.  It is estimated from runs with steps halved, by
+        the observed order of convergence.  The torque is probed at a thousand times or more, so
+        that jumps, kinks and pulses of 1/200 of the span or more are found; narrower pulses may be
+        missed.
+    discontinuities : (D,)
+        Times at which steps begin anew, s; those outside of `times` are ignored.
+    rate_dependent : bool
+        Must be True for a torque that depends on omega; a kick then takes four evaluations.
+    engine : str
+        As for `TorqueFreeMotion`.
+    allow_nonphysical : bool
+        Accept moments of bodies that cannot exist.
+
+    Returns
+    -------
+    Trajectory
+        `q, omega = integrate(...)` has (..., N, 4) and (..., N, 3); it can be called with other
+        times.
+
+    Raises
+    ------
+    InputError
+        For arguments that are refused, and a torque that is not finite.
+    PrecisionError
+        With the reason, where no step reaches the tolerance.
+
+    Whatever stops an integration, Ctrl-C included, the exception has the states until then as its
+    attribute `trajectory`.
+
+    Examples
+    --------
+    >>> from rigidsym.splitting import GravityGradient, KeplerOrbit
+    >>> inertia = (0.0109, 0.04, 0.0506)
+    >>> torque = GravityGradient(inertia, KeplerOrbit(mu=3.986004418e14, periapsis=6.778e6))
+    >>> times = np.linspace(0, 500, 6)
+    >>> q, omega = integrate(inertia, (1, 0, 0, 0), (0.05, 0.03, -0.02), torque, times, step=20)
+    >>> q.shape, omega.shape
+    ((6, 4), (6, 3))
+    """
+    bodies, start = _started(inertia, q0, omega0, engine, allow_nonphysical)
+    if not callable(torque):
+        raise InputError("torque", repr(torque), "must be a function of t, q and omega")
+    with_rates = inputs.is_true("rate_dependent", rate_dependent)
+    splitting = Splitting(bodies, torque, methods.checked(method), with_rates)
+    at = _times(times)
+    if not with_rates:
+        _refuse_rate_dependence(splitting, start, float(at[0]))
+    stops = _stops(discontinuities, at)
+    if step is None:
+        goal = TOLERANCE if tolerance is None else _positive("tolerance", tolerance)
+        return chosen(splitting, start, at, goal, stops)
+    if tolerance is not None:
+        raise InputError("tolerance", tolerance, "is for step=None, and a step is given")
+    edges = stops[: max(1, stops.size - 1)].tolist()
+    return run(splitting, start, at, Mesh(edges, [_step(step, at)] * len(edges)))
+
+
+def _started(
+    inertia: ArrayLike, q0: ArrayLike, omega0: ArrayLike, engine: str, allow_nonphysical: bool
+) -> tuple[Bodies, State]:
+    """Return bodies that can exist and their states, all of one leading shape."""
+    sizes = {"inertia": 3, "q0": 4, "omega0": 3}
+    arrays = dict(zip(sizes, (inertia, q0, omega0), strict=True))
+    given = {name: batches.array(name, value) for name, value in arrays.items()}
+    for name, size in sizes.items():
+        if given[name].shape[-1:] != (size,):
+            rule = f"must be (..., {size})"
+            raise InputError(name, f"an array of shape {given[name].shape}", rule)
+    moments = batches.possible(
+        given["inertia"], inputs.is_true("allow_nonphysical", allow_nonphysical)
+    )
+    lengths = np.linalg.norm(given["q0"], axis=-1)
+    for place in np.argwhere(lengths == 0)[:1]:
+        field = f"q0[{', '.join(map(str, place))}]" if place.size else "q0"
+        raise InputError(field, given["q0"][tuple(place)], "an attitude must not be zero")
+    shape = _common_shape(given)
+    q, omega = given["q0"] / lengths[..., None], given["omega0"]
+    bodies = Bodies(moments, engines.checked(engine))
+    return bodies, State(np.broadcast_to(q, (*shape, 4)), np.broadcast_to(omega, (*shape, 3)))
+
+
+def _common_shape(given: Mapping[str, np.ndarray]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items())
+        raise InputError("omega0", f"shapes {shapes}", "leading shapes must broadcast") from None
+
+
+def _times(times: ArrayLike) -> np.ndarray:
+    array = batches.array("times", times)
+    if array.ndim != 1 or not array.size:
+        rule = "must be one-dimensional, with one time at least"
+        raise InputError("times", f"an array of shape {array.shape}", rule)
+    for k in np.flatnonzero(np.diff(array) <= 0)[:1] + 1:
+        raise InputError(f"times[{k}]", array[k], f"must be after times[{k - 1}] = {array[k - 1]}")
+    return array
+
+
+def _stops(discontinuities: ArrayLike, times: np.ndarray) -> np.ndarray:
+    """Return the first of `times`, the discontinuities before the last, and the last, s, rising."""
+    array = batches.array("discontinuities", discontinuities)
+    if array.ndim != 1:
+        rule = "must be one-dimensional"
+        raise InputError("discontinuities", f"an array of shape {array.shape}", rule)
+    inside = (array > times[0]) & (array < times[-1])
+    return np.unique([*times[[0, -1]], *array[inside]])
+
+
+def _positive(field: str, value: float) -> float:
+    array = batches.array(field, value)
+    if array.ndim:
+        raise InputError(field, f"an array of shape {array.shape}", "must be one number")
+    if array <= 0:
+        raise InputError(field, value, "must be positive")
+    return float(array)
+
+
+def _step(step: float, times: np.ndarray) -> float:
+    size, spacing = _positive("step", step), float(np.spacing(np.max(np.abs(times))))
+    if size < spacing:
+        raise InputError(
+            "step", step, f"is lost beside times that are {spacing:g} s apart as doubles"
+        )
+    return size
+
+
+def _refuse_rate_dependence(splitting: Splitting, state: State, t: float) -> None:
+    """Raise InputError for a torque that changes with the rates at the start.
+
+    Kicks would then be of the first order only.
+    """
+    other = -0.5 * state.omega + 0.25 * np.max(np.abs(state.omega), initial=1e-3)
+    pushed = splitting.acceleration(t, state.q, state.omega)
+    if not np.array_equal(pushed, splitting.acceleration(t, state.q, other)):
+        raise InputError("torque", f"at {t:g} s", "depends on omega: say rate_dependent=True")

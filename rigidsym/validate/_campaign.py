@@ -1,0 +1,227 @@
+"""Campaigns: cases in chunks, on any executor, with one result however they are shared out."""
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import dataclass, field, fields
+from itertools import islice
+from typing import Any
+
+from rigidsym import _inputs as inputs
+from rigidsym._version import __version__
+from rigidsym.errors import InputError
+from rigidsym.validate._executors import Place
+from rigidsym.validate._finding import Asked, measure_case
+from rigidsym.validate._implementations import PEER, check_kinds, check_target, digest, own_peer
+from rigidsym.validate._oracle import disagreement, is_due, precise_motion
+from rigidsym.validate._tally import Cell, Tally
+from rigidsym.validate.peers import PEERS
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.view import _report_data as report_data
+
+CASES, DIGITS, SEED = 15, 40, 1
+# Oracles have to be finer than doubles by far.
+LEAST_DIGITS, MOST_DIGITS = 20, 1000
+# Cases in a chunk: enough to be worth sending, few enough to be lost.
+CHUNK = 50
+# The keys of the second oracle's results.
+ORACLES, DISAGREEMENT = "oracles", "disagreement"
+
+# A stratum, and the cases from one index to before another.
+Chunk = tuple[str, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Campaign:
+    """Everything that decides the results: equal campaigns have equal results."""
+
+    targets: tuple[str, ...]
+    peers: tuple[str, ...]
+    strata: tuple[str, ...]
+    cases: int
+    digits: int
+    seed: int
+    digests: tuple[str, ...]
+    peer_versions: tuple[str, ...]
+    version: str = __version__
+
+    @classmethod
+    def of(
+        cls,
+        targets: Sequence[str],
+        cases: int = CASES,
+        digits: int = DIGITS,
+        seed: int = SEED,
+        peers: Sequence[str] = (),
+        strata: Sequence[str] = (),
+    ) -> "Campaign":
+        """Check the choices of a campaign; raise InputError for missing targets or peers."""
+        targets, peers, strata = (
+            (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
+        )
+        for target in targets:
+            check_target(target)
+        check_kinds(targets)
+        for name in strata:
+            if name not in STRATA:
+                raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
+        if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
+            rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
+            raise InputError("digits", digits, rule)
+        if not isinstance(cases, int) or cases < 1:
+            raise InputError("cases", repr(cases), "must be a whole number, at least 1")
+        listed = tuple(dict.fromkeys(targets))
+        wanted = tuple(name for name in STRATA if name in strata or not strata)
+        others = tuple(dict.fromkeys(peers))
+        versions = tuple(map(digest, listed)), _versions(others)
+        return cls(listed, others, wanted, cases, digits, seed, *versions)
+
+    @property
+    def implementations(self) -> tuple[str, ...]:
+        """Targets, and peers with the word PEER before them."""
+        return (*self.targets, *(PEER + name for name in self.peers))
+
+    @property
+    def user_integrators(self) -> tuple[str, ...]:
+        """Peers that are not in PEERS, whose names mean nothing in other processes."""
+        return tuple(name for name in self.peers if name not in PEERS)
+
+    @property
+    def judged(self) -> tuple[str, ...]:
+        """The implementations that have to keep the bounds; for other peers it is only reported."""
+        return (*self.targets, *(PEER + name for name in self.user_integrators))
+
+    @property
+    def size(self) -> int:
+        """The number of cases."""
+        return sum(count(stratum, self.cases) for stratum in self.strata)
+
+    def to_data(self) -> report_data.Campaign:
+        """Return the campaign as plain data."""
+        values = {x.name: getattr(self, x.name) for x in fields(self)}
+        data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values.items()}
+        return data
+
+    @classmethod
+    def from_data(cls, data: report_data.Campaign) -> "Campaign":
+        """Return the campaign of plain data, the inverse of `to_data`."""
+        values: Any = {name: tuple(x) if isinstance(x, list) else x for name, x in data.items()}
+        return cls(**values)
+
+
+@dataclass(slots=True)
+class Progress:
+    """Progress of a campaign: a tally, and the ranges of cases that are in it, by stratum."""
+
+    tally: Tally = field(default_factory=Tally)
+    done: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+
+    @property
+    def cases(self) -> int:
+        """The number of cases that are done."""
+        return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
+
+    def missing(self, campaign: Campaign) -> Iterator[Chunk]:
+        """Yield the chunks that are left to do.
+
+        Those of a stratum are missing at the time when the first of them is yielded, whatever is
+        counted meanwhile.
+        """
+        for stratum in campaign.strata:
+            begin = 0
+            end = count(stratum, campaign.cases)
+            for start, stop in [*self.done.get(stratum, []), (end, end)]:
+                for first in range(begin, start, CHUNK):
+                    yield stratum, first, min(first + CHUNK, start)
+                begin = stop
+
+    def take(self, chunk: Chunk, tally: Tally) -> None:
+        """Count a chunk that was missing, wholly or, if interrupted, not at all."""
+        stratum, start, stop = chunk
+        merged = self.tally.copy()
+        merged.merge(tally)
+        ranges = _joined([*self.done.get(stratum, []), (start, stop)])
+        done = {**self.done, stratum: ranges}
+        # No call is between these two, so that no interrupt is.
+        self.tally, self.done = merged, done
+
+
+def complete(
+    campaign: Campaign,
+    progress: Progress,
+    place: Place,
+    after: Callable[[], None] = lambda: None,
+) -> None:
+    """Do what is missing; `after` is called whenever more is done.
+
+    Whatever stops it, `progress` is whole: each case is in it once or not at all.
+    """
+    chunks = progress.missing(campaign)
+    pending: set[Future[tuple[Chunk, Tally]]] = set()
+    try:
+        while True:
+            for chunk in islice(chunks, place.ahead - len(pending)):
+                pending.add(place.submit(tallied, campaign, chunk))
+            if not pending:
+                return
+            finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+            for future in finished:
+                progress.take(*future.result())
+            after()
+    finally:
+        for future in pending:
+            future.cancel()
+
+
+def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
+    """Measure the cases of a chunk; raise InputError where other modules are installed."""
+    _check_installed(campaign)
+    stratum, start, stop = chunk
+    tally = Tally()
+    for index in range(start, stop):
+        add_case(tally, campaign, stratum, index, campaign.implementations)
+    return chunk, tally
+
+
+def add_case(
+    tally: Tally,
+    campaign: Campaign,
+    stratum: str,
+    index: int,
+    implementations: Asked,
+) -> None:
+    """Measure and count one case; implementations as `measure_case` takes them."""
+    sample = draw(stratum, index, campaign.seed)
+    finding = measure_case(sample, campaign.digits, implementations)
+    tally.count(finding.reference)
+    for name, errors in finding.errors.items():
+        tally.add(name, finding.reference, errors)
+    if is_due(index):
+        found = disagreement(precise_motion(sample), backwards=index % 2 == 1)
+        cell = Cell(1, found, (stratum, index, 0.0), 1.0)
+        tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
+
+
+def _check_installed(campaign: Campaign) -> None:
+    here = {
+        "version": (__version__, campaign.version),
+        "digests": (tuple(map(digest, campaign.targets)), campaign.digests),
+        "peer_versions": (_versions(campaign.peers), campaign.peer_versions),
+    }
+    for name, (found, wanted) in here.items():
+        if found != wanted:
+            raise InputError(name, found, f"a worker has others than the campaign, {wanted}")
+
+
+def _versions(peers: Sequence[str]) -> tuple[str, ...]:
+    return tuple(own_peer(name).version for name in peers)
+
+
+def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Sort ranges, and join those that touch."""
+    joined: list[tuple[int, int]] = []
+    for start, stop in sorted(ranges):
+        if joined and joined[-1][1] == start:
+            joined[-1] = (joined[-1][0], stop)
+        else:
+            joined.append((start, stop))
+    return joined

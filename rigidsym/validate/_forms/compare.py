@@ -1,0 +1,345 @@
+"""Comparison of the forms on motions nearer and nearer to the separatrix: time, work, size, error.
+
+Errors are measured in every stratum, too.  Times are medians of repetitions on this machine, and
+only their ratios mean anything: in C where a form is generated, and in NumPy for all three.
+"""
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from rigidsym import _engines as engines
+from rigidsym._codegen.forms import PI, THETA, key
+from rigidsym._codegen.functions import functions
+from rigidsym._codegen.functions.fourier import state
+from rigidsym._codegen.generate import generate
+from rigidsym._codegen.ir import Function
+from rigidsym._codegen.lines import flat_results
+from rigidsym.errors import InputError
+from rigidsym.language._expression import Call, Expression, Operation, children
+from rigidsym.precise._motion import PreciseMotion
+from rigidsym.solution import sealed
+from rigidsym.validate._bounds import ULP
+from rigidsym.validate._forms import fourier
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import enclose
+from rigidsym.validate.peers._protocol import Solver
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.view._plots.panels import Panel, panels_svg
+from rigidsym.view._tables import table
+
+FOURIER = "Fourier"
+SCHEMA = "rigidsym.forms/1"
+# The rate about the third axis, off the separatrix of this body by these parts of itself.
+INERTIA, RATES, ATTITUDE = (1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (0.5, 0.5, -0.5, 0.5)
+AWAY = (16.0, 4.0, 1.0, 0.1, 1e-2, 1e-4, 1e-8, 1e-12)
+_TIMES, _CHECKED, _REPEATS, _DIGITS, _SPAN = 4096, 24, 7, 25, 100.0
+# Cases of each stratum, and how they are drawn and enclosed.
+CASES, _SEED, _STRATUM_DIGITS = 8, 0, 40
+# The parts of a state: what changes with time, and what is made of it.
+PARTS = ("angles", "state")
+# A sum of Clenshaw's recurrence takes a product and two sums a term; there are four series.
+_A_TERM, _SERIES = 3, 4
+
+
+@dataclass(frozen=True, slots=True)
+class FormCost:
+    """Cost of one form on one motion; None where it cannot compute it, or is not generated in C.
+
+    plan_us: time of the plan in C, of Fourier series by mpmath.
+    """
+
+    form: str
+    away: float
+    parameter: float
+    terms: int | None
+    operations: int | None
+    constant_bytes: int | None
+    plan_us: float | None
+    numpy_ns: float | None
+    c_ns: float | None
+    angle: float | None
+    omega: float | None
+
+    def row(self) -> tuple[str, ...]:
+        """Return a row under `COLUMNS`."""
+        numbers = (self.operations, self.constant_bytes, self.terms)
+        times = (self.plan_us, self.c_ns, self.numpy_ns)
+        return (
+            f"{self.away:g}",
+            f"{self.parameter:.6g}",
+            self.form,
+            *("" if x is None else str(x) for x in numbers),
+            *("" if x is None else f"{x:.3g}" for x in times),
+            *("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega)),
+        )
+
+
+COLUMNS = (
+    *("away", "k1^2", "form", "operations", "constants, bytes", "terms"),
+    *("plan, us", "C, ns", "NumPy, ns", "angle, rad", "rates"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class StratumError:
+    """Errors of one form in a stratum: how many cases it serves, and the worst errors in these.
+
+    angle: rad.  omega: over |omega|.  None where it serves no case.
+    """
+
+    stratum: str
+    form: str
+    served: int
+    cases: int
+    angle: float | None
+    omega: float | None
+
+    def row(self) -> tuple[str, ...]:
+        """Return a row under `STRATA_COLUMNS`."""
+        errors = ("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega))
+        return self.stratum, self.form, f"{self.served} of {self.cases}", *errors
+
+
+STRATA_COLUMNS = ("stratum", "form", "served", "angle, rad", "rates")
+
+
+@dataclass(frozen=True, slots=True)
+class FormCosts:
+    """The measurements, the bytes of generated C by form, and errors by stratum."""
+
+    code_bytes: dict[str, int]
+    costs: tuple[FormCost, ...]
+    strata: tuple[StratumError, ...]
+
+    @property
+    def conclusion(self) -> str:
+        """A recommendation, in a sentence."""
+        c_ns = {(x.form, x.away): x.c_ns for x in self.costs if x.c_ns is not None}
+        ratio = [c_ns[PI, away] / c_ns[THETA, away] for form, away in c_ns if form == PI]
+        last = [one for one in self.costs if one.form == FOURIER and one.terms]
+        most = max(last, key=lambda one: one.terms or 0)
+        return (
+            "Fly the theta form: a state of the Pi form takes "
+            f"{min(ratio):.1f} to {max(ratio):.1f} times as long in C, and Fourier series, "
+            f"{min(one.terms or 0 for one in last)} terms far from the separatrix, need "
+            f"{most.terms} at k1^2 = {most.parameter:.6g} and more without end."
+        )
+
+    def to_json(self) -> str:
+        """Return the schema rigidsym.forms/1."""
+        return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
+
+    def to_markdown(self) -> str:
+        """Return both tables as Markdown."""
+        costs = table(COLUMNS, [one.row() for one in self.costs])
+        errors = table(STRATA_COLUMNS, [one.row() for one in self.strata])
+        sizes = ", ".join(f"{form} {size}" for form, size in self.code_bytes.items())
+        parts = (*costs, "", f"Bytes of C: {sizes}.", "", *errors, "", self.conclusion, "")
+        return "\n".join(parts)
+
+    def to_svg(self) -> str:
+        """Draw time, work and error against the distance from the separatrix, and by stratum."""
+        drawn: list[tuple[str, str, Callable[[FormCost], float | None]]] = [
+            ("A state in NumPy", "ns", lambda one: one.numpy_ns),
+            ("Operations of a state", "number", lambda one: one.operations),
+            ("Worst angle", "rad", lambda one: one.angle),
+        ]
+        return panels_svg([*(self._panel(*each) for each in drawn), self._by_stratum()])
+
+    def _panel(self, title: str, label: str, value: Callable[[FormCost], float | None]) -> Panel:
+        found = {(one.form, one.away): value(one) for one in self.costs}
+        xs = sorted({away for _, away in found})
+        lines = {form: [found[form, x] for x in xs] for form in (THETA, PI, FOURIER)}
+        where = "distance from the separatrix"
+        return Panel(title, where, label, xs, lines, log=True, marked=True)
+
+    def _by_stratum(self) -> Panel:
+        lines: dict[str, list[float | None]] = {form: [] for form in (THETA, PI, FOURIER)}
+        for one in self.strata:
+            lines[one.form].append(None if one.angle is None else one.angle / ULP)
+        numbers = [float(k) for k in range(1, len(lines[THETA]) + 1)]
+        where = "stratum, as in the table"
+        return Panel("Worst angle by stratum", where, "2^-53 rad", numbers, lines, marked=True)
+
+
+def compare_forms(
+    progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
+) -> FormCosts:
+    """Measure all forms, in `cases` cases of each stratum; without a C compiler none is in C."""
+    costs = []
+    for motion in map(_Motion.off, AWAY):
+        costs += [_generated(form, motion) for form in (THETA, PI)]
+        costs.append(_fourier(motion))
+    sizes = {form: code_bytes(form) for form in (THETA, PI)}
+    forms = {form: engines.exactly(key("numpy", form)) for form in (THETA, PI)}
+    errors: list[StratumError] = []
+    for done, stratum in enumerate(STRATA):
+        progress(done, len(STRATA))
+        errors += _of_stratum(stratum, {**forms, FOURIER: fourier.Series()}, count(stratum, cases))
+    progress(len(STRATA), len(STRATA))
+    return FormCosts(sizes, tuple(costs), tuple(errors))
+
+
+def _of_stratum(
+    stratum: str, forms: Mapping[str, engines.Engine | Solver], cases: int
+) -> Iterator[StratumError]:
+    drawn = [draw(stratum, index, _SEED) for index in range(cases)]
+    references = [enclose(sample, _STRATUM_DIGITS, with_condition=False) for sample in drawn]
+    for name, form in forms.items():
+        measured = [measure(reference, form) for reference in references]
+        worst = [tuple(np.max(each[x].values) for x in ("angle", "omega")) for each in measured]
+        # Errors of a case that a form refuses are infinite.
+        served = [pair for pair in worst if np.isfinite(pair).all()]
+        errors = [float(max(values)) for values in zip(*served, strict=True)] or [None, None]
+        yield StratumError(stratum, name, len(served), cases, *errors)
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """A motion off the separatrix, and its true states (q, omega) at some times."""
+
+    away: float
+    precise: PreciseMotion
+    parameter: float
+    given: tuple[np.ndarray, ...]
+    times: np.ndarray
+    true: engines.States
+
+    @classmethod
+    def off(cls, away: float) -> "_Motion":
+        given = INERTIA, (*RATES[:2], RATES[2] * (1 + away)), ATTITUDE
+        inertia, omega0, attitude0 = (tuple(map(Fraction, values)) for values in given)
+        precise = PreciseMotion(inertia, omega0, attitude0)
+        modulus = float(precise.constants(("k_1",), _DIGITS)["k_1"])
+        times = np.linspace(-_SPAN, _SPAN, _CHECKED)
+        states = list(precise.states([Fraction(t) for t in times], _DIGITS))
+        q, omega = (np.array([[float(x) for x in row[k]] for row in states]) for k in range(2))
+        return cls(away, precise, modulus**2, tuple(map(np.array, given)), times, (q, omega))
+
+    @property
+    def branch(self) -> str:
+        """The functions that generated modules use for it."""
+        return "circular" if self.parameter <= 0.5 else "hyperbolic"
+
+
+def _generated(form: str, motion: _Motion) -> FormCost:
+    numpy = engines.exactly(key("numpy", form))
+    prepared = numpy.prepare(*motion.given)
+    in_c: tuple[float | None, float | None] = (None, None)
+    try:
+        fast = engines.exactly(key("c", form))
+    except InputError:
+        fast = None
+    if fast:
+        kept = fast.prepare(*motion.given)
+        in_c = 1e6 * _seconds(lambda: fast.prepare(*motion.given)), _a_state(fast, kept)
+    angle, omega = _errors(numpy.states(prepared, motion.times), motion.true)
+    return FormCost(
+        form=form,
+        away=motion.away,
+        parameter=motion.parameter,
+        terms=None,
+        operations=operations(form, motion.branch),
+        constant_bytes=constant_bytes(form, motion.branch),
+        plan_us=in_c[0],
+        numpy_ns=_a_state(numpy, prepared),
+        c_ns=in_c[1],
+        angle=angle,
+        omega=omega,
+    )
+
+
+def _fourier(motion: _Motion) -> FormCost:
+    series = fourier.plan(motion.precise)
+    if series is None:
+        return FormCost(FOURIER, motion.away, motion.parameter, *[None] * 8)
+    angle, omega = _errors(series.states(motion.times), motion.true)
+    # Apart from its series, a state takes the sines of two angles and the ledger's formulas.
+    others = 2 * operations(PI, "steady", ["angles"])
+    others += of_function(state(sealed()))
+    numbers = _SERIES * series.terms + len(series.constants) + len(series.v) + len(series.psi)
+    return FormCost(
+        form=FOURIER,
+        away=motion.away,
+        parameter=motion.parameter,
+        terms=series.terms,
+        operations=others + _A_TERM * _SERIES * series.terms,
+        constant_bytes=8 * numbers,
+        plan_us=1e6 * _seconds(lambda: fourier.plan(PreciseMotion(*motion.precise.exact))),
+        numpy_ns=_a_state(fourier.Series(), series),
+        c_ns=None,
+        angle=angle,
+        omega=omega,
+    )
+
+
+def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
+    """Return the worst angle in rad, and the worst rates over their size."""
+    angle = 2 * np.linalg.norm(found[0] - true[0], axis=-1)
+    rate = np.linalg.norm(found[1] - true[1], axis=-1) / np.linalg.norm(true[1], axis=-1)
+    return float(np.max(angle)), float(np.max(rate))
+
+
+def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepared) -> float:
+    """Return the nanoseconds for a state, of many at once."""
+    times = np.linspace(0.0, _SPAN, _TIMES)
+    return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES
+
+
+def _seconds(run: Callable[[], object]) -> float:
+    """Return the median of some repetitions, after one that is not counted."""
+    run()
+    taken = []
+    for _ in range(_REPEATS):
+        start = perf_counter()
+        run()
+        taken.append(perf_counter() - start)
+    return median(taken)
+
+
+def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
+    """Count sums, products, quotients, roots and exponentials of one state on a branch."""
+    by_name = {function.name: function for function in functions(sealed(), form)}
+    found = (_of_function(by_name[f"_{branch}_{part}"], by_name) for part in parts)
+    return sum(sum(each.values()) for each in found)
+
+
+def of_function(function: Function) -> int:
+    """Count the operations of one function that calls no other."""
+    return sum(_of_function(function, {}).values())
+
+
+def _of_function(function: Function, known: Mapping[str, Function]) -> Counter[str]:
+    counts = (_of(let.expression, known) for let in function.lets)
+    return sum(counts, Counter[str]())
+
+
+def _of(expression: Expression, known: Mapping[str, Function]) -> Counter[str]:
+    total = sum((_of(part, known) for part in children(expression)), Counter[str]())
+    match expression:
+        case Operation(symbol, _, _):
+            total[symbol] += 1
+        case Call("sqrt" | "exp", _):
+            total[expression.function] += 1
+        case Call(name, _) if name in known:
+            total += _of_function(known[name], known)
+    return total
+
+
+def constant_bytes(form: str, branch: str) -> int:
+    """Return the size of the constants that a plan keeps for a branch, in doubles of 8 bytes."""
+    by_name = {function.name: function for function in functions(sealed(), form)}
+    return 8 * len(flat_results(by_name[f"_{branch}_constants"]))
+
+
+def code_bytes(form: str) -> int:
+    """Return the size of the C source, without its header file."""
+    files = generate("c", form=form).files
+    return sum(len(text.encode()) for name, text in files.items() if name.endswith(".c"))

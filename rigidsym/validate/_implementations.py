@@ -1,0 +1,166 @@
+"""Implementations under test: the generated modules by target, steps, and peers."""
+
+import json
+import threading
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym import _engines as engines
+from rigidsym._engines import Engine, Prepared, States, Stepper
+from rigidsym.errors import InputError
+from rigidsym.validate.peers import Peer, peer
+
+# Inertia (1, 3) in kg m^2, q (1, 4) and omega (1, 3) in rad/s.
+Start = tuple[np.ndarray, np.ndarray, np.ndarray]
+# Bodies of other kinds, as moments, attitude and rates over some size: a symmetric one, a sphere,
+# one on the separatrix, one that spins, and one at rest.
+_OTHERS = np.array(
+    [
+        [2, 2, 1, 0.5, 0.5, -0.5, 0.5, 0.6, -0.64, 0.48],
+        [1, 1, 1, 1, 0, 0, 0, 0.6, -0.64, 0.48],
+        [3, 4, 6, 0, 1, 0, 0, 1, 0.5, 0.5],
+        [1, 2, 2.5, 0, 0, 0, -1, 0, 0.5, 0],
+        [1, 2, 2.5, 1, 1, 1, 1, 0, 0, 0],
+    ]
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """Steps with the methods that `measure` calls: each state is one step from the start."""
+
+    stepper: Stepper
+
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
+        """Prepare one motion from float64 numbers: (3,), (3,) and (4,), the last of any length."""
+        inertia, q, omega = (np.array([x], float) for x in (inertia, attitude0, omega0))
+        return inertia, q, omega
+
+    def states(self, prepared: Start, t: ArrayLike) -> States:
+        """Return (q, omega), (N, 4) and (N, 3), after steps of t (N,) s."""
+        inertia, q, omega = prepared
+        times = np.atleast_1d(np.asarray(t, float))
+        return self._after(inertia, _rows(q, times), _rows(omega, times), times)
+
+    def ways(self, prepared: Start, times: np.ndarray) -> Iterator[tuple[States, States]]:
+        """Yield for each way of callers the states they get, and the states at the same times."""
+        expected = self.states(prepared, times)
+        # A call for each step.
+        alone = [self._after(*prepared, times[k : k + 1]) for k in range(len(times))]
+        q, omega = (np.concatenate([x[k] for x in alone]) for k in (0, 1))
+        yield (q, omega), expected
+        # Outputs that are the inputs, of bodies that have moments each.
+        inertia, q, omega = (_rows(x, times) for x in prepared)
+        self.stepper.step(inertia, q, omega, times, (q, omega))
+        yield (q, omega), expected
+        yield self._among_others(prepared, times), expected
+        # The last of several bodies that have one time.
+        few = np.full(3, times[-1])
+        q, omega = self._after(*(_rows(x, few) for x in prepared), few[:1])
+        yield (q[-1:], omega[-1:]), self.states(prepared, times[-1])
+
+    def _after(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray
+    ) -> States:
+        # New memory may hold numbers of an earlier call.
+        out = np.full_like(q, 99.0), np.full_like(omega, 99.0)
+        self.stepper.step(inertia, q, omega, dt, out)
+        return out
+
+    def _among_others(self, prepared: Start, times: np.ndarray) -> States:
+        """Return steps that alternate with those of bodies of other kinds."""
+        # Powers of two near the sizes, of which quarters are doubles of full length.
+        sizes = [np.frexp(np.max(np.abs(x)) or 1.0)[1] - 4 for x in prepared]
+        scales = 2.0 ** np.clip(np.array(sizes, float), -1000, 1000)
+        other = np.resize(_OTHERS, (len(times), 10)) * np.repeat(scales, (3, 4, 3))
+        pairs = np.stack([other, np.hstack([_rows(x, times) for x in prepared])], axis=1)
+        mixed = np.hsplit(pairs.reshape(-1, 10), [3, 7])
+        inertia, q, omega = map(np.ascontiguousarray, mixed)
+        q, omega = self._after(inertia, q, omega, np.repeat(times, 2))
+        return q[1::2], omega[1::2]
+
+
+def _rows(one: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Repeat a row for each time."""
+    return np.repeat(one, len(times), axis=0)
+
+
+PEER = "peer "
+TARGETS = (*engines.EVERY, *engines.STEPPERS)
+Implementation = Engine | Peer | Steps
+
+
+def check_target(target: str) -> None:
+    """Check that a target can be measured on this machine.
+
+    Parameters
+    ----------
+    target : a name such as "numpy", "c", "c-pi" or "numpy-step"
+
+    Raises
+    ------
+    InputError
+        If there is no module of this name, or it does not compile here.
+    """
+    if target not in TARGETS:
+        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    try:
+        implementation(target)
+    except InputError as error:
+        raise InputError("target", target, error.rule) from None
+
+
+def check_kinds(targets: Sequence[str]) -> None:
+    """Raise InputError if some targets are steps and others are not."""
+    if len({target in engines.STEPPERS for target in targets}) > 1:
+        rule = "steps go a turn at most, and motions all the way: validate them apart"
+        raise InputError("target", ", ".join(targets), rule)
+
+
+def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
+    """Return for each target why it cannot be measured on this machine; "" where it can."""
+    found = {}
+    for target in targets:
+        try:
+            check_target(target)
+            found[target] = ""
+        except InputError as error:
+            found[target] = error.rule
+    return found
+
+
+def implementation(name: str) -> Implementation:
+    """Return the engine of a target or "peer NAME"; raise InputError where there is none."""
+    if name.startswith(PEER):
+        return own_peer(name.removeprefix(PEER))
+    if name in engines.STEPPERS:
+        return Steps(engines.exact_stepper(name))
+    return engines.exactly(name)
+
+
+def own_peer(name: str) -> Peer:
+    """Return this thread's peer of a name; raise InputError where there is none."""
+    # Peers serve one thread at a time, and workers of a cluster have several.
+    return _peer(name, threading.get_ident())
+
+
+@cache
+def _peer(name: str, thread: int) -> Peer:
+    return peer(name)
+
+
+def forget() -> None:
+    """Clear the cache of peers."""
+    _peer.cache_clear()
+
+
+def digest(target: str) -> str:
+    """Return the digest of an installed module."""
+    package = resources.files("rigidsym.generated")
+    text = package.joinpath(f"{target}.map.json").read_text(encoding="utf-8")
+    return json.loads(text)["manifest"]["digest"]

@@ -1,0 +1,190 @@
+"""Errors of states by every measure, in units of 2^-53 and as shares of the documented bounds."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import TypeGuard
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import ArrayLike
+
+from rigidsym._engines import Engine, Prepared
+from rigidsym.validate import _entry_points as entry_points
+from rigidsym.validate._bounds import BOUNDS, MEASURES, ULP
+from rigidsym.validate._entry_points import Body
+from rigidsym.validate._implementations import Steps
+from rigidsym.validate._oracle import Reference, lengths
+from rigidsym.validate.peers._protocol import Solver
+from rigidsym.validate.strata import Sample
+
+# Nodes of an interval, and its length in radians: what Gauss and Lobatto's rule leaves out is below
+# 1e-18 then, since the motion is analytic within 3/2 of a radian or more.  With nodes and weights
+# rounded, true states have residuals of 1e-16 at most.
+NODES, LENGTH = 10, 0.5
+# Beyond so many radians doubles are too far apart for nodes.
+FARTHEST = 2.0**38
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """Errors by one measure at times (N,): units of 2^-53, condition, and part of the bound."""
+
+    times: np.ndarray
+    units: np.ndarray
+    condition: np.ndarray
+    share: np.ndarray
+
+    @property
+    def values(self) -> np.ndarray:
+        """The errors (N,), in rad or relative as MEANINGS says."""
+        return self.units * ULP
+
+
+def measure(
+    reference: Reference, engine: Engine | Solver, bounds: Mapping[str, float] = BOUNDS
+) -> dict[str, Errors]:
+    """Run an engine or a peer on a sample; errors of refused states are infinite."""
+    times = np.array(reference.sample.times, dtype=float)
+    try:
+        with np.errstate(all="ignore"):
+            found = _measured(reference, engine, times)
+        return {
+            name: replace(errors, share=errors.share * (BOUNDS[name] / bounds[name]))
+            for name, errors in found.items()
+        }
+    # Engines refuse by a ValueError; an ArithmeticError is a fault, and counts the same.
+    except (ValueError, ArithmeticError):
+        return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}
+
+
+def _measured(
+    reference: Reference, engine: Engine | Solver, times: np.ndarray
+) -> dict[str, Errors]:
+    sample, rate = reference.sample, reference.rate or 1.0
+    later = np.nextafter(times, np.inf)
+    paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
+    asked = [times, later, *(path.nodes for path in paths)]
+    prepared, body = prepare(sample, engine)
+    states = engine.states(prepared, np.concatenate(asked))
+    (q, q_later, *q_paths), (omega, _, *omega_paths) = (
+        np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
+    )
+    angle = _angle(q, reference, engine)
+    rates = _apart(omega, reference.omega) / lengths(reference.omega[0]) + reference.radius
+    # |omega| dt/2 is allowed, and what |omega'| <= |omega|^2 adds to it.
+    turned = lengths(omega, 0.0) * (later - times)
+    jump = np.maximum(lengths(q_later - q, 0.0) - (turned + turned**2) / 2, 0.0)
+    start, residuals = times == 0, list(map(residual, paths, q_paths, omega_paths))
+    found = {
+        "angle": _errors("angle", times, angle, reference.condition["angle"]),
+        "omega": _errors("omega", times, rates, reference.condition["omega"]),
+        "norm": _errors("norm", times, np.abs(np.linalg.norm(q, axis=-1) - 1)),
+        "residual": _errors("residual", [path.nodes[0] for path in paths], residuals),
+        "jump": _errors("jump", times, jump),
+        "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
+    }
+    # Peers have one entry point only.
+    if entry_points.is_due(sample.index) and (isinstance(engine, Steps) or _offers(engine, "grid")):
+        apart = entry_points.differences(engine, prepared, body, times, rate)
+        found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
+    found |= _drifts(sample, times, omega)
+    # Without t = 0 among the times there is no start.
+    return {name: errors for name, errors in found.items() if len(errors.times)}
+
+
+def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
+    """Prepare a sample's motion; return it with its doubles, or None where they are not exact."""
+    state = (sample.inertia, sample.omega0, sample.attitude0)
+    inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
+    # Peers take doubles only.
+    if not sample.in_doubles and _offers(engine, "prepare_exactly"):
+        return engine.prepare_exactly(*sample.exact), None
+    return engine.prepare(inertia, omega0, attitude0), (inertia, omega0, attitude0)
+
+
+def _offers(engine: Engine | Solver, method: str) -> TypeGuard[Engine]:
+    """Return True if an implementation has a method that peers need not have."""
+    return hasattr(engine, method)
+
+
+def _angle(q: np.ndarray, reference: Reference, engine: Engine | Solver) -> np.ndarray:
+    """Return the angle of the turn between, up to 2 pi; differences are taken before rounding."""
+    chord = _apart(q, reference.q)
+    if not getattr(engine, "double_cover_sign", True):
+        chord = np.minimum(chord, _apart(-q, reference.q))
+    return 4 * np.arcsin(np.minimum(chord / 2, 1)) + 2 * reference.radius
+
+
+def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
+    """Return distances of rows from sums of two doubles."""
+    return lengths((given - exact[0]) - exact[1], 0.0)
+
+
+def _drifts(sample: Sample, times: np.ndarray, omega: np.ndarray) -> dict[str, Errors]:
+    """Return the relative drift of H and K^2 from their values at t = 0.
+
+    Its condition number is |omega| times the gradient over the value; both are free of scale.
+    """
+    inertia, omega0 = (np.array(x, dtype=float) for x in (sample.inertia, sample.omega0))
+    c, largest = inertia / np.max(inertia), np.max(np.abs(omega0)) or 1.0
+    w, w0 = omega / largest, omega0 / largest
+    found = {}
+    for name, weight in (("energy", c), ("momentum", c * c)):
+        before, after = weight @ (w0 * w0), (w * w) @ weight
+        size = before or 1.0
+        condition = 2 * lengths(w, 0.0) * lengths(weight * w, 0.0) / size
+        drift = np.abs(after - before) / size
+        found[name] = _errors(name, times, drift, condition, np.maximum(condition, 1.0))
+    return found
+
+
+def _errors(
+    name: str,
+    times: ArrayLike,
+    values: ArrayLike,
+    condition: ArrayLike = 1.0,
+    allowance: float | np.ndarray = 1.0,
+) -> Errors:
+    """Make the errors of a measure; NaN becomes infinite."""
+    times, values = np.array(times, dtype=float), np.array(values, dtype=float)
+    values = np.where(np.isnan(values), np.inf, values)
+    condition = np.where(np.isnan(condition), 1.0, np.broadcast_to(condition, values.shape))
+    share = values / (BOUNDS[name] * allowance)
+    return Errors(times, values / ULP, condition, np.where(np.isinf(values), np.inf, share))
+
+
+@dataclass(frozen=True, slots=True)
+class Quadrature:
+    """Times of the nodes (NODES,), and weights of exactly these times in an integral."""
+
+    nodes: np.ndarray
+    weights: np.ndarray
+
+    @classmethod
+    def over(cls, begin: float, rate: float) -> "Quadrature":
+        """Make the rule of LENGTH rad at `rate` rad/s from a time, or where doubles are dense."""
+        begin = float(np.clip(begin, -FARTHEST / rate, FARTHEST / rate))
+        nodes = begin + (_lobatto() + 1) * (LENGTH / rate / 2)
+        half = (nodes[-1] - nodes[0]) / 2
+        places = (nodes - nodes[0]) / half - 1
+        # Times are rounded to doubles: the weights are those of the rounded times.
+        moments = np.zeros(NODES)
+        moments[0] = 2
+        weights = np.linalg.solve(legendre.legvander(places, NODES - 1).T, moments)
+        return cls(nodes, weights * half)
+
+
+def residual(quadrature: Quadrature, q: np.ndarray, omega: np.ndarray) -> float:
+    """Return |q(end) - q(begin) - integral of q (0, omega)/2| of the states at the nodes."""
+    v = omega * quadrature.weights[:, None]
+    scalar = -np.sum(q[:, 1:] * v, axis=-1, keepdims=True)
+    turned = np.hstack([scalar, q[:, :1] * v + np.cross(q[:, 1:], v)])
+    return float(np.linalg.norm(q[-1] - q[0] - np.sum(turned, axis=0) / 2))
+
+
+@cache
+def _lobatto() -> np.ndarray:
+    """Return the ends of [-1, 1] and the zeros of the derivative of Legendre's polynomial."""
+    inner = legendre.Legendre.basis(NODES - 1).deriv().roots()
+    return np.concatenate([[-1.0], np.sort(inner), [1.0]])

@@ -1,0 +1,208 @@
+"""Oracles of a sample: enclosed states with condition numbers, and Taylor series to check them.
+
+A condition number is the length (Frobenius norm) of a matrix: relative changes of rates, moments
+and the time turn into the small turn of the attitude, in rad, or the change of the rates over
+|omega|.  It is the root mean square of what independent changes of one come to, and at most sqrt(3)
+times the most that changes of length one can.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+import numpy as np
+from flint import arb
+
+from rigidsym import _inputs as inputs
+from rigidsym.precise import PreciseMotion
+from rigidsym.precise._adaptive import GUARD_BITS
+from rigidsym.precise._balls import ball, bits_of, power, working
+from rigidsym.precise._taylor import integrate
+from rigidsym.solution._polhode import Regime, discriminant
+from rigidsym.validate.strata._sample import Numbers, Sample
+
+# Of `sensitivity.columns.listed`: three numbers of the state change with nine inputs, three of them
+# the attitude at t = 0, and with the time.
+_ROWS, _COLUMNS = 3, 9
+_BLOCK = _ROWS * _COLUMNS
+# Digits of the Taylor series, and the agreement they need, relative to 1 or to |omega0|.
+SECOND_DIGITS, AGREEMENT = 20, 1e-20
+# How far the Taylor series go, rad: their cost grows with it.
+SECOND_REACH = 1.0
+# Two cases in so many are checked by Taylor series: the first two of each stratum, its ends, first.
+SECOND_SHARE = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """True states of a sample at N times: q (2, N, 4) and omega (2, N, 3) are sums of two doubles.
+
+    radius: bound on the errors of q, and of omega over |omega|, apart from the rounding of the
+    second of the doubles (2^-105, more only where omega is near the least double).
+    distance: from the separatrix, 0 on it and 1 where nothing cancels in K^2 - 2 H c_b.
+    rate: |omega0|, rad/s.  condition: numbers of angle and of omega, (N,) each.
+    """
+
+    sample: Sample
+    regime: Regime
+    distance: float
+    rate: float
+    q: np.ndarray
+    omega: np.ndarray
+    radius: float
+    condition: Mapping[str, np.ndarray]
+
+    @property
+    def turned(self) -> np.ndarray:
+        """|omega0 t| (N,), rad."""
+        return np.abs(self.sample.times) * self.rate
+
+    def within(self, reach: float) -> "Reference":
+        """Return the reference at times until which the body turns by at most `reach` rad."""
+        near = self.turned <= reach
+        if near.all():
+            return self
+        times = tuple(t for t, kept in zip(self.sample.times, near, strict=True) if kept)
+        return replace(
+            self,
+            sample=replace(self.sample, times=times),
+            q=self.q[:, near],
+            omega=self.omega[:, near],
+            condition={name: values[near] for name, values in self.condition.items()},
+        )
+
+
+def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Reference:
+    """Enclose the states of a sample in balls of radius 10^-digits.
+
+    Without condition numbers, which are then NaN, it takes half the time.
+    """
+    motion, times = precise_motion(sample), list(map(Fraction, sample.times))
+    if with_condition:
+        rows = list(motion.sensitivities(times, column_digits(sample, digits)))
+    else:
+        # The radii are in rad/s, and have to be small relative to |omega|.
+        more = digits + decades_below_one(sample.omega0)
+        rows = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
+    states = [row[:7] for row in rows]
+    with working(max((x.bits() for state in states for x in state), default=0) + GUARD_BITS):
+        high = np.array(_table(float, states)).reshape(-1, 7)
+        low = np.array(_table(lambda x, y: float(x - y), states, high.tolist())).reshape(-1, 7)
+        radii = np.array(_table(lambda x: float(x.rad()), states)).reshape(-1, 7)
+    radii[:, 4:] /= lengths(high[:, 4:])[:, None]
+    unknown = dict.fromkeys(("angle", "omega"), np.full(len(times), np.nan))
+    omega, columns = [row[4:7] for row in rows], [row[7:] for row in rows]
+    return Reference(
+        sample,
+        motion.polhode.regime,
+        distance(*sample.exact[:2]),
+        math.hypot(*map(float, sample.omega0)),
+        np.stack([high[:, :4], low[:, :4]]),
+        np.stack([high[:, 4:], low[:, 4:]]),
+        float(np.max(radii, initial=0.0)) * 2,
+        condition(sample, omega, columns) if with_condition else unknown,
+    )
+
+
+def column_digits(sample: Sample, digits: int) -> int:
+    """Return the digits in kg m^2 and rad/s that give `digits` in units of the inputs' own."""
+    heavy = len(str(int(max(sample.inertia))))
+    return digits + heavy + 2 * decades_below_one(sample.omega0)
+
+
+def precise_motion(sample: Sample) -> PreciseMotion:
+    """Return the motion of a sample, from the exact values of its numbers."""
+    return PreciseMotion(*sample.exact)
+
+
+def decades_below_one(omega0: Numbers) -> int:
+    """Return how many more digits balls need to be as small relative to the rates as to 1."""
+    largest = max(abs(Fraction(x)) for x in omega0)
+    return max(0, -math.floor(math.log10(largest))) if largest else 0
+
+
+def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
+    """Return |K^2 - 2 H c_b| over the sum of its terms' sizes: 0 on the separatrix, 1 far away."""
+    middle = sorted(inertia)[1]
+    terms = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega0, strict=True))
+    return float(abs(discriminant(inertia, omega0)) / terms) if terms else 1.0
+
+
+def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
+    """Return lengths of rows (N, k) -> (N,), safe from overflow; `of_zero` for rows of zeros."""
+    largest = np.max(np.abs(vectors), axis=-1, initial=0.0)
+    scale = np.where(largest == 0, 1.0, largest)
+    length = scale * np.linalg.norm(vectors / scale[:, None], axis=-1)
+    return np.where(largest == 0, of_zero, length)
+
+
+def condition(
+    sample: Sample, omega: Sequence[Sequence[arb]], sensitivities: Sequence[Sequence[arb]]
+) -> Mapping[str, np.ndarray]:
+    """Return condition numbers of angle and of omega, (N,) each; infinite beyond binary64.
+
+    omega: true rates (N, 3).  sensitivities: of each time the list that `PreciseMotion` returns.
+    """
+    inertia, omega0, _ = sample.exact
+    given, rows = list(map(ball, (*omega0, *inertia))), []
+    for time, rates, row in zip(sample.times, omega, sensitivities, strict=True):
+        size = sum((power(x, 2) for x in rates), arb(0)).sqrt()
+        inputs = [*given, ball(Fraction(time))]
+        over = inputs if size.is_zero() else [x / size for x in inputs]
+        rows.append([*_entries(row, 0, inputs), *_entries(row, 1, over)])
+    turns, changes = np.split(np.array(rows).reshape(len(rows), -1), 2, axis=1)
+    return {"angle": _norms(turns), "omega": _norms(changes)}
+
+
+def _norms(rows: np.ndarray) -> np.ndarray:
+    """Return `lengths` of rows, infinite where an entry is."""
+    infinite = np.isinf(np.max(np.abs(rows), axis=1, initial=0.0))
+    return np.where(infinite, np.inf, lengths(np.where(infinite[:, None], 0.0, rows), 0.0))
+
+
+def _entries(row: Sequence[arb], k: int, inputs: Sequence[arb]) -> list[float]:
+    """Return the matrix of small turns (k = 0) or of rates (1), by multiples of the inputs (7)."""
+    block, by_time = row[k * _BLOCK :], row[2 * _BLOCK + k * _ROWS :]
+    return [
+        float(slope * x)
+        for i in range(_ROWS)
+        for slope, x in zip(
+            [*block[_COLUMNS * i + 3 : _COLUMNS * (i + 1)], by_time[i]], inputs, strict=True
+        )
+    ]
+
+
+def is_due(index: int) -> bool:
+    """Return True if the second oracle checks a case of this index."""
+    return index % SECOND_SHARE in (0, 1)
+
+
+def disagreement(motion: PreciseMotion, backwards: bool) -> float:
+    """Return the largest distance of Taylor series from the balls, over AGREEMENT.
+
+    The series of the equations of motion use no elliptic function.  Compared is the state after
+    SECOND_REACH radians.
+    """
+    inertia, omega0, attitude0 = motion.exact
+    rate = math.hypot(*map(float, omega0)) or 1.0
+    time = Fraction(-SECOND_REACH / rate if backwards else SECOND_REACH / rate)
+    series = integrate(inertia, omega0, attitude0, time, SECOND_DIGITS)
+    digits = SECOND_DIGITS + decades_below_one(omega0)
+    ((q, omega),) = motion.enclosures([time], digits)
+    with working(bits_of(2 * digits)):
+        sizes = (1, ball(Fraction(rate)))
+        differences = [
+            abs(balls - ball(inputs.exact("series", x))) / size
+            for part, numbers, size in zip((q, omega), series, sizes, strict=True)
+            for balls, x in zip(part, numbers, strict=True)
+        ]
+        found = [float(x.upper()) for x in differences]
+    return math.inf if any(map(math.isnan, found)) else max(found) / AGREEMENT
+
+
+def _table(
+    compute: Callable[..., float], *tables: Sequence[Sequence[arb | float]]
+) -> list[list[float]]:
+    """Apply a function entry by entry."""
+    return [list(map(compute, *rows)) for rows in zip(*tables, strict=True)]

@@ -1,0 +1,112 @@
+"""Files of the command `validate`: a campaign is begun or resumed, and its results are written."""
+
+import json
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from rigidsym import _engines as engines
+from rigidsym._codegen import forms, generate
+from rigidsym._codegen.header import MEASURED_FILE
+from rigidsym.errors import InputError
+from rigidsym.io._files import write_text
+from rigidsym.validate import _case_file as case_file
+from rigidsym.validate import _checkpoint as checkpoint
+from rigidsym.validate._bounds import ULP
+from rigidsym.validate._campaign import Campaign, Progress
+from rigidsym.validate._finding import Finding, measure_case
+from rigidsym.validate._report import FAILURES, ValidationReport, as_json, markdown
+from rigidsym.validate._tally import DRAWN
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.view._validation import page
+
+# The arguments of `Campaign.of`.
+_CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
+
+
+def begin(
+    chosen: Mapping[str, Any], directory: Path | None, resume: bool
+) -> tuple[Campaign, Progress]:
+    """Return a new campaign, or the unfinished one of a directory.
+
+    chosen: arguments of `Campaign.of`; others have their defaults, or are those of the unfinished
+    campaign.  Raises InputError where that is another campaign, or would be lost.
+    """
+    if not resume:
+        if directory and (directory / checkpoint.NAME).exists():
+            rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
+            raise InputError("output", directory, rule)
+        wanted: dict[str, Any] = {"targets": engines.ENGINES, **chosen}
+        return Campaign.of(**wanted), Progress()
+    if directory is None:
+        raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
+    found, progress = checkpoint.load(directory)
+    known = {name: getattr(found, name) for name in _CHOICES}
+    checkpoint.check_same(directory, found, Campaign.of(**{**known, **chosen}))
+    return found, progress
+
+
+def write(report: ValidationReport, directory: Path) -> Path:
+    """Write JSON, Markdown, the page and a case file of each failure; return the page's path."""
+    data = report.to_data()
+    # Case files of an earlier report would be taken for this one's.
+    for old in directory.glob(f"{FAILURES}/*/*.toml"):
+        old.unlink()
+    for failure in report.failures:
+        remarks = (failure.line, "the simplest case found that breaks this bound")
+        case_file.write(directory / failure.file, failure.simplest.sample, remarks)
+    write_text(directory / "validation.json", as_json(data))
+    write_text(directory / "validation.md", markdown(data))
+    return write_text(directory / "validation.html", page(data))
+
+
+def replay(name: str, campaign: Campaign) -> Finding:
+    """Measure one case, by a name such as "uniform:7" or by a case file.
+
+    Raises InputError for names of neither.
+    """
+    stratum, _, number = name.rpartition(":")
+    if name.endswith(".toml"):
+        sample = case_file.read(name)
+    elif stratum not in STRATA:
+        rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
+        raise InputError("case", name, rule)
+    else:
+        most = count(stratum, 10**9)
+        if not re.fullmatch(r"[0-9]{1,9}", number) or int(number) >= most:
+            raise InputError("case", name, f"must end in a whole number below {most}")
+        sample = draw(stratum, int(number), campaign.seed)
+    return measure_case(sample, campaign.digits, campaign.implementations)
+
+
+def record(report: ValidationReport) -> Path:
+    """Keep the worst errors by stratum for the heads of the modules that codegen prints.
+
+    They belong to one version of the code: its digest is kept with them, and a head has none where
+    they belong to another version.  Raises InputError unless today's code was measured.
+    """
+    known: dict[str, dict[str, Any]] = {}
+    if MEASURED_FILE.is_file():
+        known = json.loads(MEASURED_FILE.read_text("utf-8"))
+    campaign = report.campaign
+    if not report.passed:
+        raise InputError("record", report.complaints[0], "only what passed is recorded")
+    if len(campaign.strata) < len(STRATA):
+        raise InputError("record", ", ".join(campaign.strata), "the heads speak of all strata")
+    for target, ran in zip(campaign.targets, campaign.digests, strict=True):
+        module, form = forms.split(target)
+        digest = generate(module, form=form).manifest["digest"]
+        if ran != digest:
+            command = f"rigidsym codegen {module}{forms.option(form)} --in-place"
+            rule = f"is not the module that `{command}` writes now: run that first"
+            raise InputError("record", ran[:12], rule)
+        views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
+        worst = [
+            [stratum, *(float(f"{view[stratum].worst * ULP:.1e}") for view in views)]
+            for stratum in campaign.strata
+        ]
+        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
+        command = f"rigidsym validate {target} {drawn} --record"
+        known[target] = {"digest": digest, "command": command, "worst": worst}
+    return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")

@@ -1,0 +1,344 @@
+"""Validation from start to report: of generated modules, and of a user's integrator."""
+
+import math
+import os
+import platform
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import AbstractContextManager
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+
+from rigidsym import _engines as engines
+from rigidsym import _inputs as inputs
+from rigidsym.errors import InputError
+from rigidsym.motion import IDENTITY
+from rigidsym.validate import _checkpoint as checkpoint
+from rigidsym.validate import _executors as executors
+from rigidsym.validate._bounds import MEASURES
+from rigidsym.validate._campaign import (
+    CASES,
+    DIGITS,
+    SEED,
+    Campaign,
+    Progress,
+    add_case,
+    complete,
+)
+from rigidsym.validate._finding import Finding, measure_case
+from rigidsym.validate._implementations import PEER
+from rigidsym.validate._report import Failure, ValidationReport
+from rigidsym.validate._tally import DRAWN, Cell, Tally
+from rigidsym.validate.peers._protocol import Solver
+from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
+from rigidsym.validate.strata import Sample, count, draw, in_doubles
+from rigidsym.validate.strata._sample import MAX_ANGLE
+from rigidsym.view._report_data import Figure
+
+PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
+# The simplest failing case is searched for among so many samples, with numbers of so many digits.
+TRIALS, SIMPLE_DIGITS = 200, 6
+Show = Callable[[int, int], None]
+Fails = Callable[[Sample], bool]
+
+
+def validate(
+    targets: Sequence[str] = engines.ENGINES,
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
+    peers: Sequence[str] = (),
+    strata: Sequence[str] = (),
+    workers: int | None = 1,
+    progress: Show = lambda done, total: None,
+) -> ValidationReport:
+    """Measure generated modules on `cases` samples of every stratum, or of those named.
+
+    Parameters
+    ----------
+    targets : names of generated modules, such as "numpy" and "c"
+    cases : samples of each stratum; a finite stratum may have fewer
+    digits : digits of the enclosures, at least 20
+    seed : of the cases
+    peers : names of other programs to measure beside the targets, see `PEERS`
+    strata : names of strata, all by default
+    workers : processes, None for one on each core; the report is the same for any number
+    progress : called with the number of cases done, and the total
+
+    Returns
+    -------
+    ValidationReport
+
+    Raises
+    ------
+    InputError
+        For a target, a peer or a stratum that does not exist, and fewer than 20 digits.
+    """
+    campaign = Campaign.of(targets, cases, digits, seed, peers, strata)
+    return run(campaign, Progress(), executors.local(workers), progress)
+
+
+def examine(
+    integrator: Function | Solver,
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
+    strata: Sequence[str] = (),
+    name: str | None = None,
+    reach: float | None = None,
+    double_cover_sign: bool | None = None,
+    progress: Show = lambda done, total: None,
+) -> ValidationReport:
+    """Measure a user's integrator as the generated modules are measured, in this process.
+
+    It has to keep the bounds of the generated modules for the report to pass; `by_stratum` of the
+    report has its errors.  Exceptions, wrong shapes and NaN count as infinite errors, and their
+    messages are in `complaints`.
+
+    Parameters
+    ----------
+    integrator : function or object
+        A function of inertia (3,) in kg m^2 about principal axes, omega0 (3,) in rad/s, attitude0
+        (4,), a unit quaternion, and times (N,) in s, which returns q (N, 4), scalar first, body to
+        inertial, and omega (N, 3) in body axes; or an object with the methods of `Peer`.  The times
+        of a function are all positive or all negative, each farther from zero than the one before.
+    cases, digits, seed, progress : as in `validate`
+    strata : names of strata, by default those whose numbers are all doubles
+    name : the name in the report, by default that of the function
+    reach : the largest |omega0 t| at which it is measured, 300 rad by default; math.inf for an
+        integrator without steps
+    double_cover_sign : whether q is continuous from attitude0 on, its sign included; if not, either
+        sign is right
+
+    Returns
+    -------
+    ValidationReport
+
+    Raises
+    ------
+    InputError
+        For arguments without meaning.
+    """
+    user = UserIntegrator.of(integrator, name, reach, double_cover_sign)
+    chosen = Campaign.of((), cases, digits, seed, strata=strata or in_doubles())
+    campaign = replace(chosen, peers=(user.name,), peer_versions=(user.version,))
+    implementation, begin, tally = PEER + user.name, time.perf_counter(), Tally()
+    entered, messages = {implementation: user}, dict[tuple[str, int], str]()
+    for done, (stratum, index) in enumerate(
+        ((x, k) for x in campaign.strata for k in range(count(x, campaign.cases))), 1
+    ):
+        user.said.clear()
+        add_case(tally, campaign, stratum, index, entered)
+        if user.said:
+            messages[stratum, index] = user.said[0]
+        progress(done, campaign.size)
+    seconds = time.perf_counter() - begin
+    run = environment(campaign, "this process", seconds, sum(tally.states.values()))
+
+    return reported(campaign, tally, run, entered, messages)
+
+
+def run(
+    campaign: Campaign,
+    progress: Progress,
+    place: AbstractContextManager[executors.Place],
+    show: Show = lambda done, total: None,
+    kept: checkpoint.Checkpoint | None = None,
+) -> ValidationReport:
+    """Do what is missing of a campaign and report; what is done is kept, however it ends.
+
+    Raises InputError where workers or the scheduler are lost, KeyboardInterrupt where the user
+    stops it; the message says what is kept.
+    """
+    begin, before = time.perf_counter(), sum(progress.tally.states.values())
+    if kept:
+        kept.write()
+
+    def after() -> None:
+        show(progress.cases, campaign.size)
+        if kept:
+            kept.now_and_then()
+
+    try:
+        with place as where:
+            complete(campaign, progress, where, after)
+        if kept:
+            kept.write()
+        seconds = time.perf_counter() - begin
+        states = sum(progress.tally.states.values()) - before
+        how = environment(campaign, where.name, seconds, states)
+        return reported(campaign, progress.tally, how)
+    except BaseException as error:
+        fate = "nothing is kept without a directory (-o DIR)"
+        if kept:
+            with executors.undisturbed():
+                kept.write()
+            done = f"{progress.cases} of {campaign.size} cases"
+            fate = f"{done} are kept, --resume goes on from there"
+        raise _with_fate(error, fate) from None
+
+
+def _with_fate(error: BaseException, fate: str) -> BaseException:
+    """Return the error that stopped a campaign, with what is kept in its one line."""
+    if isinstance(error, KeyboardInterrupt):
+        return KeyboardInterrupt(f"interrupted: {fate}")
+    if isinstance(error, BrokenProcessPool):
+        return InputError("workers", "one process", f"died, perhaps for lack of memory: {fate}")
+    if isinstance(error, CancelledError):
+        return InputError("scheduler", "the cluster", f"was lost: {fate}")
+    return error
+
+
+def reported(
+    campaign: Campaign,
+    tally: Tally,
+    run: Mapping[str, Figure | None],
+    user: Mapping[str, UserIntegrator] | None = None,
+    messages: Mapping[tuple[str, int], str] | None = None,
+) -> ValidationReport:
+    """Return the report of a campaign; its worst cases are measured once more, in full.
+
+    user: a user's integrator by its name; messages: its messages by case.
+    """
+
+    def measured(sample: Sample) -> Finding:
+        return measure_case(sample, campaign.digits, user or campaign.implementations)
+
+    @cache
+    def again(stratum: str, index: int) -> Finding:
+        return measured(draw(stratum, index, campaign.seed))
+
+    # The worst angle and rates of each implementation in each stratum, each case once.
+    places = {
+        cell.place[:2]
+        for target in campaign.judged
+        for measure in DRAWN
+        for cell in tally.view(target, measure, "stratum").values()
+    }
+    worst = tuple(again(*place) for place in sorted(places))
+    failures = []
+    for target in campaign.judged:
+        for measure, cell in _broken(campaign, tally, target):
+            case = cell.place[:2]
+            # No simpler case for a user's integrator: where all bounds are broken it takes long.
+            found = again(*case) if user else measured(_simplest(campaign, target, measure, case))
+            said = (messages or {}).get(case, "")
+            failures.append(Failure(target, measure, cell.worst, *case, found, said))
+    return ValidationReport(campaign, tally, worst, tuple(failures), run)
+
+
+def _broken(campaign: Campaign, tally: Tally, name: str) -> Iterator[tuple[str, Cell]]:
+    """Yield the worst broken bound in each stratum: a measure, and the part of the bound."""
+    for stratum in campaign.strata:
+        shares = {m: tally.cells.get((name, m, "share", stratum)) for m in MEASURES}
+        found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
+        if found:
+            yield max(found.items(), key=lambda item: item[1].worst)
+
+
+def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, int]) -> Sample:
+    def fails(sample: Sample) -> bool:
+        return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
+
+    return simplest(draw(*case, campaign.seed), fails)
+
+
+def simplest(sample: Sample, fails: Fails) -> Sample:
+    """Return a sample that fails as the given one does, while none of its simpler neighbours does.
+
+    At most TRIALS neighbours are tried.
+    """
+    tried = 0
+    improved = True
+    while improved:
+        improved = False
+        for simpler in _simpler(sample):
+            tried += 1
+            if tried > TRIALS:
+                return sample
+            if _is_bounded(simpler) and fails(simpler):
+                sample, improved = simpler, True
+                break
+    return sample
+
+
+def _simpler(sample: Sample) -> Iterator[Sample]:
+    """Yield neighbours with one time, without an attitude, or with one simpler number."""
+    if len(sample.times) > 1:
+        yield from (replace(sample, times=(t,)) for t in sample.times)
+    if sample.attitude0 != IDENTITY:
+        yield replace(sample, attitude0=tuple(map(float, IDENTITY)))
+    for name in ("omega0", "inertia", "times"):
+        values = getattr(sample, name)
+        for k, value in enumerate(values):
+            for number in _simpler_numbers(value):
+                yield replace(sample, **{name: (*values[:k], number, *values[k + 1 :])})
+
+
+def _simpler_numbers(value: float | Fraction) -> Iterable[float | Fraction]:
+    """Return 0, 1, -1, then decimals of few digits, as far as these are simpler than the number."""
+    ladder = [0.0, 1.0, -1.0, *(float(f"{float(value):.{k}e}") for k in range(SIMPLE_DIGITS))]
+    listed: list[float | Fraction] = list(dict.fromkeys(ladder))
+    return listed[: listed.index(value)] if value in listed else listed
+
+
+def _is_bounded(sample: Sample) -> bool:
+    """Return True if the documented bounds hold for a sample: other samples may be refused.
+
+    Its body can exist, and its times are not beyond those that modules follow.
+    """
+    try:
+        inputs.inertia(sample.inertia)
+    except InputError:
+        return False
+    turned = math.hypot(*sample.omega0) * max(map(abs, sample.times))
+    # Decimals of the largest doubles can be infinite.
+    return all(map(math.isfinite, (*sample.inertia, turned))) and turned <= MAX_ANGLE
+
+
+def environment(
+    campaign: Campaign, place: str, seconds: float, states: int
+) -> dict[str, Figure | None]:
+    """Return versions, machine, time and memory: all of a report that differs from run to run."""
+    compiler = {}
+    if any(x.startswith("c") for x in campaign.targets):
+        from rigidsym._engines.compiler import find
+
+        compiler = {"compiler": find().version.partition("\n")[0]}
+    return {
+        "place": place,
+        "seconds": round(seconds, 2),
+        "enclosed states": states,
+        "enclosed states a second": round(states / seconds),
+        "peak memory of a process, MB": _peak(),
+        "python": platform.python_version(),
+        "system": f"{platform.system()} {platform.machine()}",
+        "cores": os.cpu_count(),
+        **{name: _version(name) for name in PACKAGES},
+        **compiler,
+        **dict(zip(campaign.peers, campaign.peer_versions, strict=True)),
+    }
+
+
+def _peak() -> int | None:
+    """Return the peak memory of this process and its children; None if the system has none."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return None
+    who = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    # Kilobytes, except on macOS.
+    unit = 2**20 if sys.platform == "darwin" else 2**10
+    return round(max(resource.getrusage(x).ru_maxrss for x in who) / unit)
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "unknown"

@@ -1,0 +1,137 @@
+"""Detection of a fault by a stratum: a faulty module is measured until a case breaks a bound.
+
+Faults in states and steps are looked for in states, those in sensitivities in their columns.  The
+installed modules stay as they are.
+"""
+
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib import resources
+from pathlib import Path
+from types import ModuleType
+from typing import Any, cast
+
+import numpy as np
+
+from rigidsym._codegen.forms import STEP, split
+from rigidsym._engines import Engine, build
+from rigidsym._engines.c_engine import CEngine
+from rigidsym._engines.compiler import FLAGS, compile_library, find
+from rigidsym._engines.library import load
+from rigidsym._engines.numpy_engine import NumpyEngine
+from rigidsym._engines.steps import CStepper, NumpyStepper
+from rigidsym.validate import _sensitivities as sensitivities
+from rigidsym.validate._bounds import BOUNDS, bounds_of
+from rigidsym.validate._implementations import Steps
+from rigidsym.validate._measure import measure
+from rigidsym.validate._oracle import Reference, enclose
+from rigidsym.validate._sensitivities import ColumnsReference
+from rigidsym.validate.faults._fault import FILES, Fault
+from rigidsym.validate.peers._protocol import Solver
+from rigidsym.validate.strata import Sample, count, draw, stepped
+
+# Detections without a measure: an error that is no refusal, and the end of the process.
+RAISED, CRASHED = "raised", "crashed"
+# The measure of faults in sensitivities.
+COLUMNS = "sensitivities"
+# Columns have so many numbers that few cases of a stratum are enough.
+MOST_CASES = 4
+AnyReference = Reference | ColumnsReference
+# Every faulty module is compiled for a second of use.  What decides the last digits stays.
+_QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
+
+
+def mutated_engine(fault: Fault) -> Engine | Steps:
+    """Return the engine that runs a faulty module; raises StaleFaultError as `Fault.applied`."""
+    return on_text(fault.target, faulty(fault), fault.options)
+
+
+def faulty(fault: Fault) -> str:
+    """Return the installed module of a fault's target with the fault."""
+    return fault.applied(installed(FILES[fault.target]))
+
+
+def installed(name: str) -> str:
+    """Return a generated file as it is in the package."""
+    return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
+
+
+def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | Steps:
+    """Return the engine of a target on another text of its module, compiled with more options."""
+    language, form = split(target)
+    if language == "numpy":
+        module: Any = ModuleType("torque_free")
+        exec(compile(text, FILES[target], "exec"), module.__dict__)
+        return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
+    sources = {name: installed(name) for name in build.FILES[target]} | {FILES[target]: text}
+    with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+        built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
+        library: Any = load(built, sources)
+        return Steps(CStepper(library)) if form == STEP else CEngine(library)
+
+
+@dataclass(frozen=True, slots=True)
+class Detection:
+    """The first case of a stratum in which a fault breaks a bound, and the measures that do."""
+
+    stratum: str
+    index: int
+    measures: tuple[str, ...]
+
+
+def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
+    """Enclose the states of a stratum's cases."""
+    return [enclose(x, digits, with_condition=False) for x in _samples(stratum, cases, seed)]
+
+
+def steps_references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
+    """Enclose the states of a stratum's cases as `stepped` changes them."""
+    samples = map(stepped, _samples(stratum, cases, seed))
+    return [enclose(sample, digits, with_condition=False) for sample in samples]
+
+
+def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
+    """Enclose the sensitivities of a stratum's first cases."""
+    few = _samples(stratum, min(cases, MOST_CASES), seed)
+    return [ColumnsReference.of(sample, digits) for sample in few]
+
+
+def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
+    return (draw(stratum, index, seed) for index in range(count(stratum, cases)))
+
+
+def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
+    """Return at most one detection of a fault from each stratum."""
+    engine, bounds = mutated_engine(fault), bounds_of(fault.target)
+    found = (first(engine, stratum, bounds) for stratum in strata)
+    return [detection for detection in found if detection]
+
+
+def first(
+    engine: Engine | Solver | Steps,
+    stratum: Sequence[AnyReference],
+    bounds: Mapping[str, float] = BOUNDS,
+) -> Detection | None:
+    """Return the first case in which an engine breaks a bound or raises an unexpected error."""
+    for reference in stratum:
+        if measures := broken(engine, reference, bounds):
+            return Detection(reference.sample.stratum, reference.sample.index, measures)
+    return None
+
+
+def broken(
+    engine: Engine | Solver | Steps, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
+) -> tuple[str, ...]:
+    """Return the measures by which an engine breaks its bounds in a case."""
+    try:
+        with np.errstate(all="ignore"):
+            if isinstance(reference, ColumnsReference):
+                # Only engines with sensitivities have faults there.
+                share = sensitivities.share(cast("Engine", engine), reference)
+                return (COLUMNS,) if share > 1 else ()
+            errors = measure(reference, engine, bounds)
+    except Exception:
+        # A fault may raise anything, and any error is a detection.
+        return (RAISED,)
+    return tuple(name for name, found in errors.items() if np.any(found.share > 1))

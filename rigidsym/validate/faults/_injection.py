@@ -1,0 +1,259 @@
+"""Every fault against every stratum, in processes that may crash, and the report."""
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from typing import Any
+
+from rigidsym._engines.threads import processors
+from rigidsym.validate._executors import processes, undisturbed
+from rigidsym.validate._implementations import check_target
+from rigidsym.validate.faults._detection import (
+    CRASHED,
+    AnyReference,
+    Detection,
+    columns_references,
+    detections,
+    faulty,
+    references,
+    steps_references,
+)
+from rigidsym.validate.faults._drawn import all_faults
+from rigidsym.validate.faults._fault import KINDS, Fault
+from rigidsym.validate.strata import STRATA
+from rigidsym.view._tables import table
+
+SCHEMA = "rigidsym.faults/2"
+# More strata than these are counted, not named.
+_NAMED = 4
+_REFERENCES = {
+    "states": references,
+    "sensitivities": columns_references,
+    "steps": steps_references,
+}
+# The references of each stratum, by what they enclose.
+References = Mapping[str, Sequence[Sequence[AnyReference]]]
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A fault, and a detection of each stratum that caught it."""
+
+    fault: Fault
+    detections: tuple[Detection, ...]
+
+    @property
+    def strata(self) -> tuple[str, ...]:
+        """The strata that caught it."""
+        return tuple(detection.stratum for detection in self.detections)
+
+
+@dataclass(frozen=True, slots=True)
+class FaultReport:
+    """All faults of some targets against all strata."""
+
+    targets: tuple[str, ...]
+    strata: tuple[str, ...]
+    cases: int
+    digits: int
+    seed: int
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def passed(self) -> bool:
+        """True if there are faults of every target, and some stratum caught each of them."""
+        named = {outcome.fault.target for outcome in self.outcomes}
+        return named == set(self.targets) and not self.missed
+
+    @property
+    def missed(self) -> tuple[Fault, ...]:
+        """Faults that no stratum caught."""
+        return tuple(outcome.fault for outcome in self.outcomes if not outcome.detections)
+
+    @property
+    def conclusion(self) -> str:
+        """The result in a sentence."""
+        total, best = len(self.outcomes), max(self.strata, key=self.caught)
+        sharpest = f"{best} alone notices {self.caught(best)}"
+        if self.missed:
+            return f"{len(self.missed)} of {total} faults are NOT noticed; {sharpest}."
+        fewest = min((len(outcome.strata) for outcome in self.outcomes), default=0)
+        strata = "stratum" if fewest == 1 else "strata"
+        return f"Each of {total} faults is noticed, by {fewest} {strata} or more; {sharpest}."
+
+    def caught(self, stratum: str) -> int:
+        """Return how many faults a stratum caught."""
+        return sum(stratum in outcome.strata for outcome in self.outcomes)
+
+    def alone(self, stratum: str) -> int:
+        """Return how many faults no other stratum caught."""
+        return sum((stratum,) == outcome.strata for outcome in self.outcomes)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the report in the schema rigidsym.faults/2."""
+        return {
+            "schema": SCHEMA,
+            **{name: getattr(self, name) for name in ("cases", "digits", "seed", "passed")},
+            "targets": list(self.targets),
+            "kinds": KINDS,
+            "strata": {
+                name: {
+                    "caught": self.caught(name),
+                    "alone": self.alone(name),
+                    "of": len(self.outcomes),
+                }
+                for name in self.strata
+            },
+            "faults": [
+                {
+                    **{name: getattr(x.fault, name) for name in _WRITTEN},
+                    "options": list(x.fault.options),
+                    "caught": {
+                        found.stratum: {
+                            "case": f"{found.stratum}:{found.index}",
+                            "by": list(found.measures),
+                        }
+                        for found in x.detections
+                    },
+                }
+                for x in self.outcomes
+            ],
+        }
+
+    def to_json(self) -> str:
+        """Return `to_data` as text."""
+        return json.dumps(self.to_data(), indent=1, sort_keys=True) + "\n"
+
+    def to_markdown(self) -> str:
+        """Return two tables: the catches of each stratum, and the strata that caught each fault."""
+        total = len(self.outcomes)
+        strata = (
+            (name, f"{self.caught(name)} of {total}", str(self.alone(name))) for name in self.strata
+        )
+        faults = (
+            (
+                *(x.fault.line, x.fault.kind, str(len(x.strata)), self._which(x.strata)),
+                ", ".join(dict.fromkeys(name for found in x.detections for name in found.measures)),
+            )
+            for x in self.outcomes
+        )
+        return "\n".join(
+            [
+                f"{total - len(self.missed)} of {total} faults were caught.",
+                "",
+                *table(("stratum", "caught", "by no other"), strata),
+                "",
+                *table(("fault", "kind", "strata", "which", "by"), faults),
+                "",
+            ]
+        )
+
+    def _which(self, strata: tuple[str, ...]) -> str:
+        """Name few strata, or the few others; abbreviate the rest."""
+        others = [name for name in self.strata if name not in strata]
+        if not strata:
+            return "NOT CAUGHT"
+        if len(strata) <= _NAMED:
+            return ", ".join(strata)
+        if not others:
+            return "all"
+        if len(others) <= _NAMED:
+            return f"all but {', '.join(others)}"
+        return f"{', '.join(strata[:_NAMED])}, ..."
+
+
+_WRITTEN = ("target", "name", "kind", "old", "new")
+
+
+def inject(
+    targets: Sequence[str],
+    cases: int,
+    digits: int,
+    seed: int,
+    progress: Progress = lambda done, total: None,
+    faults: Sequence[Fault] | None = None,
+    strata: Sequence[str] = tuple(STRATA),
+) -> FaultReport:
+    """Measure each fault of the targets on `cases` cases of each stratum, or all it has.
+
+    Parameters
+    ----------
+    targets : names of generated modules, as `rigidsym validate` takes them
+    cases, digits, seed : cases per stratum, digits of the enclosures, seed of the cases
+    progress : called with the number of strata and faults done, and the total
+    faults : the faults to measure, all by default
+    strata : names of strata, all by default
+
+    Raises
+    ------
+    InputError
+        If a target cannot be built on this machine.
+    StaleFaultError
+        If the old text of a fault is no longer in the module.
+    """
+    for target in targets:
+        check_target(target)
+    chosen = [
+        fault for fault in (all_faults() if faults is None else faults) if fault.target in targets
+    ]
+    for fault in chosen:
+        faulty(fault)
+    of = sorted({fault.shown_in for fault in chosen})
+    before, total = len(strata) * len(of), len(strata) * len(of) + len(chosen)
+    enclosed: dict[str, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
+    with processes(processors()) as pool:
+        with undisturbed():
+            jobs = [
+                (kind, pool.submit(_REFERENCES[kind], name, cases, digits, seed))
+                for kind in of
+                for name in strata
+            ]
+        for done, (kind, job) in enumerate(jobs, 1):
+            enclosed[kind].append(job.result())
+            progress(done, total)
+    left, found = list(chosen), {}
+    while left:
+        for fault, result in _until_a_crash(left, enclosed):
+            # A fault that may have ended the process is measured again alone.
+            found[fault] = _alone(fault, enclosed) if result is None else result
+            left.remove(fault)
+            progress(before + len(found), total)
+    outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
+    return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
+
+
+def _until_a_crash(
+    faults: Sequence[Fault], enclosed: References
+) -> Iterator[tuple[Fault, list[Detection] | None]]:
+    """Yield faults and detections until a process crashes; None for all that ran at that time."""
+    waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
+    lost = False
+    with processes(processors()) as pool:
+        while running or (waiting and not lost):
+            try:
+                while waiting and len(running) < processors() and not lost:
+                    fault = waiting[0]
+                    with undisturbed():
+                        job = pool.submit(detections, fault, enclosed[fault.shown_in])
+                    running[job] = waiting.pop(0)
+            except BrokenProcessPool:
+                lost = True
+            for job in wait(running, return_when=FIRST_COMPLETED).done:
+                crashed = isinstance(job.exception(), BrokenProcessPool)
+                lost = lost or crashed
+                yield running.pop(job), None if crashed else job.result()
+
+
+def _alone(fault: Fault, enclosed: References) -> list[Detection]:
+    """Return the detections of a fault, with a process of its own for each stratum."""
+    found = []
+    for stratum in enclosed[fault.shown_in]:
+        try:
+            with processes(1) as pool:
+                found += pool.submit(detections, fault, [stratum]).result()
+        except BrokenProcessPool:
+            found.append(Detection(stratum[0].sample.stratum, 0, (CRASHED,)))
+    return found

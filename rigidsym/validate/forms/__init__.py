@@ -1,5 +1,0 @@
-"""Costs of the forms of the solution: theta functions, the third kind, Fourier series."""
-
-from rigidsym.validate.forms.compare import COLUMNS, STRATA_COLUMNS, FormCosts, compare_forms
-
-__all__ = ["COLUMNS", "STRATA_COLUMNS", "FormCosts", "compare_forms"]

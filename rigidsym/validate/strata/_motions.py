@@ -1,0 +1,353 @@
+"""Bodies that can exist, and their rates: any, at an edge, near one, and on the separatrix.
+
+A nearly symmetric body circulates about one of its two similar axes only where it hardly turns
+about the third; in some cases it does that little, by the root of what the moments differ by.
+
+With moments low < middle < high a motion is on the separatrix where
+low (middle - low) x^2 = high (high - middle) z^2, for the rates x and z about the outer axes and
+any rate about the middle one.
+"""
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import cache
+from itertools import permutations, product
+from random import Random
+
+from rigidsym.validate.strata._sample import (
+    Body,
+    Motion,
+    Numbers,
+    decade,
+    exact_decade,
+    spread,
+)
+
+ORDERS = tuple(permutations(range(3)))
+SIGNS = tuple(product((1, -1), repeat=3))
+
+
+# Any motion
+
+
+def body(random: Random) -> list[float]:
+    """Draw three moments of a positive mass distribution."""
+    x, y, z = (random.uniform(0.05, 1) for _ in range(3))
+    return [y + z, z + x, x + y]
+
+
+def rates(random: Random) -> list[float]:
+    """Draw three rates."""
+    return [random.gauss(0, 1) for _ in range(3)]
+
+
+def decimals(random: Random) -> list[Fraction]:
+    """Draw three exact decimals."""
+    return [Fraction(random.choice((-1, 1)) * random.randint(1, 999), 1000) for _ in range(3)]
+
+
+def mixed(
+    random: Random, inertia: Sequence[float | Fraction], omega: Sequence[float | Fraction]
+) -> Motion:
+    """Return the motion with its axes in a random order, and random signs of its rates."""
+    return _ordered(inertia, omega, random.choice(ORDERS), random.choice(SIGNS))
+
+
+def _ordered(
+    inertia: Sequence[float | Fraction],
+    omega: Sequence[float | Fraction],
+    order: Sequence[int],
+    signs: Sequence[int],
+) -> Motion:
+    flipped = tuple(sign * omega[k] for sign, k in zip(signs, order, strict=True))
+    return Motion(tuple(inertia[k] for k in order), flipped)
+
+
+def uniform(random: Random, index: int) -> Motion:
+    """Draw any body, with any rates."""
+    return mixed(random, body(random), rates(random))
+
+
+def every_order_and_sign(random: Random, index: int) -> Motion:
+    """Draw the 48 orders of the axes and quadrants of the rates in turn; both change each time."""
+    order = index % len(ORDERS)
+    sign = (index // len(ORDERS) + order) % len(SIGNS)
+    positive = [random.uniform(0.1, 1) for _ in range(3)]
+    return _ordered(sorted(body(random)), positive, ORDERS[order], SIGNS[sign])
+
+
+def rest(random: Random, index: int) -> Motion:
+    """Draw a body that does not turn."""
+    return Motion(tuple(body(random)), (0.0, 0.0, 0.0))
+
+
+def scaled(inertia: float, rate: float) -> Body:
+    """Return a source of any bodies, in units of inertia and of rates."""
+
+    def draw(random: Random, index: int) -> Motion:
+        return _times(uniform(random, index), inertia, rate)
+
+    return draw
+
+
+def any_scale(random: Random, index: int) -> Motion:
+    """Draw moments by 1e-200 to 1e200 and rates by 1e-250 to 1e250, independently."""
+    inertia = 10.0 ** spread(index, -200, 200)
+    rate = 10.0 ** spread(index, 250, -250, base=3)
+    return _times(uniform(random, index), inertia, rate)
+
+
+def _times(motion: Motion, inertia: float, rate: float) -> Motion:
+    moments: Numbers = tuple(inertia * x for x in motion.inertia)
+    return Motion(moments, tuple(rate * x for x in motion.omega0))
+
+
+# At an edge
+
+# The rates of a symmetric body that are not zero; its last axis is that of symmetry.
+PATTERNS = ((1, 1, 1), (1, 0, 1), (0, 1, 1), (1, 1, 0), (0, 0, 1), (1, 0, 0))
+_GRID = 2.0**-40
+
+
+def symmetric(random: Random, index: int) -> Motion:
+    """Draw two equal moments, both kinds in turn; in every second case some rates are zero."""
+    third = random.uniform(0.1, 0.99) if index % 2 else random.uniform(1.01, 2)
+    pattern = PATTERNS[index // 4 % len(PATTERNS)] if index // 2 % 2 else PATTERNS[0]
+    omega = [x * some for x, some in zip(rates(random), pattern, strict=True)]
+    size = random.uniform(0.5, 1)
+    # Twice an exact half is the whole, so that a disc stays flat and no flatter.
+    return mixed(random, [size, size, min(size * third, 2 * size)], omega)
+
+
+def sphere(random: Random, index: int) -> Motion:
+    """Draw three equal moments."""
+    return Motion((random.uniform(0.1, 2),) * 3, tuple(rates(random)))
+
+
+def flat(random: Random, index: int) -> Motion:
+    """Draw two moments whose sum is exactly the third."""
+    x, y = (random.randint(2**35, 2**40) * _GRID for _ in range(2))
+    return mixed(random, [x, y, x + y], rates(random))
+
+
+def spin(random: Random, index: int) -> Motion:
+    """Draw one rate that is not zero, about the three axes in turn."""
+    omega = [0.0, 0.0, 0.0]
+    omega[index % 3] = random.gauss(0, 1)
+    return mixed(random, sorted(body(random)), omega)
+
+
+# Near an edge, over as many decades as doubles or exact decimals have
+
+# 1 + 10^-15.6 is the double after 1.
+_LAST = 15.6
+# The least share of a rate whose square still keeps the separatrix as far as the modules follow.
+_FAINTEST = Fraction(1, 10**125)
+
+
+def near_prolate(random: Random, index: int) -> Motion:
+    """Draw larger moments that differ by 1e-1 to 2e-16 of themselves."""
+    split = decade(index, 1, _LAST)
+    lone, *others = rates(random)
+    lone *= random.choice((1, 1, math.sqrt(split)))
+    return mixed(random, [random.uniform(0.15, 0.95), 1.0, 1 + split], [lone, *others])
+
+
+def near_oblate(random: Random, index: int) -> Motion:
+    """Draw smaller moments that differ by 1e-1 to 2e-16 of themselves."""
+    split = decade(index, 1, _LAST)
+    *others, lone = rates(random)
+    lone *= random.choice((1, 1, math.sqrt(split)))
+    return mixed(random, [1.0, 1 + split, random.uniform(1.15, 2)], [*others, lone])
+
+
+def near_sphere(random: Random, index: int) -> Motion:
+    """Draw moments that differ by 1e-1 to 2e-16 of themselves."""
+    size = decade(index, 1, 15)
+    return mixed(random, [1 + size * random.uniform(-1, 1) for _ in range(3)], rates(random))
+
+
+def nearest_symmetric(random: Random, index: int) -> Motion:
+    """Draw two moments that differ by a power of ten from 1e-17 to 1e-300, both kinds."""
+    third = random.choice((random.randint(15, 95), random.randint(115, 200)))
+    split = exact_decade(index, 17, 300)
+    *others, lone = decimals(random)
+    lone *= random.choice((1, 1, max(_FAINTEST, exact_decade(index, 9, 150))))
+    inertia = _sized(random, [Fraction(1), 1 + split, Fraction(third, 100)])
+    return mixed(random, inertia, [*others, lone])
+
+
+def nearest_sphere(random: Random, index: int) -> Motion:
+    """Draw moments that differ by some powers of ten from 1e-17 to 1e-250."""
+    step = exact_decade(index, 17, 250)
+    inertia = _sized(random, [1 + k * step for k in random.sample(range(-9, 10), 3)])
+    return mixed(random, inertia, decimals(random))
+
+
+def exact_decimals(random: Random, index: int) -> Motion:
+    """Draw moments that differ by 1e-2 to 1e-19, or, in every third case, a separatrix."""
+    if index % 3 == 0:
+        inertia = [Fraction(x, 10) for x in (4, 5, 9)]
+        omega = [Fraction(3, 10), Fraction(random.randint(-99, 99), 100), Fraction(1, 10)]
+    else:
+        step = exact_decade(index, 2, 19)
+        inertia = _sized(random, [1 + random.randint(-9, 9) * step for _ in range(3)])
+        omega = decimals(random)
+    return mixed(random, inertia, omega)
+
+
+def _sized(random: Random, inertia: list[Fraction]) -> list[Fraction]:
+    """Return the moments in other units, so that no difference is a sum of two doubles."""
+    size = Fraction(random.randint(1, 999), 1000)
+    return [size * moment for moment in inertia]
+
+
+def near_spin(axis: int, last: float) -> Body:
+    """Return a source of spins about the axis-th smallest inertia, tilted by 1e-1 to 10^-last."""
+
+    def draw(random: Random, index: int) -> Motion:
+        tilt = decade(index, 1, last)
+        first = random.uniform(0.1, 1)
+        second = random.choice((1, 1, 1, 0)) * random.uniform(0.1, 1)
+        omega = random.sample((tilt * first, tilt * second), 2)
+        omega.insert(axis, random.uniform(0.3, 3))
+        return mixed(random, sorted(body(random)), omega)
+
+    return draw
+
+
+def rod(random: Random, index: int) -> Motion:
+    """Draw one moment that is 1e-1 to 1e-15 of the others."""
+    thin = decade(index, 1, 15)
+    inertia = [thin, 1.0, 1 + thin * random.uniform(0.1, 0.9)]
+    return mixed(random, inertia, rates(random))
+
+
+def needle(random: Random, index: int) -> Motion:
+    """Draw one moment that is 1e-1 to 1e-59 of the others, which differ by less."""
+    thin = exact_decade(index, 1, 59)
+    inertia = [thin, Fraction(1), 1 + thin * Fraction(random.randint(1, 10), 10)]
+    return mixed(random, _sized(random, inertia), rates(random))
+
+
+# On the separatrix, and at any distance from it
+
+_MOST = 60
+# The factors below leave room for products with numbers up to _MOST in 53 bits.
+_BITS = 46
+Point = tuple[list[int], tuple[int, int]]
+
+
+@cache
+def points() -> tuple[Point, ...]:
+    """Return all bodies of coprime whole moments up to _MOST, with the least whole rates x, z."""
+    found = []
+    for high in range(3, _MOST + 1):
+        for middle in range(2, high):
+            for low in range(max(1, high - middle), middle):
+                slow, fast = high * (high - middle), low * (middle - low)
+                common = math.gcd(slow, fast)
+                x, z = math.isqrt(slow // common), math.isqrt(fast // common)
+                square = (x * x, z * z) == (slow // common, fast // common)
+                if square and math.gcd(low, middle, high) == 1:
+                    found.append(([low, middle, high], (x, z)))
+    return tuple(found)
+
+
+def _on_separatrix(random: Random) -> tuple[list[float], list[float]]:
+    """Draw doubles of many digits on the separatrix, axes by inertia."""
+    whole, (x, z) = random.choice(points())
+    moment, rate = ((random.getrandbits(_BITS) | 1) * 2.0**-_BITS for _ in range(2))
+    middle = random.choice((0.0, 1e-3, 1.0, 1.0, 1e3)) * random.gauss(0, 1)
+    return [moment * c for c in whole], [x * rate, middle, z * rate]
+
+
+def separatrix(random: Random, index: int) -> Motion:
+    """Draw doubles that are exactly on the separatrix."""
+    return mixed(random, *_on_separatrix(random))
+
+
+def beside_separatrix(random: Random, index: int) -> Motion:
+    """Draw doubles of which one number is one ulp away from the separatrix."""
+    inertia, omega = _on_separatrix(random)
+    numbers = random.choice((inertia, omega))
+    k = random.choice((0, 1, 2)) if numbers is inertia else random.choice((0, 2))
+    numbers[k] = math.nextafter(numbers[k], random.choice((-1, 1)) * math.inf)
+    return mixed(random, inertia, omega)
+
+
+def near_separatrix(random: Random, index: int) -> Motion:
+    """Draw one rate that is away from the separatrix by 1e-1 to 1e-16 of itself."""
+    low, middle, high = sorted(body(random))
+    fast = random.uniform(0.3, 1)
+    slow = fast * math.sqrt(high * (high - middle) / (low * (middle - low)))
+    slow *= 1 + random.choice((-1, 1)) * decade(index, 1, 16)
+    return mixed(random, [low, middle, high], [slow, random.gauss(0, 1), fast])
+
+
+def nearest_separatrix(random: Random, index: int) -> Motion:
+    """Draw one rate that is away from the separatrix by 1e-17 to 1e-250 of itself."""
+    inertia, (x, z) = random.choice(points())
+    distance = random.choice((-1, 1)) * exact_decade(index, 17, 250)
+    middle = Fraction(random.randint(1, 999), 100)
+    return mixed(random, list(map(Fraction, inertia)), [x * (1 + distance), middle, Fraction(z)])
+
+
+def branch_switch(random: Random, index: int) -> Motion:
+    """Draw k_1^2 at 1/2 but for 3e-1 to 1e-16 of it, on either side, at any phase.
+
+    k_1 is the modulus after one Landen step.  The modules use circular series up to k_1^2 = 1/2 and
+    hyperbolic ones beyond: the truncation errors of both are largest there.
+    """
+    c_a, c_b, c_d = moments = sorted(body(random), reverse=random.choice((True, False)))
+    k_1 = math.sqrt((1 + random.choice((-1, 1)) * decade(index, 0.5, 16)) / 2)
+    # The rates are A dn, B sn and D cn, with A = 1.
+    m = 1 - ((1 - k_1) / (1 + k_1)) ** 2
+    size_d = math.sqrt(m * c_a * (c_a - c_b) / (c_d * (c_b - c_d)))
+    size_b = size_d * math.sqrt(c_d * (c_a - c_d) / (c_b * (c_a - c_b)))
+    sn, cn = math.sin(phase := random.uniform(-math.pi, math.pi)), math.cos(phase)
+    return mixed(random, moments, [math.sqrt(1 - m * sn * sn), size_b * sn, size_d * cn])
+
+
+# Numbers people type, and numbers at the ends of what doubles and quaternions can be
+
+BODIES = (
+    *((1, 1, 1), (1, 1, 2), (1, 2, 2), (1, 2, 3), (2, 3, 4), (2, 3, 5), (3, 4, 5)),
+    *((2, 4, 4), (4, 4, 8), (4, 5, 9), (4, 8, 9), (5, 8, 12), (16, 16, 1), (7, 7, 7)),
+)
+VALUES = tuple(product(BODIES, product((1.0, -0.0, -1.0, 2.0, 0.5, 3.0), repeat=3)))
+# Coprime to the number of values, so that it visits them all, and neighbours are far apart.
+_STRIDE = 1237
+
+_UNITS = tuple(
+    tuple(sign if k == place else 0.0 for k in range(4)) for place in range(4) for sign in (1, -1)
+)
+_MORE = ((1.0, 1.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0), (1.0, 1e-150, 0.0, -0.0), (-1e-20, 1, 1, 1))
+ATTITUDES = tuple(
+    tuple(float(length * x) for x in direction)
+    for length in (1.0, 1e-150, 1e150, 3.0, 1e-300, 1e300)
+    for direction in (*_UNITS, *_MORE)
+)
+
+
+def special_values(random: Random, index: int) -> Motion:
+    """Draw small whole moments and simple rates, with equal ones, zeros and negative zeros."""
+    inertia, omega = VALUES[index * _STRIDE % len(VALUES)]
+    return Motion(tuple(map(float, inertia)), omega)
+
+
+def special_attitudes(random: Random, index: int) -> Motion:
+    """Draw quaternions of half turns and no turns, of lengths from 1e-300 to 1e300."""
+    motion = uniform(random, index)
+    return Motion(motion.inertia, motion.omega0, ATTITUDES[index * 31 % len(ATTITUDES)])
+
+
+def extreme_scales(random: Random, index: int) -> Motion:
+    """Draw moments from the least subnormal to near the largest double, fast and slow."""
+    whole, _ = VALUES[random.randrange(len(VALUES))]
+    exponent = round(spread(index, -1074, 1018))
+    inertia = [math.ldexp(x, exponent) for x in whole]
+    scale = 10.0 ** spread(index, -298, 297, base=3)
+    omega = [scale * x for x in rates(random)]
+    return mixed(random, inertia, omega)

@@ -1,0 +1,96 @@
+"""Cards of derivations, printed equations and verdicts for notebooks."""
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from rigidsym.language._latex import condition, point
+from rigidsym.view._html.cards import (
+    Markup,
+    badge,
+    bullets,
+    card,
+    code,
+    counted,
+    entries,
+    formula,
+    formulas,
+    head,
+    join,
+    muted,
+    table,
+    tag,
+)
+
+if TYPE_CHECKING:
+    from rigidsym.proof.derivation import Chapter, Derivation
+    from rigidsym.proof.paper._equation import Equation
+    from rigidsym.proof.paper._verdicts import Read, Verdict
+
+
+def derivation_html(derivation: "Derivation") -> str:
+    """Return the chapters that ran, with the facts each of them proved and their grades."""
+    rows = [(code(c.name), c.title, len(c.facts), _grades(c)) for c in derivation.chapters]
+    total = sum(len(chapter.facts) for chapter in derivation.chapters)
+    title = head(f"{counted(total, 'fact')} in {counted(len(derivation.chapters), 'chapter')}")
+    return card(title, table(("chapter", "", "facts", "grades"), rows))
+
+
+def chapter_html(chapter: "Chapter", facts: str) -> str:
+    """Return a chapter's title and grades, then `facts`, which is HTML already."""
+    return join(Markup(card(head(chapter.title, _grades(chapter)))), Markup(facts))
+
+
+def _grades(chapter: "Chapter") -> Markup:
+    counts = Counter(str(fact.grade) for fact in chapter.facts)
+    return join(*(join(badge(grade), f" {count} ") for grade, count in sorted(counts.items())))
+
+
+def equation_html(equation: "Equation") -> str:
+    """Return an equation as printed, and its interpretation."""
+    return card(head(f"({equation.number})"), formula(equation.latex), muted(equation.reading))
+
+
+def verdict_html(verdict: "Verdict") -> str:
+    """Return the verdict, then the print, its repairs, its conditions, and where it fails."""
+    title = head(f"({verdict.equation.number})", badge(str(verdict.ruling)))
+    return card(title, entries((muted(name), said) for name, said in _rows(verdict)))
+
+
+def _rows(verdict: "Verdict") -> Iterator[tuple[str, object]]:
+    equation = verdict.equation
+    yield "as printed", formula(equation.latex)
+    yield "read as", equation.reading
+    if equation.repair:
+        yield "as derived", formula(equation.repair)
+    if verdict.repairs:
+        mended = (condition(text) or rf"\text{{{text}}}" for text in verdict.repairs)
+        yield "found by search", join(*map(formula, mended))
+    if verdict.conditions:
+        needed = ((condition(text), text) for text in verdict.conditions)
+        yield "holds if", join(*(formula(latex) if latex else text for latex, text in needed))
+    for number in verdict.right_with:
+        yield "right as printed", f"once ({number}) is mended"
+    if verdict.roots:
+        yield "root cause", bullets(map(str, verdict.roots))
+    if found := verdict.counterexample:
+        motion = [str(found.motion)] if found.motion else []
+        lines = (tag("div", text) for text in (*motion, *found.sides))
+        yield "fails at", join(*lines, formulas(point(found.point)))
+    if verdict.readings:
+        yield "readings", bullets(map(_reading, verdict.readings))
+    if equation.flaws:
+        yield "flaws", bullets(f"{flaw}: {text}" for flaw, text in equation.flaws.items())
+    for what, names in (
+        ("proved by", verdict.proved_by),
+        ("refuted by", verdict.refuted_by),
+        ("repaired by", verdict.repaired_by),
+    ):
+        if names:
+            yield what, join(*(join(code(name), " ") for name in names))
+
+
+def _reading(read: "Read") -> Markup:
+    verdict = badge("holds" if read.holds else "fails")
+    said = join(read.reading.text, ": ", verdict, " ", read.reading.implies)
+    return join(said, formulas(point(read.counterexample.point))) if read.counterexample else said
