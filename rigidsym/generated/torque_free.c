@@ -3740,7 +3740,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "ac80465bc499b539e7606d64dd5894c2c3ca3da1c9ac2f6728b0694292f46008"; }
+const char *torque_free_digest(void) { return "d63cd023e30e959363a17ca6dbf295573826a2298dae4780c1baa45874aaa245"; }
 
 const char *torque_free_message(int code)
 {

@@ -26,7 +26,7 @@ Lines of code:
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
-and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+and their reduction) are truncated as follows; `rigidsym._codegen.special_functions` proves the
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
 mpmath:
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest ac80465bc499b539e7606d64dd5894c2c3ca3da1c9ac2f6728b0694292f46008
+digest d63cd023e30e959363a17ca6dbf295573826a2298dae4780c1baa45874aaa245
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

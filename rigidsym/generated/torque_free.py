@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 349e81bd65d0b21499222026611939152fb0c565804c9a0a5610d280cf584074
+digest af23706c98fe6cfaabed1f731bfd0283a241d5b64d01bfffcf1de766c6789824
 """
 
 # ruff: noqa

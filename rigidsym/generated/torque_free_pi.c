@@ -2608,7 +2608,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "30ff1796251e2a6912fe39fe52f1970e5fac1a27deb1036274ae908c55b11379"; }
+const char *torque_free_pi_digest(void) { return "62ed60ef9622f835e5cd9835e5370b559755760d556184bd00af16a325fe3409"; }
 
 const char *torque_free_pi_message(int code)
 {

@@ -27,7 +27,7 @@ Lines of code:
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
 Carlson's R_J, angles and their reduction) are truncated as follows;
-`rigidsym.codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
+`rigidsym._codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   complete integrals, 16 means   relative, 1.0e-29 measured
@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 30ff1796251e2a6912fe39fe52f1970e5fac1a27deb1036274ae908c55b11379
+digest 62ed60ef9622f835e5cd9835e5370b559755760d556184bd00af16a325fe3409
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a

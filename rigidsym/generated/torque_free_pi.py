@@ -40,7 +40,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest ca3f2381898acfed7c854838d45f1bf9b0f0c163678ad011c6c76f5542ebf1f5
+digest 292b62e5f727dde9ec4ad6c6b5c17a6c9a852a7785184c1e38d6fc452234189b
 """
 
 # ruff: noqa

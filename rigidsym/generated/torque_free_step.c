@@ -1335,7 +1335,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "2bbca0fd3f7f2eaa1c925abc467f1181b8e1a3a055ceffdbfed79fc5c820204a"; }
+const char *torque_free_step_digest(void) { return "dddb1701dcb1bc27f2e4bc3a68f7725304aa3b17064bcf7d576d78b9a2ad42de"; }
 
 const char *torque_free_step_message(int code)
 {

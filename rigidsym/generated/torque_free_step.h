@@ -24,7 +24,7 @@ Lines of code:
     732  76 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
-cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
+cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
 proves the bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them
 against mpmath:
   X and Y, 8 terms of series    relative, below 4.4e-17 up to 8 rad
@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 2bbca0fd3f7f2eaa1c925abc467f1181b8e1a3a055ceffdbfed79fc5c820204a
+digest dddb1701dcb1bc27f2e4bc3a68f7725304aa3b17064bcf7d576d78b9a2ad42de
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

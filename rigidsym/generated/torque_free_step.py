@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 33931b8397d27520c051a1b30bb845226fc380ed3e474df208809e598c02feba
+digest a89ddfb9de47aa79e83ec9ea7e38120120f46f42c7fec091adf2eb492ecfa84a
 """
 
 # ruff: noqa
