@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import sympy
 from sympy import (
     Determinant,
+    ImmutableMatrix,
     MatAdd,
     MatMul,
     MatrixExpr,
@@ -31,15 +32,17 @@ def coordinates(
     where the expression is not in the span.
     """
     whole = scope.explicit(expression)
-    known = map(scope.explicit, basis)
-    # tr(B* X) / tr(B* B), which is real for X in the real span of an orthogonal basis
-    parts = (sympy.expand((b.H * whole).trace() / (b.H * b).trace()) for b in known)
-    found = tuple(tidy(scope, part) for part in parts)
+    found = tuple(tidy(scope, _coordinate(whole, scope.explicit(b))) for b in basis)
     pairs = zip(found, basis, strict=True)
     terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
     right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
     fact = scope.decide_matrices(fact_id, expression, right, source)
     return scope.note("coordinates", why, found, [(expression, right)], fact)
+
+
+def _coordinate(value: ImmutableMatrix, direction: ImmutableMatrix) -> sympy.Expr:
+    """Return tr(B* X) / tr(B* B), real for X in the real span of an orthogonal basis."""
+    return sympy.expand((direction.H * value).trace() / (direction.H * direction).trace())
 
 
 def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
