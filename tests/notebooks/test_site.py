@@ -168,7 +168,7 @@ def test_the_formats_of_manoeuvres_are_described(html):
 def test_the_reference_has_what_plans_and_examines(html):
     every = pages(html)
     for name in ("rigidsym.plan", "rigidsym.principal_axes", "rigidsym.manoeuvre.Plan",
-                 "rigidsym.manoeuvre.flight._fly", "rigidsym.io.aem",
+                 "rigidsym.manoeuvre.flight.fly", "rigidsym.io.aem",
                  "rigidsym.validate.examine"):  # fmt: skip
         page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
         assert f'id="{name}"' in page, name
