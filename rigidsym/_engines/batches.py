@@ -58,7 +58,7 @@ def number(name: str, value: ArrayLike) -> float:
 
 
 def floats(value: object, length: int) -> tuple[float, ...] | None:
-    """Return one vector of finite doubles as Python's floats; None for what needs a closer look."""
+    """Return a vector of finite doubles as Python floats, or None if it needs the full checks."""
     listed = value.tolist() if type(value) is np.ndarray else value
     if not isinstance(listed, (tuple, list)) or len(listed) != length:
         return None

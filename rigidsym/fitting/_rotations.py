@@ -34,7 +34,7 @@ def inverse_right_jacobian(vectors: np.ndarray) -> np.ndarray:
 
 
 def about(axis: int, angle: np.ndarray) -> np.ndarray:
-    """Return quaternions (..., 4) of rotations by angles (...), rad, about x, y or z: 0, 1 or 2."""
+    """Return quaternions (..., 4) of rotations by angles (...), rad, about one axis: 0, 1 or 2."""
     found = np.zeros((*angle.shape, 4))
     found[..., 0], found[..., 1 + axis] = np.cos(angle / 2), np.sin(angle / 2)
     return found

@@ -88,7 +88,7 @@ class Comparison:
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
 
     def to_svg(self) -> str:
-        """Return plots of seconds and errors by digits, and by distances that are not zero."""
+        """Return plots of seconds and errors against digits and distances from the separatrix."""
         near = [m for m in self.by_distance if m.distance != "0"]
         halves = [
             ("by digits", "digits", self.by_digits),

@@ -60,7 +60,7 @@ def exactly(
 
 
 class Evaluation(Generic[Value]):
-    """A motion at the working precision, by the table of functions of a method.
+    """A motion evaluated at the working precision with the functions of one method.
 
     With theta_4 among the functions it is computed by the theta form, wherever that exists: neither
     on the separatrix nor for symmetric bodies.  `number` converts any number to their kind.

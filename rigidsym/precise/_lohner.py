@@ -48,7 +48,7 @@ ROUNDING, WIDEST_TURN = 2.0**-20, 3
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """All bodies and rates of a box r (6) about their middles.
+    """All bodies and rates of a box, as deviations r (6) from its middle.
 
     flow: the flow of all of them.
     middle: the factors of the middle (3).

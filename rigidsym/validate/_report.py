@@ -260,7 +260,7 @@ class ValidationReport:
         }
 
     def _case(self, finding: Finding, file: str | None = None) -> report_data.Case:
-        """Return a case with its command: by its file, or by its name if it is drawn."""
+        """Return a case and the command that repeats it, by the case's file or its drawn name."""
         sample, reference = finding.sample, finding.reference
         name = f"{sample.stratum}:{sample.index}"
         return {

@@ -45,7 +45,7 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Yield attitude, norm, phase and rates of each branch; the Pi form has a fact for each."""
+    """Yield the claims on attitude, norm, phase and rates of each branch of the states."""
     if form == STEP:
         return
     emitted = {function.name: formulas_of(function.formulas) for function in functions}

@@ -203,7 +203,7 @@ class Run:
         return met
 
     def check_rows(self) -> Rows:
-        """Return rows of the momentum and the energy that no torque explains.
+        """Return table rows: the changes of momentum and of energy that no torque explains.
 
         They are bounds where they are rounding, whose digits differ between processors.
         """

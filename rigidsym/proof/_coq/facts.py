@@ -44,7 +44,7 @@ class Claim:
 
 
 def claims_of(fact: Fact) -> list[list[Claim]]:
-    """Return the claims of a fact, for each of its components."""
+    """Return the claims of a fact: one list for each of its components."""
     return [_component(fact.kind, *sides) for sides in _sides(fact)]
 
 

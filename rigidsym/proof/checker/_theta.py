@@ -187,7 +187,7 @@ def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmp
 def _classes(
     leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int, unit: int
 ) -> Iterator[tuple[tuple[object, ...], int]]:
-    """Yield each class of the a of a product modulo the period, once, by a*unit, and its sign.
+    """Yield each class of exponents modulo the period once, as a*unit with its sign.
 
     The a, but for a first one, are the lattice of the rows of F.  In a triangular basis of it (the
     Hermite normal form) the diagonal h divides the period, and the coefficients from 0 to period/h
@@ -287,7 +287,7 @@ class Functions:
 
 
 def _least(theta: Theta) -> tuple[Theta, int, int]:
-    """Return the function at the least of z, -z, and their conjugates, and the signs of its parts.
+    """Replace z by the least of z, -z and their conjugates; return the function and its signs.
 
     f(-z) is f(z) or -f(z), and f at the conjugate of z is the conjugate of f(z).
     """

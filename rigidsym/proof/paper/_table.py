@@ -1,4 +1,4 @@
-"""Verdicts as text: a row each for an overview, and the details of one."""
+"""Verdicts as text: an overview with one row for each, and the details of a single verdict."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence

@@ -152,7 +152,7 @@ class FaultReport:
         )
 
     def _which(self, strata: tuple[str, ...]) -> str:
-        """Name few strata, or the few others; abbreviate the rest."""
+        """Name the strata, or those that are missing if they are fewer; abbreviate long lists."""
         others = [name for name in self.strata if name not in strata]
         if not strata:
             return "NOT CAUGHT"

@@ -108,7 +108,7 @@ def display(line: "Step", fit: str = "") -> str:
 
 
 def aligned(line: "Step") -> str:
-    """Return the equations of a line, several below each other."""
+    """Return the equations of a line in LaTeX, one below the other."""
     rows = [row for equation in line.shown for row in _rows(equation)]
     if len(rows) == 1:
         return rows[0].replace("&", "")

@@ -160,7 +160,7 @@ def _state() -> list[Let]:
 
 
 def _powers() -> list[Let]:
-    """State the powers q^2, q^3, ... of the nome that are used."""
+    """Return lets for the powers of the nome that are used."""
     made = {4: (2, 2), 6: (4, 2), 8: (4, 4), 12: (8, 4), 16: (8, 8), 18: (12, 6), 32: (16, 16)}
     return [let(f"nome{n} = nome{i}*nome{j}", "DLMF 20.2.2") for n, (i, j) in made.items()]
 

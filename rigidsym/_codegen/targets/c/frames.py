@@ -165,7 +165,7 @@ def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
 
 
 def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
-    """Return the frame of a function of several bodies; `extended` is the result of `pairs`."""
+    """Return the frame of a function that computes several bodies side by side."""
     name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
     place = "x->" if is_step else "lane->"
     if is_step:
