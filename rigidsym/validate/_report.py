@@ -133,11 +133,17 @@ class ValidationReport:
             drawn = f"cases={campaign.cases}, digits={campaign.digits}, seed={campaign.seed}"
             chosen = "" if campaign.strata == in_doubles() else f", strata={[*campaign.strata]}"
             return f"examine({_variable(campaign.user_integrators[0])}, {drawn}{chosen})"
+        return f"rigidsym validate {self.options}"
+
+    @property
+    def options(self) -> str:
+        """Targets and options of the campaign, as on the command line."""
+        campaign = self.campaign
         partial = len(campaign.strata) < len(STRATA)
         chosen = [f"--stratum '{name}'" for name in campaign.strata] if partial else []
         peers = [f"--peer {name}" for name in campaign.peers]
         drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
-        return " ".join(["rigidsym validate", *campaign.targets, drawn, *peers, *chosen])
+        return " ".join([*campaign.targets, drawn, *peers, *chosen])
 
     @property
     def conclusion(self) -> str:

@@ -30,6 +30,11 @@ def report():
     return validate(cases=6, seed=5, workers=None)
 
 
+def test_a_report_names_its_command_and_its_options(report):
+    assert report.options.endswith("--cases 6 --digits 40 --seed 5")
+    assert report.command == f"rigidsym validate {report.options}"
+
+
 @pytest.mark.parametrize("stratum", STRATA)
 @pytest.mark.parametrize("target", TARGETS)
 def test_every_stratum_is_within_every_documented_bound(report, target, stratum):

@@ -309,7 +309,7 @@ def read(tables: TomlTable) -> Flight:
     # Its import takes a while, which flights that are not read from files do without.
     from pydantic import TypeAdapter
 
-    settings = {name: tables[name] for name in _NAMES if name in tables}
+    settings = {name: _table(name, tables[name]) for name in _NAMES if name in tables}
     if "thrusters" in tables:
         settings.setdefault("controller", {"natural_frequency": 0.0})
     try:
@@ -320,6 +320,17 @@ def read(tables: TomlTable) -> Flight:
     return replace(flight, message=message)
 
 
+def _table(name: str, table: object) -> dict[str, object]:
+    """Return a table as a dict; TOML has no None, which pydantic would take for a default."""
+    if not isinstance(table, Mapping):
+        known = ", ".join(_NAMES[name])
+        raise InputError(name, repr(table), f"must be a table of {known}")
+    for key, value in table.items():
+        if value is None:
+            raise InputError(f"{name}.{key}", value, "must be a number")
+    return dict(table)
+
+
 def _refused(error: ValidationError) -> InputError:
     """Return the first error of pydantic in one line."""
     first = error.errors(include_url=False)[0]
@@ -327,7 +338,4 @@ def _refused(error: ValidationError) -> InputError:
     cause = first.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
         return InputError(".".join([name, *inner]) + cause.field, cause.value, cause.rule)
-    known = ", ".join(_NAMES[name])
-    if inner:
-        return InputError(name, inner[0], f"is not one of: {known}")
-    return InputError(name, repr(first["input"]), f"must be a table of {known}")
+    return InputError(name, inner[0], f"is not one of: {', '.join(_NAMES[name])}")

@@ -5,6 +5,7 @@ import tomllib
 from datetime import UTC, datetime
 from fractions import Fraction
 from importlib import resources
+from types import MappingProxyType
 
 import pytest
 
@@ -128,3 +129,13 @@ def test_what_cannot_be_is_refused_in_one_line(text, message):
         read(tomllib.loads(text))
     assert message in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_a_table_is_any_mapping_and_nothing_else():
+    paper = read({"orbit": MappingProxyType({"altitude": 700})})
+    assert paper.orbit == read({"orbit": {"altitude": 700}}).orbit
+    for table in (None, paper.orbit):
+        with pytest.raises(InputError, match=r"^orbit = .*: must be a table of "):
+            read({"orbit": table})
+    with pytest.raises(InputError, match=r"^wheels\.max_momentum = None: must be a number$"):
+        read({"wheels": {"max_momentum": None}})
