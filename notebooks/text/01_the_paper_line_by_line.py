@@ -17,11 +17,10 @@
 # %% [markdown]
 # # 1. The paper, line by line
 #
-# A free rigid body turns in space: no torque acts on it, and yet a tennis racket thrown with a
-# spin about the wrong axis flips over again and again. The paper behind this project writes that
-# motion down in closed form. It puts Euler's equations into a **Lax pair** on the group $SU(2)$,
-# turns the angular momentum onto one fixed axis, and is left with a single integral, an elliptic
-# integral of the third kind.
+# A tennis racket that is thrown with a spin about its middle axis flips over again and again,
+# although no torque acts on it. The paper behind this project gives that motion in closed form. It
+# puts Euler's equations into a **Lax pair** on the group $SU(2)$, turns the angular momentum onto
+# one fixed axis, and is left with a single integral, an elliptic integral of the third kind.
 #
 # This page goes through every numbered equation. For each of them it shows
 #
@@ -29,29 +28,30 @@
 # * a **verdict**, and the hypotheses under which it holds;
 # * where the print is wrong: what the derivation puts **in its place**, and an exact
 #   **counterexample**, a point with rational coordinates at which both sides differ;
-# * the **facts** the verdict rests on, by name. Each fact is an identity, or the refutation of
-#   one, that a small kernel has decided, and that it decides once more below;
+# * the names of the **facts** that the verdict rests on. Each fact is an identity, or the
+#   refutation of one. A small kernel has decided it, and decides it once more below;
 # * the **line as derived**: a step in which SymPy finds the equation, from the basis (4) and the
 #   kinetic energy on, without having seen the print.
 #
-# Nothing on this page is typed in by hand but the prose: equations, verdicts and counterexamples
-# come from `rigidsym.proof.paper` and from the ledger of facts, and `rigidsym errata` prints the same in
-# a terminal; the lines come from a derivation that runs in a cell below. Step by step it is the
-# matter of the next notebooks: [from the Lax pair to $KA_1$](02_from_lax_pair_to_k_a1.ipynb) and
-# [the $\phi_1$ integral and $\Pi$](03_the_phi1_integral_and_pi.ipynb).
+# Only the prose on this page is typed by hand. Equations, verdicts and counterexamples come from
+# `rigidsym.proof.paper` and from the ledger of facts; `rigidsym errata` prints the same in a
+# terminal. The lines come from a derivation that runs in a cell below. The next notebooks go
+# through it step by step: [from the Lax pair to $KA_1$](02_from_lax_pair_to_k_a1.ipynb) and [the
+# $\phi_1$ integral and $\Pi$](03_the_phi1_integral_and_pi.ipynb).
 
 # %% [markdown]
-# ## What a verdict is worth
+# ## The meaning of a verdict
 #
-# A *context* says what is supposed: some quantities, the relations they satisfy
-# ($\mathrm{cn}^2+\mathrm{sn}^2=1$), how they move ($\dot{\mathrm{sn}}=\xi\,\mathrm{cn}\,\mathrm{dn}$),
-# and what is not zero. A *fact* is a statement in a context, with a grade. `PROVED` means that
-# left side minus right side is a combination of the relations; the factors of that combination are
-# kept as a *certificate*, so whoever doubts the fact multiplies them out and needs no trust in the
-# programs that found them. `ENCLOSED` is weaker: a result quoted from the literature, tested with
-# rigorous interval arithmetic.
+# A *context* lists assumptions: some quantities, the relations they satisfy
+# ($\mathrm{cn}^2+\mathrm{sn}^2=1$), how they move
+# ($\dot{\mathrm{sn}}=\xi\,\mathrm{cn}\,\mathrm{dn}$), and which quantities are not zero. A *fact*
+# is a statement in a context, with a grade. `PROVED` means that left side minus right side is a
+# combination of the relations; the factors of that combination are kept as a *certificate*. Anyone
+# can check the fact by multiplying them out, and need not trust the programs that found them.
+# `ENCLOSED` is weaker: a result quoted from the literature, tested with rigorous interval
+# arithmetic.
 #
-# The next cell does the multiplying, for every fact of the ledger, in a fresh kernel.
+# The next cell has a fresh kernel check every fact of the ledger in this way.
 
 # %%
 import json
@@ -80,10 +80,11 @@ display(table({"verdict": str(ruling), "printed lines": count[ruling]} for rulin
 # %% [markdown]
 # ## The derivation
 #
-# The next cell runs the chapters of `derivations` that compute: from the basis (4) and the Lagrangian
-# to Theorem 1. What is chosen is the `Setting`; `Setting()` is the paper's. **Change it and run on**, to
-# `Setting(sequence=(3, 1, 3), axis=3)` or `Setting(sign=-1)`, and all lines below are those of
-# another derivation. The verdicts stay, since they are on what is printed.
+# The next cell runs the chapters of `derivations` that compute: from the basis (4) and the
+# Lagrangian to Theorem 1. All choices are in the `Setting`; `Setting()` has the paper's. **Change
+# it and run on**: with `Setting(sequence=(3, 1, 3), axis=3)` or `Setting(sign=-1)`, all lines below
+# are those of another derivation. The verdicts do not change, because they are about the printed
+# equations.
 
 # %%
 setting = Setting()
@@ -110,10 +111,10 @@ def pages(*numbers, chapter=""):
 # %% [markdown]
 # ## Rotations as unit quaternions: (1) to (4)
 #
-# A rotation is stored as a $2\times2$ matrix $R$ in $SU(2)$, which is a unit quaternion in another
-# dress: four real numbers whose squares add up to one. The basis $A_1,A_2,A_3$ of the Lie algebra is
-# scaled by $\tfrac12$ so that the bracket of two matrices is the cross product of two vectors. That
-# is what lets everything below be read as mechanics in $\mathbb R^3$.
+# A rotation is stored as a $2\times2$ matrix $R$ in $SU(2)$. Such a matrix is a unit quaternion in
+# another notation: four real numbers whose squares add up to one. The basis $A_1,A_2,A_3$ of the
+# Lie algebra is scaled by $\tfrac12$ so that the bracket of two matrices is the cross product of
+# two vectors. Everything below can therefore be read as mechanics in $\mathbb R^3$.
 
 # %%
 pages("1", "2", "3", "4", chapter="lie_algebra")
@@ -121,9 +122,9 @@ pages("1", "2", "3", "4", chapter="lie_algebra")
 # %% [markdown]
 # ## Euler's equations and what they conserve: (5) and (6)
 #
-# In body axes the rates feed on each other's products. Energy $H$ and momentum $K$ stay what they
-# were; the curve $\Omega(t)$ therefore runs along the intersection of an ellipsoid with a sphere of
-# momenta, and everything that follows makes use of these two numbers.
+# In body axes, the derivative of each rate is a multiple of the product of the other two. Energy
+# $H$ and momentum $K$ are constant; the curve $\Omega(t)$ therefore runs along the intersection of
+# an ellipsoid with a sphere of momenta, and everything that follows uses these two numbers.
 
 # %%
 pages("5", "6", chapter="euler_lax")
@@ -132,22 +133,22 @@ pages("5", "6", chapter="euler_lax")
 # ## The Lax pair: (7) to (9)
 #
 # $\dot M=[M,\Omega]$ is Euler's equations written as a matrix equation. Its solution is a
-# *conjugation* $M(t)=R^{-1}M(0)R$: as seen from space the momentum stands still. Here the first
-# hypothesis turns up. $RMR^{-1}$ is constant for every motion, but the constant is $M(0)$ only where
-# $R(0)$ and $M(0)$ commute. The paper has motions in mind that start at $R(0)=e$; the counterexample
-# starts elsewhere.
+# *conjugation* $M(t)=R^{-1}M(0)R$: in space the momentum is constant. Here the first hypothesis is
+# needed. $RMR^{-1}$ is constant for every motion, but the constant is $M(0)$ only where $R(0)$ and
+# $M(0)$ commute. The paper considers motions that start at $R(0)=e$; the counterexample starts
+# elsewhere.
 
 # %%
 pages("7", "8", "9", chapter="euler_lax")
 
 # %% [markdown]
-# ## Lemma 1, one rate by itself: (10) to (12)
+# ## Lemma 1, one rate alone: (10) to (12)
 #
-# By (6) the square of $\dot\Omega_i$ is a quadratic polynomial in $\Omega_i^2$, with roots $s_i$ and
-# $s_j$: this is the differential equation of Jacobi's $\mathrm{sn}$. The paper's roots are those of a
-# polynomial in $\Omega_i^2$, while its formulas divide by $c_i$ as if they were roots in
-# $(c_i\Omega_i)^2$. **Both cannot be.** With moments of inertia near $0.01\ \mathrm{kg\,m^2}$ this is
-# no small matter: the printed rates are a hundred times too large.
+# By (6) the square of $\dot\Omega_i$ is a quadratic polynomial in $\Omega_i^2$, with roots $s_i$
+# and $s_j$: this is the differential equation of Jacobi's $\mathrm{sn}$. The paper's roots are
+# those of a polynomial in $\Omega_i^2$, while its formulas divide by $c_i$ as if they were roots in
+# $(c_i\Omega_i)^2$. **Only one of these can be right.** The error is large: with moments of inertia
+# near $0.01\ \mathrm{kg\,m^2}$ the printed rates are a hundred times too large.
 #
 # Two repairs are possible: drop $c_i$ wherever it divides a root, line by line, or move a single
 # $c_i^2$ in (14), which mends all the lines at once. The second is the smaller one.
@@ -162,8 +163,8 @@ pages("12", "footnote 2", chapter="lemma1")
 # ## The constants of Lemma 1: (13) to (15)
 #
 # The polynomial (14) and its roots (13) are right, as a polynomial in $\Omega_i^2$, for bodies with
-# three different moments of inertia. Where two of them agree, $\alpha=0$ and there is no quadratic to
-# solve.
+# three different moments of inertia. If two of them are equal, $\alpha=0$ and there is no quadratic
+# to solve.
 
 # %%
 pages("13", "14", "15", chapter="lemma1")
@@ -172,8 +173,8 @@ pages("13", "14", "15", chapter="lemma1")
 # ## Which sign? Remark 1, (16) and (17)
 #
 # $\mathrm{sn}$ takes each value twice in a period, once going up and once going down. An inverse
-# function knows nothing of that, so a sign has to make up for it: the one that gives
-# $\dot\Omega_i(0)$ the sign it has by Euler's equations.
+# function cannot tell these apart, so the formula needs a sign: the one that gives
+# $\dot\Omega_i(0)$ the sign that follows from Euler's equations.
 
 # %%
 pages("Remark 1", "16", "17", chapter="lemma1")
@@ -181,11 +182,11 @@ pages("Remark 1", "16", "17", chapter="lemma1")
 # %% [markdown]
 # ## Theorem 1, the attitude: (18) and (19)
 #
-# The quaternion is built from half angles of $\phi_1,\phi_2,\phi_3$. The products in (18) are right.
-# The half angle of $\phi_3$ is where it goes wrong: $y^\star=y/(1+\sqrt{1+y^2})$ is
-# $\tan(\phi_3/2)$ for angles between $-\pi/2$ and $\pi/2$ only, that is while $c_3\Omega_3>0$. No choice of
-# *constant* signs $S_i$ takes the formula past a zero of $\Omega_3$, and $\Omega_3$ has zeros, two in
-# every period, unless axis 3 is the one that the body circulates about.
+# The quaternion is built from half angles of $\phi_1,\phi_2,\phi_3$. The products in (18) are
+# right. The error is in the half angle of $\phi_3$: $y^\star=y/(1+\sqrt{1+y^2})$ is
+# $\tan(\phi_3/2)$ only for angles between $-\pi/2$ and $\pi/2$, that is while $c_3\Omega_3>0$. No
+# choice of *constant* signs $S_i$ takes the formula past a zero of $\Omega_3$, and $\Omega_3$ has
+# two zeros in every period, unless the body circulates about axis 3.
 
 # %%
 pages("Theorem 1", "18", "19", chapter="theorem1")
@@ -193,7 +194,8 @@ pages("Theorem 1", "18", "19", chapter="theorem1")
 # %% [markdown]
 # ## The third kind: (20) and (21)
 #
-# The characteristic $n$ of $\Pi(n;\vartheta|m)$ suffers from the same confusion of roots as Lemma 1.
+# The characteristic $n$ of $\Pi(n;\vartheta|m)$ has the same error as Lemma 1: the two kinds of
+# roots are confused.
 
 # %%
 pages("20", "21", chapter="winding")
@@ -201,9 +203,9 @@ pages("20", "21", chapter="winding")
 # %% [markdown]
 # ## Signs again: Remark 2 and footnote 3
 #
-# $S_1S_2$ has to be the sign of $c_3\Omega_3$ and has to change with it; where it does, $\phi_1$ has to
-# jump by $\pi$. This has nothing to do with the orientation of a frame, which no choice of signs can
-# touch.
+# $S_1S_2$ has to be the sign of $c_3\Omega_3$ and has to change with it; at each change, $\phi_1$
+# has to jump by $\pi$. This has nothing to do with the orientation of a frame, which does not
+# depend on the signs.
 
 # %%
 pages("Remark 2", "footnote 3")
@@ -211,9 +213,9 @@ pages("Remark 2", "footnote 3")
 # %% [markdown]
 # ## The proof, first half: (22) to (29)
 #
-# Choose the frame in space so that the momentum lies along $A_1$. Then the momentum in the body
-# gives two of the three angles without any integration.
-# [Notebook 2](02_from_lax_pair_to_k_a1.ipynb) goes through this step by step.
+# Choose the frame in space so that the momentum lies along $A_1$. The momentum in the body then
+# determines two of the three angles without any integration. [Notebook
+# 2](02_from_lax_pair_to_k_a1.ipynb) goes through this step by step.
 
 # %%
 pages("22", "23", "24", "25", "26", chapter="conjugacy")
@@ -224,9 +226,9 @@ pages("27", "28", "29", chapter="conjugacy")
 # %% [markdown]
 # ## The proof, second half: (30) to (36)
 #
-# The third angle has to be integrated. [Notebook 3](03_the_phi1_integral_and_pi.ipynb) does so. Two
-# misprints sit here: $\mu^2$ for $\mu$ in (35) and (36), a modulus where all the rest of the paper
-# has a parameter, and $\dot\phi_1$ for $\phi_1$ on the left of (36).
+# The third angle is an integral, which [notebook 3](03_the_phi1_integral_and_pi.ipynb) derives.
+# There are two misprints here. (35) and (36) have $\mu^2$ for $\mu$, a modulus where the rest of
+# the paper has a parameter. (36) has $\dot\phi_1$ for $\phi_1$ on its left side.
 
 # %%
 pages("R^-1 dR/dt", "30", "31", "32", "33", chapter="kinematics")
@@ -244,7 +246,7 @@ pages("Remark 3", "37")
 # ## The misprints on one page
 #
 # A search tried small edits of every refuted line: a sign, an index, a power, a factor. The last
-# column is what it found and the kernel then proved, in the names of the contexts.
+# column shows what it found and the kernel then proved, written with the names of the contexts.
 
 # %%
 misprints = [v for v in verdict.values() if v.ruling == Ruling.MISPRINT]
@@ -260,8 +262,9 @@ display(
 )
 
 # %% [markdown]
-# Every printed line has been on this page once, none is open, and every fact a verdict rests on is
-# in the ledger that was replayed at the top, proved. (The last cell, folded, checks that.)
+# Every printed line has appeared on this page once, and none is open. Every fact that a verdict
+# rests on is proved in the ledger that was replayed at the top. (The last cell, folded, checks
+# that.)
 
 # %% tags=["hide-cell"]
 assert sorted(shown) == sorted(verdict)

@@ -17,16 +17,16 @@
 # %% [markdown]
 # # 2. From the Lax pair to $KA_1$
 #
-# The attitude of a free body has three degrees of freedom, and one would expect three integrations.
-# The paper needs one. The reason is the conservation of angular momentum *as a vector in space*: turn
-# the frame so that this vector lies along an axis, and the momentum in the body hands over two of the
-# three angles by mere comparison of matrices.
+# The attitude of a free body has three degrees of freedom, so one would expect three integrations.
+# The paper needs only one. The reason is the conservation of angular momentum *as a vector in
+# space*: if the frame is turned so that this vector lies along an axis, two of the three angles
+# follow from the momentum in the body by comparing matrices.
 #
-# This notebook *derives* equations (3) to (9) and (22) to (29), from a basis of matrices and a kinetic
-# energy. Each line is a **step** that runs in its cell: SymPy goes forward, it multiplies out, solves
-# or differentiates; then a small kernel decides whether what it found is true. What a cell shows is
-# what came out: what was done, the equation, the paper's number, what was divided by, and on
-# the right the name under which the kernel keeps the fact.
+# This notebook *derives* equations (3) to (9) and (22) to (29), from a basis of matrices and a
+# kinetic energy. Each line is a **step** that runs in its cell: SymPy multiplies out, solves or
+# differentiates, and a small kernel then decides whether the result is true. A cell shows what was
+# done, the equation that came out, the paper's number, the divisors, and on the right the name
+# under which the kernel keeps the fact.
 #
 # The steps are those of the chapters `derivations/lie_algebra.py`, `euler_lax.py` and `conjugacy.py`.
 # The verdicts on the printed lines are in [notebook 1](01_the_paper_line_by_line.ipynb).
@@ -85,13 +85,14 @@ from support import equation, grades, printed
 from support.figures import curve, label, momentum_sphere
 
 # %% [markdown]
-# ## What is chosen
+# ## The choices
 #
 # A derivation starts from choices: which axes the body is turned about, and in which order; onto
 # which axis the momentum is turned; the basis of the Lie algebra; the Lagrangian. `Setting()` has
-# those of the paper. **Change them here and run on**: `Setting(sequence=(3, 1, 3))` takes the turns of
-# celestial mechanics, `Setting(axis=2)` turns the momentum onto another axis, `Setting(sign=-1)` or
-# `Setting(factor=1)` takes another basis. All that follows is computed again, the pictures too.
+# those of the paper. **Change them here and run on**: `Setting(sequence=(3, 1, 3))` takes the Euler
+# angles of celestial mechanics, `Setting(axis=2)` turns the momentum onto another axis,
+# `Setting(sign=-1)` or `Setting(factor=1)` takes another basis. Everything below is computed again,
+# including the pictures.
 
 # %%
 setting = Setting()
@@ -100,7 +101,7 @@ builder = LedgerBuilder()
 builder.keep(setting)
 
 # %% [markdown]
-# The *builder* takes down every step, and the facts of the kernel.
+# The *builder* records every step and the facts of the kernel.
 #
 # ## A basis whose bracket is the cross product
 #
@@ -189,9 +190,9 @@ spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
 spectrum
 
 # %% [markdown]
-# They are multiples of $K$ with $K^2=M_1^2+M_2^2+M_3^2$. The other quantity of (6) is the energy
-# $H=\sum M_k\Omega_k-L$. With Euler's equations for the rates, this is a *body that moves*: a context
-# in which a time derivative can be taken.
+# The eigenvalues are multiples of $K$ with $K^2=M_1^2+M_2^2+M_3^2$. The other quantity of (6) is
+# the energy $H=\sum M_k\Omega_k-L$. With Euler's equations for the rates, this is a *body that
+# moves*: a context in which a time derivative can be taken.
 
 # %%
 square = sympy.expand(spectrum.value / setting.factor**2)
@@ -215,8 +216,8 @@ display(equation("H", energy), equation("K^2", square))
 # %% [markdown]
 # ## Euler's equations as one matrix equation
 #
-# The three right sides above look like a bracket. They are one, and so the equations of motion
-# are $\dot M=[M,\Omega]$.
+# The three right-hand sides above are the components of a bracket, so the equations of motion are
+# $\dot M=[M,\Omega]$.
 
 # %%
 pair = {**named, "Omega": combination("Omega1 Omega2 Omega3")}
@@ -228,7 +229,7 @@ lax = multiply(scope, "body.lax", Rate(M), commutator(M, Omega), why, ["7"])
 display(bracket, lax)
 
 # %% [markdown]
-# Such a pair $(M,\Omega)$ is called a **Lax pair**, and its gift is that the spectrum of $M$ cannot
+# Such a pair $(M,\Omega)$ is called a **Lax pair**. Its use is that the spectrum of $M$ cannot
 # change: $\frac{d}{dt}\operatorname{tr}M^2=2\operatorname{tr}M[M,\Omega]=0$. That is the
 # conservation of $K$. Energy is conserved as well, for another reason.
 
@@ -238,8 +239,8 @@ why = "and so is the spectrum of M"
 display(differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
 
 # %% [markdown]
-# Did one have to know the partner $\Omega$? No. Suppose any matrix $B=\sum b_kA_k$, ask for
-# $\dot M=[M,B]$, and solve for the $b_k$. Three linear equations, and one direction is left free.
+# The partner $\Omega$ can also be found. Take any matrix $B=\sum b_kA_k$, require $\dot M=[M,B]$,
+# and solve for the $b_k$. These are three linear equations, and they leave one direction free.
 
 # %%
 unknown = symbols("b1 b2 b3")
@@ -254,14 +255,14 @@ free = symbol("b_free")
 display(wanted, solve_family(scope, "partner.found", equations, unknown, free, why, ["7"]))
 
 # %% [markdown]
-# ## As seen from space, the momentum stands still
+# ## In space, the momentum is constant
 #
 # With the kinematics $\dot R=R\,\Omega$ of (3),
 #
 # $$\frac{d}{dt}\left(RMR^{-1}\right)=R\left(\Omega M+\dot M-M\Omega\right)R^{-1}
 # =R\left(\dot M-[M,\Omega]\right)R^{-1}=0 .$$
 #
-# The kernel does not take that from us; it differentiates and multiplies the four entries.
+# The kernel does not trust this line; it differentiates and multiplies the four entries itself.
 
 # %%
 parts = (given, body, UNIT_QUATERNION, algebra.attitude)
@@ -273,8 +274,8 @@ fact = "moving_body.momentum_is_constant"
 display(multiply(scope, fact, Rate(R * M * R.I), nothing, why, ["9", "22"]))
 
 # %% [markdown]
-# The paper calls the constant $M(0)$. It is $R(0)M(0)R(0)^{-1}$; that is the same only when $R(0)$ and
-# $M(0)$ commute, say at $R(0)=e$.
+# The paper calls the constant $M(0)$. It is $R(0)M(0)R(0)^{-1}$, which equals $M(0)$ only if $R(0)$
+# and $M(0)$ commute, for example at $R(0)=e$.
 
 # %%
 printed("9", "22")
@@ -287,13 +288,14 @@ printed("9", "22")
 #
 # $$\bar RM\bar R^{-1}=KA_1 .$$
 #
-# Any motion is a constant rotation away from such a one (37). Now write $\bar R$ as three turns,
+# Any motion differs from such a solution by a constant rotation (37). Now write $\bar R$ as three
+# turns,
 #
 # $$\bar R=\exp(\phi_1A_1)\exp(\phi_2A_2)\exp(\phi_3A_1),$$
 #
-# called $E_1$, $E_2$ and $E_3$ here. From $A^2=-\frac14$ follows
-# $\exp(\phi A)=\cos\frac\phi2+2A\sin\frac\phi2$. (Where the momentum is to be turned onto another axis
-# than that of the outer turns, a constant rotation $T$ comes before them.)
+# called $E_1$, $E_2$ and $E_3$ here. From $A^2=-\frac14$ follows $\exp(\phi
+# A)=\cos\frac\phi2+2A\sin\frac\phi2$. (If the momentum is to be turned onto another axis than that
+# of the outer turns, a constant rotation $T$ precedes them.)
 
 # %%
 factors, axis = rotation(setting), A[setting.target - 1]
@@ -309,9 +311,9 @@ one, why = sympy.Identity(2), "R is unitary"
 display(multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"]))
 
 # %% [markdown]
-# In space the first factor is a turn about the momentum itself. It commutes with $A_1$, and therefore
-# drops out of $M=K\bar R^{-1}A_1\bar R$: **the momentum in the body knows $\phi_2$ and $\phi_3$, and
-# nothing of $\phi_1$.** That is the whole trick.
+# In space the first factor is a turn about the momentum itself. It commutes with $A_1$, and
+# therefore drops out of $M=K\bar R^{-1}A_1\bar R$: **the momentum in the body depends on $\phi_2$
+# and $\phi_3$, but not on $\phi_1$.** This is the key to the method.
 
 # %%
 why = "the first turn leaves its own axis where it is"
@@ -321,12 +323,13 @@ seen = coordinates(scope, "three_angles.momentum", R.I * axis * R, A, why, ["24"
 display(seen, printed("26"))
 
 # %% [markdown]
-# ### How the kernel knows
+# ### How the kernel decides
 #
-# Not by simplifying. In the ring of the cosines and sines of three angles the relations are
-# $\cos^2+\sin^2-1=0$, three times over. The difference of both sides is divided by them, and remainder
-# zero leaves three *cofactors* that prove it: the difference **is** the sum of cofactor times relation,
-# which polynomial multiplication confirms. Here is one of the entries.
+# The kernel does not simplify. In the ring of the cosines and sines of three angles there are three
+# relations $\cos^2+\sin^2-1=0$. The kernel divides the difference of both sides by them. If the
+# remainder is zero, the three quotients, called *cofactors*, prove the equation: the difference
+# **is** the sum of cofactor times relation, which polynomial multiplication confirms. Here is one
+# of the entries.
 
 # %%
 ring, fact = scope.ring, seen.fact
@@ -340,9 +343,9 @@ for k, (relation, cofactor) in enumerate(zip(ring.relations, cofactors, strict=T
 display(Math(r"\text{left} - \text{right} = a_1r_1 + a_2r_2 + a_3r_3"))
 
 # %% [markdown]
-# A claim that is not true leaves a remainder, and no cofactors can be found. The kernel then refuses
-# it, and so a step whose SymPy went astray ends here. *Undecided* is what it says, not *false*: only a
-# counterexample makes a statement false.
+# A claim that is not true leaves a remainder, and no cofactors can be found. The kernel then
+# refuses it, and so a step in which SymPy made a mistake ends here. The kernel says *undecided*,
+# not *false*: only a counterexample makes a statement false.
 
 # %%
 try:
@@ -351,10 +354,10 @@ except StepError as refusal:
     print(refusal)
 
 # %% [markdown]
-# ## With these components, $\bar R$ does what was asked
+# ## With these components, $\bar R$ turns the momentum onto the axis
 #
-# Put $K$ times the coordinates found for the momentum, and multiply out once more: it is turned
-# onto the axis. No time has passed in this; it is a statement about one instant.
+# Insert $K$ times these coordinates for the momentum and multiply out once more: $\bar R$ turns it
+# onto the axis. This is a statement about one instant; time does not occur in it.
 
 # %%
 circles = tuple(
@@ -374,9 +377,9 @@ display(multiply(scope, "reduced.momentum", M, K * (R.I * axis * R), "and back",
 # %% [markdown]
 # ## Reading off two angles
 #
-# What is left is to compare: three components of the momentum, two angles. The component along the
+# It remains to compare three components of the momentum with two angles. The component along the
 # outer axis gives $\phi_2$; the other two are linear in $\cos\phi_3$ and $\sin\phi_3$ and give
-# $\phi_3$. Nothing is lost on the way: `solve` has the kernel decide both directions.
+# $\phi_3$. No solution is lost or added: `solve` has the kernel decide both directions.
 
 # %%
 w = 2 * setting.factor  # exp(phi A) turns by w phi
@@ -400,8 +403,8 @@ phi3 = solve(scope, "compared.phi3", compared[1:], unknown[1:], why, ["28"])
 display(phi2, phi3)
 
 # %% [markdown]
-# Their quotient is (29). It divides by $\cos\phi_3$ as well, and it forgets a sign: it gives $\phi_3$
-# up to half a turn.
+# Their quotient is (29). It also divides by $\cos\phi_3$, and it loses a sign: it gives $\phi_3$
+# only up to half a turn.
 
 # %%
 there = (given, MOMENTUM, *circles)
@@ -415,10 +418,10 @@ display(tangent, printed("29"))
 
 # %% [markdown]
 # In geometry, $\phi_2$ is the angle between the momentum and the first body axis, a colatitude, and
-# $\phi_3$ the longitude around that axis, counted from axis 3 towards axis 2. At the poles a
-# longitude means nothing, and its *tangent* has a pole of its own wherever $\Omega_3$ passes zero.
+# $\phi_3$ the longitude around that axis, counted from axis 3 towards axis 2. At the poles the
+# longitude is undefined, and its *tangent* has a pole wherever $\Omega_3$ passes zero.
 #
-# ## The same on the paper's spacecraft
+# ## The angles for the paper's spacecraft
 #
 # *An illustration in floating point, not a proof.* The momentum in the body runs along a curve, a
 # **polhode**, on the sphere of radius $K$: the sphere is $K=\text{const}$, and each curve on it is
@@ -482,11 +485,11 @@ figure.tight_layout()
 
 # %% [markdown]
 # Left: the orange arc is $\phi_2$ at $t=0$, the green one $\phi_3$. Right: both angles are smooth,
-# while the tangent of (29) has a pole at every zero of $\Omega_3$. To take $\phi_3$ from $y=\tan\phi_3$
-# alone is to lose half of the circle, and that is where Theorem 1's signs come from.
+# while the tangent of (29) has a pole at every zero of $\Omega_3$. If $\phi_3$ is taken from
+# $y=\tan\phi_3$ alone, half of the circle is lost. This is why Theorem 1 needs signs.
 #
-# And the numbers agree with the statements: $RMR^{-1}$ stands still, and with $\phi_2$ and $\phi_3$
-# so found the three turns take $M$ to $KA_1$, whatever $\phi_1$ is.
+# The numbers agree with the statements: $RMR^{-1}$ is constant, and with these $\phi_2$ and
+# $\phi_3$ the three turns take $M$ to $KA_1$, whatever $\phi_1$ is.
 
 # %%
 A_numbers = [np.array(a.tolist(), dtype=complex) for a in setting.basis()]
@@ -514,11 +517,12 @@ print("R M R^-1 stands still to 1e-14 K:", bool(np.ptp(in_space, axis=0).max() <
 print("it becomes K A to 1e-14 K:       ", bool(abs(reduced - onto).max() < 1e-14 * size))
 
 # %% [markdown]
-# ## What has been earned
+# ## What we have
 #
-# Two of three angles, and no integration yet. The third is what
-# [the next notebook](03_the_phi1_integral_and_pi.ipynb) is about. The last cell, folded, checks what
-# was said. (That the facts above are, side by side, those of the chapters, is tested elsewhere.)
+# We have two of three angles without an integration. [The next
+# notebook](03_the_phi1_integral_and_pi.ipynb) derives the third. The last cell, folded, checks the
+# statements of this notebook. (A test elsewhere compares the facts above with those of the
+# chapters.)
 
 # %% tags=["hide-cell"]
 ledger = builder.ledger

@@ -17,16 +17,16 @@
 # %% [markdown]
 # # 3. The $\phi_1$ integral and $\Pi$
 #
-# [Notebook 2](02_from_lax_pair_to_k_a1.ipynb) turned the momentum onto the axis $A_1$ and read two of
-# the three angles of $\bar R=\exp(\phi_1A_1)\exp(\phi_2A_2)\exp(\phi_3A_1)$ off the momentum in the
-# body. The angle $\phi_1$ that is left is the turn
-# about the momentum itself. In the words of Euler's angles: $\phi_3$ is the spin of the body about
-# its own first axis, $\phi_2$ the nutation of that axis, and $\phi_1$ its precession about the momentum.
+# [Notebook 2](02_from_lax_pair_to_k_a1.ipynb) turned the momentum onto the axis $A_1$ and read two
+# of the three angles of $\bar R=\exp(\phi_1A_1)\exp(\phi_2A_2)\exp(\phi_3A_1)$ off the momentum in
+# the body. The remaining angle $\phi_1$ is the turn about the momentum itself. In terms of Euler's
+# angles: $\phi_3$ is the spin of the body about its own first axis, $\phi_2$ the nutation of that
+# axis, and $\phi_1$ its precession about the momentum.
 #
-# Here $\phi_1$ is found, along equations (30) to (36): its rate from the kinematics, the rate as a
-# function of $\Omega_1$ alone, and its integral as Legendre's integral of the third kind. Each cell
-# runs a step of the derivation, as the chapters `derivations/kinematics.py`, `phi1_integral.py` and
-# `winding.py` do, and shows the line that came out.
+# This notebook derives $\phi_1$, following equations (30) to (36): its rate from the kinematics,
+# the rate as a function of $\Omega_1$ alone, and its integral as Legendre's integral of the third
+# kind. Each cell runs a step of the derivation, as the chapters `derivations/kinematics.py`,
+# `phi1_integral.py` and `winding.py` do, and shows the line that came out.
 
 # %% tags=["hide-input"]
 import matplotlib.pyplot as plt
@@ -83,12 +83,13 @@ from support import begun, definitions, equation, grades, lines, printed, show, 
 verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
 
 # %% [markdown]
-# ## What is chosen
+# ## The choices
 #
 # The setting is the paper's. **Change it here and run on**: `Setting(sequence=(3, 1, 3))` for other
 # axes of the three turns, `Setting(sign=-1)`, `Setting(factor=1)` or `Setting(order=(2, 3, 1))` for
-# another basis. (A body with wheels is another matter: its rate is no multiple of $\mathrm{sn}$.
-# [Notebook 11](11_derive_your_own.ipynb) has one.) The builder starts where notebook 2 ended.
+# another basis. (A body with wheels needs other steps, because its rate is no multiple of
+# $\mathrm{sn}$; [notebook 11](11_derive_your_own.ipynb) derives one.) The builder starts where
+# notebook 2 ended.
 
 # %%
 setting = Setting()
@@ -101,9 +102,9 @@ display(step(builder, "compared.phi2"), step(builder, "compared.phi3"))
 # %% [markdown]
 # ## The angular velocity in terms of the angles
 #
-# Put $\bar R$ into $\bar R^{-1}\dot{\bar R}=\Omega$. In the context `turning` the angles move with rates
-# that nothing is said about; SymPy multiplies out in half angles, where it has some hundred terms, and
-# the kernel confirms the three coordinates that are left of them.
+# Put $\bar R$ into $\bar R^{-1}\dot{\bar R}=\Omega$. In the context `turning` the rates of the
+# angles are arbitrary. SymPy multiplies out in half angles, which gives about a hundred terms, and
+# the kernel confirms the three coordinates to which they simplify.
 
 # %%
 parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
@@ -113,9 +114,9 @@ velocity = coordinates(scope, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 
 display(velocity, printed("R^-1 dR/dt"))
 
 # %% [markdown]
-# The coordinates are the body rates, and they are linear in the rates of the angles: solve. The
-# paper gets there by multiplying (30) with a phase that makes the right side free of $\phi_3$, which
-# is (31). The quotient needs $\sin\phi_2\ne0$, and the step says so.
+# The coordinates are the body rates. They are linear in the rates of the angles, so we solve for
+# these. The paper instead multiplies (30) by a phase that makes the right side free of $\phi_3$,
+# which is (31). The quotient needs $\sin\phi_2\ne0$, and the step says so.
 
 # %%
 unknown = Part(witness=dict.fromkeys(map(str, UNKNOWN), "1"), reading=TURNING.reading)
@@ -129,7 +130,8 @@ last = solve(scope, "velocity.phi3", [equations[first]], UNKNOWN[2:], why, ["3"]
 display(rates, last)
 
 # %% [markdown]
-# Here enters notebook 2: $\Omega_k=M_k/c_k$, with the momentum $M$ by $\phi_2$ and $\phi_3$.
+# Now insert the result of notebook 2: $\Omega_k=M_k/c_k$, with the momentum $M$ as a function of
+# $\phi_2$ and $\phi_3$.
 
 # %%
 there = (dynamics.parameters, MOMENTUM, *reduction.circles)
@@ -145,12 +147,12 @@ by_phi, why = scope.reduced(rate.subs(put_in)), "phi1' with the momentum put in"
 rewrite(scope, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
 
 # %% [markdown]
-# What was $\frac00$ at the pole $\sin\phi_2=0$ has no denominator now. And since
-# $\cos^2\phi_3+\sin^2\phi_3=1$, the rate $\dot\phi_1$ is a mean of $K/c_2$ and $K/c_3$: it always lies
-# between them, and so **$\phi_1$ never turns back.**
+# The expression that was $\frac00$ at the pole $\sin\phi_2=0$ now has no denominator. Since
+# $\cos^2\phi_3+\sin^2\phi_3=1$, the rate $\dot\phi_1$ is a weighted mean of $K/c_2$ and $K/c_3$. It
+# always lies between them, and so **$\phi_1$ always increases.**
 #
-# The paper goes the other way, and puts the momentum in the place of the angles. (28) gives
-# $\cos\phi_3$ and $\sin\phi_3$; what is left is $\sin^2\phi_2$, the part of the momentum across the axis.
+# The paper goes the other way and replaces the angles by the momentum. (28) gives $\cos\phi_3$ and
+# $\sin\phi_3$; the remaining $\sin^2\phi_2$ is one minus the square of $M_1/K$.
 
 # %%
 w = 2 * setting.factor
@@ -168,9 +170,9 @@ display(line, printed("32"))
 # %% [markdown]
 # ## One function of time is enough
 #
-# Two rates are left below the line and above it, and there are two conserved quantities (6). Both are
-# linear in the squares of the rates; eliminate two of these, and the rate of $\phi_1$ depends on the
-# third alone.
+# The numerator and the denominator contain two rates, and there are two conserved quantities (6).
+# Both are linear in the squares of the rates. We eliminate two of these squares, and the rate of
+# $\phi_1$ then depends on the third rate alone.
 
 # %%
 squares = [RATES[second] ** 2, RATES[third] ** 2]
@@ -182,8 +184,8 @@ one_rate = eliminate(scope, fact, line.value, invariants, squares, why, ["33"], 
 display(one_rate, printed("33"))
 
 # %% [markdown]
-# Is this a motion? So far, *if* there is one, its angles move so. The converse, which the paper leaves
-# to its reader: let the angles move by these rates,
+# So far we know: *if* there is such a motion, its angles have these rates. The paper leaves the
+# converse to the reader: if the angles have these rates,
 
 # %%
 parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
@@ -201,7 +203,7 @@ for name in UNKNOWN:
     display(equation(name, scope.read(moves.definitions[str(name)])))
 
 # %% [markdown]
-# then $\bar R$ satisfies the kinematics (3), and the body rates Euler's equations (5).
+# then $\bar R$ satisfies the kinematics (3), and the body rates satisfy Euler's equations (5).
 
 # %%
 why = "angles that move so carry a motion"
@@ -213,10 +215,10 @@ display(multiply(scope, "three_angle_motion.euler", Rate(M), bracket, why, ["5",
 # %% [markdown]
 # ## Lemma 1, in brief
 #
-# What is that one rate as a function of time? The same elimination, applied to the *square* of
-# $\dot\Omega_i$, gives a polynomial in $\Omega_i^2$; its roots are (13), and an ansatz
-# $\zeta\,\mathrm{sn}(\xi t+C\,|\,\mu)$ matches it in two ways. The chapter `derivations/lemma1.py` has
-# these steps, for any cyclic order $(i,j,k)$ of the axes:
+# Lemma 1 gives that one rate as a function of time. The same elimination, applied to the *square*
+# of $\dot\Omega_i$, gives a polynomial in $\Omega_i^2$; its roots are (13), and an ansatz
+# $\zeta\,\mathrm{sn}(\xi t+C\,|\,\mu)$ matches it in two ways. The chapter `derivations/lemma1.py`
+# has these steps, for any cyclic order $(i,j,k)$ of the axes:
 
 # %%
 lemma1.derive(builder)
@@ -225,9 +227,10 @@ lines(builder, "10", "13", "14")
 # %% [markdown]
 # ## Partial fractions
 #
-# So $\Omega_1=\zeta\,\mathrm{sn}(\xi t+\gamma\,|\,\mu)$. Put it into (33): a fraction in $\mathrm{sn}^2$.
-# SymPy's partial fractions split it into a constant and a multiple of $1/(1-n\,\mathrm{sn}^2)$. The
-# hypothesis that this costs stands below the line: the momentum must not meet axis 1.
+# So $\Omega_1=\zeta\,\mathrm{sn}(\xi t+\gamma\,|\,\mu)$. Inserted into (33), it gives a fraction in
+# $\mathrm{sn}^2$. SymPy's partial fractions split it into a constant and a multiple of
+# $1/(1-n\,\mathrm{sn}^2)$. The hypothesis that this needs is shown below the line: the momentum
+# must not meet axis 1.
 
 # %%
 axis = setting.axes[0]
@@ -304,15 +307,16 @@ display(amplitude, verdict["35"])
 # %% [markdown]
 # ## How $\Pi$ winds
 #
-# $\vartheta$ grows without end, and tables and programs know $\Pi(n;\vartheta|m)$ up to a quarter turn,
-# or up to some branch of their own. Beyond it each half turn adds the same amount,
+# $\vartheta$ grows without bound, but tables and programs give $\Pi(n;\vartheta|m)$ only up to a
+# quarter turn, or on some branch of their own. Beyond it each half turn adds the same amount,
 #
 # $$\Pi(n;\vartheta+k\pi\,|\,m)=2k\,\Pi(n\,|\,m)+\Pi(n;\vartheta\,|\,m).$$
 #
-# Algebra proves that both sides grow alike for $k=1$, and that the integrand has no pole on the way for
-# $n<1$. At $\vartheta=-\pi/2$ they agree: from there to $\pi/2$ the integral is $2\Pi(n\,|\,m)$. What agrees once
-# and grows alike agrees always, which is the kernel's rule `start`. The second line is the step from $k$ half
-# turns to $k+1$.
+# Algebra proves that both sides have the same derivative for $k=1$, and that the integrand has no
+# pole on the way for $n<1$. At $\vartheta=-\pi/2$ they agree: from there to $\pi/2$ the integral is
+# $2\Pi(n\,|\,m)$. Two functions that agree at one point and have the same derivative agree
+# everywhere; this is the kernel's rule `start`. The second line is the step from $k$ half turns to
+# $k+1$.
 
 # %%
 scope = Scope.open(builder, "windings", HALF_TURNS, INTEGRAL)
@@ -330,9 +334,9 @@ show(builder.ledger, "windings.rule")
 # %% [markdown]
 # ## Seen on a motion
 #
-# *From here on: illustrations in numbers, not proofs.* Lemma 1 is real on the middle axis, so let the
-# middle axis of the paper's spacecraft be called 1: the cyclic order $(2,3,1)$ of its moments and
-# rates is the same body and the same motion, with other names.
+# *From here on: numerical illustrations, not proofs.* The constants of Lemma 1 are real on the
+# middle axis, so we number the axes of the paper's spacecraft such that the middle axis is 1. The
+# cyclic order $(2,3,1)$ of its moments and rates describes the same body and the same motion.
 
 # %%
 original = paper_case().motion
@@ -427,10 +431,10 @@ print(f"phi1(180 s) by Pi:                 {mp.nstr(phi1(180), 30)} rad")
 print("they agree to 30 digits:", bool(abs(summed - phi1(180)) < mp.mpf(10) ** -30 * abs(summed)))
 
 # %% [markdown]
-# And with $\phi_2$ and $\phi_3$ from the momentum, pulled back by (37), $\phi_1$ gives the attitude
-# that the generated code gives. (Continuous angles are used here. Theorem 1's own half angles, and
-# how they fail, have a [notebook to themselves](04_no_sign_functions.ipynb). In another basis than
-# the paper's, a quaternion has other components, and there is nothing to compare.)
+# Together with $\phi_2$ and $\phi_3$ from the momentum, and with (37), $\phi_1$ gives the same
+# attitude as the generated code. (This uses continuous angles. [The next
+# notebook](04_no_sign_functions.ipynb) shows how Theorem 1's own half angles fail. In another basis
+# than the paper's, a quaternion has other components, so nothing is compared.)
 
 # %%
 t = np.linspace(0, 180, 61)
@@ -516,16 +520,17 @@ right.legend(fontsize=9)
 figure.tight_layout()
 
 # %% [markdown]
-# Left: the part of $\phi_1$ that $\Pi$ contributes is a straight line with a wave on it; without the
-# winding rule, on the branch that an inverse sine gives, it would fold back at every quarter period.
+# Left: the contribution of $\Pi$ to $\phi_1$ is a straight line with a wave on it. Without the
+# winding rule, on the branch of the inverse sine, it would turn back at every quarter period.
 # Right: $\dot\phi_1$ stays between $K/c_2$ and $K/c_3$. With Theorem 1's printed $n$, too large by
 # $1/c_1^2=625$ for this body, $1-n\,\mathrm{sn}^2$ has zeros and the rate has poles.
 #
-# ## What has been earned
+# ## What we have
 #
-# All three angles of a motion, and one integral. What Theorem 1 makes of them, and where its signs
-# go wrong, is in [notebook 4](04_no_sign_functions.ipynb). The last cell, folded, checks what was
-# said. (That the facts above are, side by side, those of the chapters, is tested elsewhere.)
+# We have all three angles of a motion, with one integral. [Notebook 4](04_no_sign_functions.ipynb)
+# shows how Theorem 1 uses them and where its signs are wrong. The last cell, folded, checks the
+# statements of this notebook. (A test elsewhere compares the facts above with those of the
+# chapters.)
 
 # %% tags=["hide-cell"]
 ledger = builder.ledger

@@ -18,11 +18,11 @@
 # # 4. No more sign functions
 #
 # Theorem 1 of the paper writes the attitude of a free rigid body with four half-angle functions
-# $F_1,\dots,F_4$, and each of them carries a sign $S_i=\pm1$ that is to be chosen once, at $t=0$.
-# In this notebook we follow the paper's own spacecraft until its attitude, computed so,
-# **jumps**; we find the line that makes it jump; and then we write the same solution in a form
-# that has no signs to choose, no square root that changes branch and no denominator that vanishes:
-# the *regular form*, from which every number in this project is computed.
+# $F_1,\dots,F_4$. Each of them has a sign $S_i=\pm1$ that is chosen once, at $t=0$. In this
+# notebook we follow the paper's own spacecraft until the attitude computed in this way **jumps**,
+# and we find the line that makes it jump. Then we write the same solution in a form that has no
+# signs to choose, no square root that changes branch and no denominator that vanishes: the *regular
+# form*, from which every number in this project is computed.
 #
 # | | |
 # |---|---|
@@ -55,11 +55,11 @@ plt.rcParams |= {"figure.dpi": 110, "axes.grid": True, "grid.color": "#e5e5e5", 
 plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False}
 
 # %% [markdown]
-# What is new here is derived in its cells, step by step, from where [notebook
-# 3](03_the_phi1_integral_and_pi.ipynb) had $\dot\phi_1$; **another setting** in the next cell, such as
-# `Setting(sequence=(3, 1, 3))`, changes these lines. (The pictures are of the paper's.) What is
-# quoted from later chapters comes with the name of its fact, from the project's ledger, whose
-# certificates the same cell has a fresh kernel decide once more.
+# The cells derive the new lines step by step, starting from the $\dot\phi_1$ of [notebook
+# 3](03_the_phi1_integral_and_pi.ipynb); **another setting** in the next cell, such as
+# `Setting(sequence=(3, 1, 3))`, changes these lines. (The pictures show the paper's setting.) Lines
+# quoted from later chapters have the name of their fact in the project's ledger. The next cell has
+# a fresh kernel check the ledger's certificates once more.
 
 # %%
 setting = Setting()
@@ -70,9 +70,9 @@ outer = setting.axes[0] - 1
 ledger = sealed()
 
 # %% [markdown]
-# ## What is printed
+# ## The printed formulas
 #
-# The momentum $M$, seen from the body, is taken to $K A_1$ by three turns, (25):
+# Three turns, (25), take the momentum $M$ in body axes to $K A_1$:
 #
 # $$\bar R=e^{\phi_1A_1}\,e^{\phi_2A_2}\,e^{\phi_3A_1},\qquad
 # \cos\phi_2=\frac{c_1\Omega_1}{K}=x,\qquad \tan\phi_3=\frac{c_2\Omega_2}{c_3\Omega_3}=y .$$
@@ -87,8 +87,8 @@ ledger = sealed()
 #
 # Remark 2 adds that the $S_i=\pm1$ are *constants*, set by the motion at $t=0$.
 #
-# Look at $y^\star$. It is the textbook formula $\tan\frac\phi2=\frac{\tan\phi}{1+\sec\phi}$, with
-# $\sec\phi_3$ replaced by $+\sqrt{1+\tan^2\phi_3}$, and that is right only where
+# The formula of $y^\star$ is the textbook formula $\tan\frac\phi2=\frac{\tan\phi}{1+\sec\phi}$ with
+# $\sec\phi_3$ replaced by $+\sqrt{1+\tan^2\phi_3}$. This replacement is right only where
 # $\cos\phi_3>0$, that is, where $c_3\Omega_3>0$.
 
 # %%
@@ -109,9 +109,9 @@ axis.legend(loc="upper left")
 plt.show()
 
 # %% [markdown]
-# Where does the wrong half come from? Nothing was done that is not algebra: $\tau=\tan\frac{\phi_3}2$
-# satisfies $y=2\tau/(1-\tau^2)$, a quadratic equation. It has *two* roots, with `root` the square root
-# $\sqrt{1+y^2}$. (19) takes one of them for all times, and it is $\cos\phi_3$ that tells which.
+# Where does the wrong half come from? $\tau=\tan\frac{\phi_3}2$ satisfies $y=2\tau/(1-\tau^2)$, a
+# quadratic equation with *two* roots (`root` is the square root $\sqrt{1+y^2}$). (19) takes the
+# same root at all times, but the sign of $\cos\phi_3$ decides which root is right.
 
 # %%
 y_, tau, root = symbols("y tau root")
@@ -130,10 +130,10 @@ why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
 rewrite(scope, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
 
 # %% [markdown]
-# In the shaded half the printed step is not slightly off: it is $-\cot(\phi_3/2)$. The kernel says
-# the same, and gives an exact point where the equation
-# $y^\star\cos\frac{\phi_3}2=\sin\frac{\phi_3}2$ fails. (The context `half_angle_right` supposes
-# $c_3\Omega_3>0$ and `half_angle_left` the opposite; `half_angle_step` supposes neither.)
+# In the shaded half the printed step gives $-\cot(\phi_3/2)$ instead of $\tan(\phi_3/2)$. The
+# kernel refutes it there, and gives an exact point where the equation
+# $y^\star\cos\frac{\phi_3}2=\sin\frac{\phi_3}2$ fails. (The context `half_angle_right` assumes
+# $c_3\Omega_3>0$ and `half_angle_left` the opposite; `half_angle_step` assumes neither.)
 
 # %%
 steps = ("half_angle_right.tangent", "half_angle_left.cotangent", "printed_star.print_theorem_1")
@@ -142,9 +142,9 @@ show(ledger, *steps)
 # %% [markdown]
 # ## The paper's spacecraft, half a turn later
 #
-# Now an illustration in numbers. The rates of the motion come from the project's generated code, so
-# that nothing below is an integrator's error. From them we make
-# $x$, $y$ and, by Gauss's quadrature of (33),
+# Now a numerical illustration. The rates of the motion come from the project's generated code, so
+# no integration error enters below. From them we compute $x$, $y$ and, by Gauss's quadrature of
+# (33),
 #
 # $$\phi_1=\int_0^t K\,\frac{2H-c_1\Omega_1^2}{K^2-(c_1\Omega_1)^2}\,dt .$$
 
@@ -171,7 +171,7 @@ print(motion.regime)
 
 # %% [markdown]
 # Theorem 1 in a few lines: (18), (19) and the pull-back (37), $q=q(0)\,\bar q(0)^{-1}\bar q$. The
-# signs are an argument, since they are what we want to look at.
+# signs are an argument, so that we can vary them.
 
 # %%
 CONJUGATE = np.array([1, -1, -1, -1])
@@ -216,7 +216,7 @@ def angle_between(p, q):
 # %% [markdown]
 # First exactly as printed. At $t=0$ the spacecraft has $\Omega_3<0$, and there
 # $S_1S_2=\operatorname{sgn}(c_3\Omega_3)=-1$ gives the right momentum (`matched_signs.side`). So
-# far Remark 2 is in order. Then the motion goes on.
+# far Remark 2 is right. Then the motion goes on.
 
 # %%
 y = momentum[:, 1] / momentum[:, 2]
@@ -247,15 +247,14 @@ for axis in (top, middle, bottom):
 plt.show()
 
 # %% [markdown]
-# At each zero of $\Omega_3$ (dotted) the printed attitude jumps, half a turn from the truth. When
-# $\Omega_3$ is negative again, the formula is right once more (as a rotation: the quaternion has
-# come back with the other sign). Nothing happened to the spacecraft.
+# At each zero of $\Omega_3$ (dotted) the printed attitude jumps by half a turn, although the
+# spacecraft's attitude is smooth there. When $\Omega_3$ is negative again, the formula is right
+# again (as a rotation: the quaternion has the other sign).
 #
-# Can the signs be made to follow? Let $S_2$ change with $\Omega_3$. Then the momentum is right at
-# all times, but `crossing.turned` tells the price: **$\phi_1$ has to jump by $\pi$**, at every
-# crossing, or else the attitude is half a turn about the momentum away from the truth. The right
-# column of the next figure tells the two kinds of half turn apart: in space, the momentum must not
-# move.
+# Suppose that $S_2$ changes sign with $\Omega_3$. Then the momentum is right at all times, but by
+# `crossing.turned` **$\phi_1$ has to jump by $\pi$** at every crossing; otherwise the attitude is
+# wrong by half a turn about the momentum. The right column of the next figure distinguishes the two
+# kinds of half turn: in space, the momentum must not move.
 
 # %%
 following = theorem_1(side, phi1, y_star)
@@ -294,18 +293,18 @@ plt.show()
 
 # %% [markdown]
 # The last row is the smallest repair of the print: the sign of $c_3\Omega_3$ goes before the square
-# root. It mends the rotation. It still is a *sign function*, though: its denominator vanishes where
-# $\phi_3=\pi$ (`half_turn.denominator`), the quaternion changes sheet of the double cover there,
-# and a programmer will have to think about what `sgn(0)` should be.
+# root. It gives the right rotation. But it still is a *sign function*: its denominator vanishes
+# where $\phi_3=\pi$ (`half_turn.denominator`), the quaternion changes its sign there, and a
+# programmer has to decide what `sgn(0)` should be.
 #
 # ## The idea of the regular form
 #
-# Move one factor from the right of (25) to the left, and put it back:
+# Insert a factor and its inverse into (25):
 #
 # $$e^{\phi_1A_1}e^{\phi_2A_2}e^{\phi_3A_1}
 # =e^{(\phi_1+\phi_3)A_1}\cdot\underbrace{e^{-\phi_3A_1}e^{\phi_2A_2}e^{\phi_3A_1}}_{S}.$$
 #
-# In the language of the derivation: $S$ is a matrix with a name, and the product is multiplied out.
+# In the derivation, $S$ is a named matrix, and the product is multiplied out.
 
 # %%
 E1, E2, E3, S = map(matrix, ("E1", "E2", "E3", "S"))
@@ -317,11 +316,10 @@ why = "what is left, as a quaternion: nothing along the outer axis"
 display(coordinates(scope, "regrouped.shortest", S, e, why, ["18", "25"]))
 
 # %% [markdown]
-# ($2\cos^2\frac{\phi_3}2-1$ is $\cos\phi_3$.) So $S$ turns by $\phi_2$ about an axis *across* $e_1$, and
-# it takes $M$ to $KA_1$. There is one such rotation
-# that deserves a name: $S$ is the **shortest rotation** that does so. It does not depend on how
-# angles are measured around the axis, so it has no seam; and it can be written without any angle.
-# For two unit vectors $m$ and $a$, as quaternions, $1-am$ turns $m$ to $a$. Try it:
+# ($2\cos^2\frac{\phi_3}2-1$ is $\cos\phi_3$.) So $S$ turns by $\phi_2$ about an axis perpendicular
+# to $e_1$, and it takes $M$ to $KA_1$: it is the **shortest rotation** that does so. It does not
+# depend on how angles are measured around the axis, so it has no jump, and it can be written
+# without any angle. For two unit vectors $m$ and $a$, as quaternions, $1-am$ turns $m$ to $a$:
 
 # %%
 parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
@@ -335,7 +333,7 @@ no_angle = sympy.MatAdd(K * sympy.Identity(2), -onto * M / setting.factor**2, ev
 display(multiply(scope, "shortest.form", length * S, no_angle, why, ["23", "25"]))
 
 # %% [markdown]
-# The length is known from the momentum as well: solve the two equations
+# The length also follows from the momentum. Solve the two equations
 # $\cos^2\frac{\phi_2}2+\sin^2\frac{\phi_2}2=1$ and
 # $K(\cos^2\frac{\phi_2}2-\sin^2\frac{\phi_2}2)=M_1$ for the squares.
 
@@ -346,15 +344,15 @@ squares, why = [cosine**2, sine**2], "the square of its first component"
 eliminate(scope, "shortest.cosine", cosine**2, whole, squares, why, ["19", "27"])
 
 # %% [markdown]
-# So half angles are gone, and
+# This removes the half angles:
 #
 # $$S=\frac{(K+\sigma M_a,\ M\times\sigma e_a)}{\nu},\qquad \nu^2=2K(K+\sigma M_a),$$
 #
 # here with $a=1$ and $\sigma=1$. In general $a$ is the axis which the momentum circulates about and
 # $\sigma$ the sign of $\Omega_a$, so that $\sigma M_a=|M_a|$.
 #
-# What is left is one angle $\psi=\phi_1+\phi_3$ about the momentum. Its rate is the sum of two that
-# notebook 3 has found, with $H$ and $K$ in the place of the angles:
+# One angle $\psi=\phi_1+\phi_3$ about the momentum remains. Its rate is the sum of two rates from
+# notebook 3, with the angles expressed by $H$ and $K$:
 
 # %%
 circles = (dynamics.parameters, MOMENTUM, *reduction.circles)
@@ -379,27 +377,27 @@ definitions(ledger, "attitude", "psi_rate")
 
 # %% [markdown]
 # In (33) the denominator is $K^2-(c_1\Omega_1)^2$, which vanishes when the body spins about axis 1.
-# Here it is $K+|M_a|\ge K$. *Whatever* the motion, it never falls below $K$.
+# Here it is $K+|M_a|$, which is at least $K$ for every motion.
 #
-# Think of a globe. $\phi_1$ and $\phi_3$ are two longitudes, and longitudes go wild near the
-# pole, although nothing is strange about the ground there. Their sum is what a compass needle
-# carried by the shortest way would show, and that is smooth across the pole.
+# On a globe, $\phi_1$ and $\phi_3$ are two longitudes. Longitudes change fast near the pole,
+# although the ground there is not special. Their sum is smooth across the pole, like the direction
+# of a vector that is carried along the shortest way.
 
 # %%
 show(ledger, "attitude.solution", "both_forms.turn", "both_forms.quaternion")
 
 # %% [markdown]
-# `attitude.solution` is the whole claim: the four components have unit norm and satisfy
-# $\dot q=\frac12q\,(0,\Omega)$ for *any* order of the axes, either handedness $\epsilon$, either
-# sense $\sigma$. The `both_forms` facts say that this is no other solution but Theorem 1 rewritten.
+# `attitude.solution` is the whole claim: the four components have unit norm and satisfy $\dot
+# q=\frac12q\,(0,\Omega)$ for *any* order of the axes, either handedness $\epsilon$, either sense
+# $\sigma$. The `both_forms` facts say that this is the same solution as that of Theorem 1.
 
 # %% [markdown]
 # ### The pole, in numbers
 #
-# To see the difference, spin the spacecraft about axis 1 and let it wobble less and less.
-# (33) makes $\dot\phi_1$ a mean of $K/c_2$ and $K/c_3$, weighted by where the momentum stands
-# around the pole. However small the wobble, it swings between the same two values; at the
-# pole itself it is $0/0$. $\dot\psi$ does not even notice.
+# To see the difference, let the spacecraft spin about axis 1 with a smaller and smaller wobble. By
+# (33), $\dot\phi_1$ is a mean of $K/c_2$ and $K/c_3$ with weights that depend on the longitude of
+# the momentum. However small the wobble, $\dot\phi_1$ oscillates between the same two values; at
+# the pole itself it is $0/0$. $\dot\psi$ becomes constant.
 
 # %%
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.2), layout="constrained")
@@ -428,9 +426,9 @@ plt.show()
 # \Omega_d=\chi\tau A_d\,\mathrm{cn}\qquad\text{of}\ (u\,|\,m),\quad \dot u=\lambda>0,\quad
 # 0\le m\le1 .$$
 #
-# $b$ is the middle axis; $a$ is the axis of largest inertia if $K^2\ge2Hc_b$ and of smallest if
-# not; $d$ is the one left over. Since $\mathrm{dn}>0$, $\Omega_a$ never changes sign: $\sigma$ is a
-# constant *by the choice of the axis*, not by luck. The amplitudes, straight from the facts, where
+# $b$ is the middle axis; $a$ is the axis of largest inertia if $K^2\ge2Hc_b$ and that of smallest
+# inertia otherwise; $d$ is the third axis. Since $\mathrm{dn}>0$, $\Omega_a$ never changes sign, so
+# $\sigma$ is a constant *by the choice of the axis*. The amplitudes, straight from the facts, where
 # $c_{ab}=c_a-c_b$ and so on:
 
 # %%
@@ -438,23 +436,23 @@ names = ("A_a", "A_b", "A_d", "lambda_", "m", "m_1")
 show(ledger, *(f"regular.{name}" for name in names))
 
 # %% [markdown]
-# Here $E_x=\pm(2Hc_x-K^2)$, written in the rates. $E_a$ and $E_d$ are sums of terms of one sign,
-# so that nothing cancels; $E_b$ is a difference, and its sign tells the two circulations apart.
-# That radicands are nonnegative and $0\le m\le1$ is not a hope either: the chapter on regimes
-# splits all bodies and motions by signs into leaves, and proves it leaf by leaf. (There the axes
-# are numbered by size, $c_1\ge c_2\ge c_3$, and $c_{12}=c_1-c_2$ and so on.)
+# Here $E_x=\pm(2Hc_x-K^2)$, written in the rates. $E_a$ and $E_d$ are sums of terms of one sign, so
+# that nothing cancels; $E_b$ is a difference, and its sign tells the two circulations apart. The
+# radicands are nonnegative and $0\le m\le1$: the chapter on regimes splits all bodies and motions
+# by signs into leaves, and proves this leaf by leaf. (There the axes are numbered by size, $c_1\ge
+# c_2\ge c_3$, and $c_{12}=c_1-c_2$ and so on.)
 
 # %%
 show(ledger, "regular.E_a", "regular.E_b", "regular.E_d", "largest.squares")
 
 # %% [markdown]
-# ### A picture to hold on to
+# ### A picture of all motions
 #
 # On the sphere of momenta of length $K$, each motion runs along a closed curve, a *polhode*. Here
 # are polhodes of the spacecraft, coloured by the axis $a$ that they circle, with the separatrix
 # between them; the heavy one is the paper's motion. The thin green arcs are its shortest rotations
-# $S$: from where the momentum is to the pole $\sigma e_a$. Theorem 1 measures around axis 1 for
-# all colours; the regular form takes for each polhode the pole inside it. (Drag to turn the
+# $S$: from where the momentum is to the pole $\sigma e_a$. Theorem 1 measures angles around axis 1
+# for all polhodes; the regular form uses for each polhode the pole inside it. (Drag to turn the
 # sphere.)
 
 # %%
@@ -476,8 +474,8 @@ scene.show()
 # %% [markdown]
 # ## The regular form at work
 #
-# The same spacecraft, from the two lines above: $\dot\psi$ by quadrature, $S$ by its formula, then
-# (37). No sign is chosen and none changes.
+# The same spacecraft, computed by the two lines above: $\dot\psi$ by quadrature, $S$ by its
+# formula, then (37). No sign has to be chosen, and none changes.
 
 # %%
 a, b, d = 0, 1, 2  # circulation about axis 1, and (1, 2, 3) is right-handed
@@ -507,17 +505,16 @@ right.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 plt.show()
 
 # %% [markdown]
-# What is left of an angle when its mean rate is taken away is periodic and, for $\psi$, small: some
-# hundredths of a radian here. [Notebook 6](06_theta_functions.ipynb) finds the mean rate in closed
-# form.
+# An angle minus its mean rate times $t$ is periodic and, for $\psi$, small: some hundredths of a
+# radian here. [Notebook 6](06_theta_functions.ipynb) finds the mean rate in closed form.
 
 # %% [markdown]
 # ## All orders, all signs
 #
 # Six orders of the axes times eight signs of the rates: 48 motions, among them both circulations
 # about either sense of each axis. The generated code is made from the formulas above; here it is
-# measured against the same solution at thirty digits. (An illustration: `rigidsym validate`
-# does this in earnest.)
+# compared with the same solution at thirty digits. (This is an illustration; the full campaign is
+# `rigidsym validate`.)
 
 # %%
 from itertools import permutations
@@ -544,8 +541,7 @@ print(f"{len(seen)} kinds of motion; worst error below 1e-14: {worst < 1e-14}")
 # * Three formulas with $\mathrm{dn},\mathrm{sn},\mathrm{cn}$ serve both circulations, all orders
 #   and signs.
 #
-# What happens *on* the boundaries, where $m=1$ or $m=0$ or nothing moves, is the [next
-# notebook](05_edges.ipynb).
+# The [next notebook](05_edges.ipynb) treats the boundaries: $m=1$, $m=0$, and bodies at rest.
 
 # %% tags=["hide-cell"]
 # The lines that were derived here; and the facts that were quoted.

@@ -18,15 +18,14 @@
 # # 5. Edges
 #
 # Elliptic functions have two limits, $m\to1$ and $m\to0$, and a rigid body visits both. On the
-# **separatrix** ($m=1$) a body thrown about its middle axis turns over, once, and takes forever to
-# do it; near it, it turns over again and again: the flip that the cosmonaut Vladimir Dzhanibekov
-# saw a wing nut do in orbit. A **symmetric body** ($m=0$) precesses evenly, as every thrown plate
-# shows. And some bodies do not move in an interesting way at all: pure **spin**, the **sphere**,
-# **rest**.
+# **separatrix** ($m=1$) a body that spins about its middle axis turns over once, in infinite time.
+# Near the separatrix it turns over again and again: the cosmonaut Vladimir Dzhanibekov saw a wing
+# nut flip in this way in orbit. A **symmetric body** ($m=0$) precesses evenly, as every thrown
+# plate shows. In pure **spin**, for a **sphere** and at **rest**, the rates are constant.
 #
-# These are the places where programmes break: divisions $0/0$, $1-m$ lost in rounding, a wrong turn
-# at an `if`. Here none of them is a limit to be taken. Each is *decided in exact arithmetic*, and
-# each has a proved closed form of its own.
+# Programs fail in these cases: they divide $0/0$, lose $1-m$ in rounding, or take a wrong branch.
+# Here no limit is taken. Each case is *decided in exact arithmetic*, and each has its own proved
+# closed form.
 #
 # | | |
 # |---|---|
@@ -54,13 +53,13 @@ ledger = derived("regimes")  # and all chapters before it
 # %% [markdown]
 # ## A map of all motions
 #
-# Order the moments, $c_1\ge c_2\ge c_3>0$, and ask for signs, one after the other: Is the body
-# turning? Are moments equal? What are the signs of
+# Order the moments, $c_1\ge c_2\ge c_3>0$, and decide one after the other: Is the body turning? Are
+# moments equal? What are the signs of
 #
 # $$E_1=2Hc_1-K^2,\qquad E_3=K^2-2Hc_3,\qquad E_2=K^2-2Hc_2\,?$$
 #
-# A number is positive, zero or negative, and never two of these, so the answers split *all* bodies
-# and *all* motions into leaves that do not overlap. This is a fact of the ledger, not a remark.
+# Every number is either positive, zero or negative, so the answers split *all* bodies and *all*
+# motions into leaves that do not overlap. The ledger has this as a fact.
 
 # %%
 whole = ledger.facts["sorted_body.cases"]
@@ -70,10 +69,10 @@ proved = {
 table({"leaf": leaf, "what is proved of it": ", ".join(ids)} for leaf, ids in proved.items())
 
 # %% [markdown]
-# `motion.regime` walks the same signs in rational arithmetic. A float counts as the binary number
-# that it is, a string as the decimal that it says, and on the edge the difference matters. Written
-# as decimals, this motion *is* on the separatrix. The doubles next to these decimals are not,
-# though only their seventeenth digit differs.
+# `motion.regime` decides the same signs in rational arithmetic. A float is taken at its exact
+# binary value and a string at its exact decimal value. On the edge this makes a difference: with
+# these decimals the motion *is* on the separatrix; with the nearest doubles, which differ in the
+# seventeenth digit, it is not.
 
 # %%
 by_decimals = TorqueFreeMotion(("0.1", "0.2", "0.225"), ("0.3", "0.2", "0.4"))
@@ -101,22 +100,22 @@ table(
 # \Omega_d=\chi\tau A_d\operatorname{sech}u,\qquad u=\lambda t+u_0 .$$
 #
 # In the remote past the body spins about one end of its middle axis, in the remote future about the
-# other. The context `separatrix` is shown to be a *model* of the regular form, so everything that
-# was proved there holds here, word for word.
+# other. The context `separatrix` is shown to be a *model* of the regular form, so everything proved
+# for the regular form holds here.
 
 # %%
 show(ledger, "separatrix.models_regular", "separatrix.middle_axis", "separatrix.euler")
 
 # %% [markdown]
-# The attitude is elementary, too. Two complex numbers hold it,
+# The attitude is elementary, too. It consists of two complex numbers,
 #
 # $$\bar q_0+i\sigma\bar q_a=\frac{e^{i\Lambda t}}{N}\cos z,\qquad
 # \bar q_b+i\epsilon\sigma\bar q_d=-\chi\,\frac{e^{i\Lambda t}}{N}\sin z,\qquad
 # z=\rho\beta+iu_1,$$
 #
-# a cosine and a sine of an angle that moves straight up the imaginary direction. (Where that comes
-# from is [notebook 6](06_theta_functions.ipynb).) No assumption is behind it: the grade is PROVED
-# from the ground.
+# the cosine and the sine of an angle with constant real part. ([Notebook
+# 6](06_theta_functions.ipynb) explains this form.) The facts rest on no assumption; their grade is
+# PROVED.
 
 # %%
 show(ledger, "separatrix_form.models_theta_form", "separatrix_form.solution")
@@ -124,9 +123,9 @@ show(ledger, "separatrix_form.models_theta_form", "separatrix_form.solution")
 # %% [markdown]
 # ### The picture
 #
-# On the momentum sphere the separatrix is two circles that cross at the ends of the middle axis.
-# They part four families of polhodes. A momentum *on* a circle creeps from one crossing to the
-# other.
+# On the momentum sphere the separatrix consists of two circles that cross at the ends of the middle
+# axis. They separate four families of polhodes. A momentum *on* a circle moves from one crossing
+# towards the other and takes infinite time.
 
 # %%
 flip = TorqueFreeMotion((1, 2, 2.25), (0.75, -0.5, 1))
@@ -186,12 +185,12 @@ apart = np.max(np.abs(product(front, closed) - q_flip))
 print("closed form and module agree to 1e-14:", bool(apart < 1e-14))
 
 # %% [markdown]
-# ### Why programmes go wrong here
+# ### Why integrators fail here
 #
-# Neighbours of the separatrix leave it like $e^{\lambda t}$. A step-by-step integrator makes an
-# error of $10^{-16}$ at once, so that it follows some neighbour, and after $t\approx37/\lambda$
-# nothing is left of the motion that was asked for. Below: the exact motion, and the classical
-# Runge-Kutta method with 20 steps a second.
+# Neighbouring motions leave the separatrix like $e^{\lambda t}$. A step-by-step integrator makes an
+# error of $10^{-16}$ in its first step and then follows a neighbouring motion, so after
+# $t\approx37/\lambda$ its result is wrong in the first digit. Below: the exact motion, and the
+# classical Runge-Kutta method with 20 steps a second.
 
 # %%
 h, steps = 0.05, 4000
@@ -233,10 +232,10 @@ plt.show()
 # %% [markdown]
 # ## Dzhanibekov's flip
 #
-# Now step off the edge, a little. Let a body spin about its middle axis with a small push
-# across. The rates are periodic again, with $T=4K(m)/\lambda$, and as $m_1=1-m\to0$ the quarter
-# period grows like a logarithm, $K(m)\approx\frac12\ln(16/m_1)$: the body hangs about the middle
-# axis for a long time and then turns over quickly.
+# Now take a motion near the edge: a body spins about its middle axis with a small rate across it.
+# The rates are periodic again, with $T=4K(m)/\lambda$, and as $m_1=1-m\to0$ the quarter period
+# grows like a logarithm, $K(m)\approx\frac12\ln(16/m_1)$: the body hangs about the middle axis for
+# a long time and then turns over quickly.
 
 # %%
 nut = ("0.6", "1", "1.4")  # kg m^2; any body with three different moments will do
@@ -253,8 +252,8 @@ figure.supylabel("rate about the middle axis (rad/s)", fontsize=9)
 plt.show()
 
 # %% [markdown]
-# Each hundred times smaller push costs the same number of seconds. Down to $10^{-100}$ rad/s? Exact
-# inputs make that a fair question:
+# A push that is a hundred times smaller delays the flip by the same number of seconds each time.
+# Exact inputs allow pushes down to $10^{-100}$ rad/s:
 
 # %%
 exponents = np.array([1, 2, 4, 8, 16, 30, 50, 75, 100])
@@ -279,8 +278,8 @@ axis.legend()
 plt.show()
 
 # %% [markdown]
-# And this is what one sees: a body in space, with the path of the end of its middle axis. Move the
-# slider, or press ▶. The momentum (dashed) stays where it is; the body turns over.
+# The next picture shows the body in space, with the path of the end of its middle axis. Move the
+# slider, or press ▶. The momentum (dashed) is constant; the body turns over.
 
 # %%
 seen = TorqueFreeMotion(nut, (0, 1, Fraction(1, 100)))
@@ -289,8 +288,9 @@ tumbling_body(seen, np.round(np.linspace(0, 40, 81), 6)).show()
 # %% [markdown]
 # ## Symmetric bodies
 #
-# Where $c_b=c_d$ the modulus vanishes: $\mathrm{sn}=\sin$, $\mathrm{cn}=\cos$, $\mathrm{dn}=1$.
-# The body turns evenly about its axis, and the axis walks evenly on a cone around the momentum.
+# Where $c_b=c_d$ the modulus vanishes: $\mathrm{sn}=\sin$, $\mathrm{cn}=\cos$, $\mathrm{dn}=1$. The
+# body turns about its axis at a constant rate, and the axis moves on a cone around the momentum at
+# a constant rate.
 
 # %%
 show(
@@ -340,22 +340,22 @@ plt.show()
 # %% [markdown]
 # ## Spin, sphere, rest
 #
-# In the remaining leaves $M=c\,\Omega$ for one moment $c$: momentum and rates are parallel, Euler's
-# equations say that nothing changes, and the attitude is one exponential,
+# In the remaining leaves $M=c\,\Omega$ for one moment $c$: momentum and rates are parallel, the
+# rates are constant by Euler's equations, and the attitude is one exponential,
 #
 # $$q(t)=q(0)\left(\cos\tfrac{|\Omega|t}2,\ \frac{\Omega}{|\Omega|}\sin\tfrac{|\Omega|t}2\right).$$
 #
-# The regular form is not used for these; it would be $0/0$ in $E_a/E_d$. That the leaves with
-# constant rates are exactly these is part of the map above. In each of them the kernel shows that
-# some square is both $\ge0$ and $\le0$.
+# The regular form is not used for these; it would be $0/0$ in $E_a/E_d$. By the map above, these
+# are all the leaves with constant rates. In each of them the kernel shows that some square is both
+# $\ge0$ and $\le0$.
 
 # %%
 show(ledger, "steady.solution", "spin_2.parallel", "spherical.moments")
 
 # %% [markdown]
-# Pure spin about the *middle* axis is one of them: it is an equilibrium, if an unstable one. Give
-# the body that spin exactly and it will keep it, for all time; add $10^{-100}$ rad/s and it will
-# flip after some minutes, as the figure above says. A tour of the map:
+# Pure spin about the *middle* axis is one of them. It is an unstable equilibrium: with exactly that
+# spin the body keeps it for all time; with $10^{-100}$ rad/s added it flips after some minutes, as
+# in the figure above. One motion of each leaf:
 
 # %%
 tour = {
@@ -375,10 +375,9 @@ table({"motion": name, "regime": str(regime)} for name, regime in found.items())
 # %% [markdown]
 # ## Across the edges
 #
-# If the closed forms belong together, nothing must happen when a motion crosses from one leaf into
-# the next. An illustration: the state at $t=10$ s while $\Omega_d(0)$ is moved across the
-# separatrix value, ever closer from both sides. The difference from the separatrix motion's state
-# falls in proportion, down to the last digit asked for.
+# The closed forms of neighbouring leaves must agree at the boundary. An illustration: the state at
+# $t=10$ s for $\Omega_d(0)$ ever closer to the separatrix value, from both sides. The difference
+# from the separatrix motion's state falls in proportion, down to the last digit asked for.
 
 # %%
 figure, axis = plt.subplots(figsize=(6.4, 3), layout="constrained")
@@ -406,14 +405,14 @@ plt.show()
 #
 # * All bodies and motions fall into fourteen leaves, exactly one for each: a fact with a
 #   certificate.
-# * On the separatrix and for symmetric bodies the regular form stays what it is and becomes
-#   elementary, attitude included; both edges are proved without any assumption.
-# * Where the rates are constant, one exponential is all.
-# * Decisions are made on exact numbers, so that a motion is on an edge if and only if its inputs
-#   say so.
+# * On the separatrix and for symmetric bodies the regular form holds and becomes elementary,
+#   including the attitude; both edges are proved without any assumption.
+# * Where the rates are constant, the attitude is one exponential.
+# * Decisions are made on exact numbers, so a motion is on an edge if and only if its exact inputs
+#   are.
 #
-# Why cosines and sines of *complex* angles turned up on the separatrix is what
-# [notebook 6](06_theta_functions.ipynb) is about.
+# [Notebook 6](06_theta_functions.ipynb) explains the cosines and sines of *complex* angles on the
+# separatrix.
 
 # %% tags=["hide-cell"]
 on_separatrix = [

@@ -18,27 +18,28 @@
 # # 6. Two theta functions are the whole attitude
 #
 # The regular form needs $\mathrm{sn}$, $\mathrm{cn}$, $\mathrm{dn}$, an incomplete integral of the
-# third kind, two half angles and a square root or two. All of that collapses. Up to one positive
-# factor, the two complex numbers that make up the attitude are
+# third kind, two half angles and square roots. All of these combine into two theta functions. The
+# two complex numbers that make up the attitude are
 #
 # $$\boxed{\;\bar q_0+i\sigma\,\bar q_a=\frac{e^{i\Lambda t}}N\,\theta_4(z\,|\,q^2),\qquad
 # \bar q_b+i\epsilon\sigma\,\bar q_d=-i\chi\,\frac{e^{i\Lambda t}}N\,\theta_1(z\,|\,q^2),\qquad
 # z=g\,(u_1-i\rho\beta)\;}$$
 #
-# with $u_1=\mu t+u_0$: a time that has been pushed off the real line by a constant amount. A
-# tumbling body, all of it, is two of Jacobi's theta functions on a horizontal line in the complex
-# plane.
+# with $u_1=\mu t+u_0$. The argument $z$ is a time with a constant imaginary part, and $N$ is one
+# positive factor. The attitude of a tumbling body is thus two of Jacobi's theta functions on a
+# horizontal line in the complex plane.
 #
 # That the nine entries of the *rotation matrix* are quotients of thetas is due to
-# [Jacobi](site/pages/bibliography.md#jacobi); [Whittaker](site/pages/bibliography.md#whittaker), section 69, has
-# them by Euler's angles. [Klein and Sommerfeld](site/pages/bibliography.md#klein-and-sommerfeld) write the motion
-# of tops by the parameters of a rotation that are our two complex components, and
-# [Kosenko](site/pages/bibliography.md#kosenko) this motion by quaternions;
-# [van Zon and Schofield](site/pages/bibliography.md#van-zon-and-schofield) and
-# [Celledoni and others](site/pages/bibliography.md#celledoni-et-al) compute with such forms. Here each of the two
-# components is a theta by itself, and these thetas have the *square* of the usual nome, so that four terms of a
-# series are enough for a double, whatever the motion. Identities of thetas are cited by their numbers in the
-# [DLMF](site/pages/bibliography.md#dlmf), chapters 20 and 22.
+# [Jacobi](site/pages/bibliography.md#jacobi); [Whittaker](site/pages/bibliography.md#whittaker),
+# section 69, has them by Euler's angles. [Klein and
+# Sommerfeld](site/pages/bibliography.md#klein-and-sommerfeld) write the motion of tops by the
+# parameters of a rotation that are our two complex components, and
+# [Kosenko](site/pages/bibliography.md#kosenko) this motion by quaternions; [van Zon and
+# Schofield](site/pages/bibliography.md#van-zon-and-schofield) and [Celledoni and
+# others](site/pages/bibliography.md#celledoni-et-al) compute with such forms. Here each of the two
+# components is a single theta function, and these have the *square* of the usual nome, so that four
+# terms of a series give double precision for every motion. Identities of thetas are cited by their
+# numbers in the [DLMF](site/pages/bibliography.md#dlmf), chapters 20 and 22.
 #
 # | | |
 # |---|---|
@@ -67,9 +68,9 @@ plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.f
 ledger = derived("theta_edges", "hyperbolic_form", "periods")  # and all chapters before them
 
 # %% [markdown]
-# ## What a theta function is
+# ## Theta functions
 #
-# A Fourier series whose coefficients fall like a Gaussian:
+# A theta function is a Fourier series whose coefficients fall like a Gaussian:
 #
 # $$\theta_4(z\,|\,p)=1+2\sum_{n\ge1}(-1)^n\,p^{\,n^2}\cos2nz,\qquad
 # \theta_1(z\,|\,p)=2\sum_{n\ge0}(-1)^n\,p^{\,(n+1/2)^2}\sin(2n+1)z .$$
@@ -111,10 +112,10 @@ table(
 # %% [markdown]
 # ## The constants of the paper's spacecraft
 #
-# The ledger publishes *formula sequences*: proved formulas in the order in which they can be evaluated.
-# The sequence `theta` leads from amplitudes to the constants of the form above. We run it over
-# Arb's balls, sixty digits wide, and look at what comes out. (The nome of the parameter $m$ is
-# `q`; that of $k_1^2$, after one step of Landen's descent, is its square, `nome_1`.)
+# The ledger publishes *formula sequences*: proved formulas in the order in which they can be
+# evaluated. The sequence `theta` leads from amplitudes to the constants of the form above. We
+# evaluate it with Arb's balls at sixty digits and print the constants. (The nome of the parameter
+# $m$ is `q`; that of $k_1^2$, after one step of Landen's descent, is its square, `nome_1`.)
 
 # %%
 for formula in sealed().sequences["theta"]:
@@ -155,7 +156,7 @@ table(
 )
 
 # %% [markdown]
-# With a nome like this the series hardly deserve the name. The coefficients $p^{n^2}$ of
+# With such a nome the series converge after very few terms. The coefficients $p^{n^2}$ of
 # $\theta_4$:
 
 # %%
@@ -166,7 +167,7 @@ table({"n": n, "$p^{n^2}$": f"{p ** (n * n):.2e}"} for n in range(5))
 # ## The whole attitude, from the ledger's own text
 #
 # The sequence `circular_state` is the boxed formula, component by component. The last column names
-# the fact behind each line, or the context that defines or reads a letter so.
+# the fact that proves each line, or the context that defines the letter.
 
 # %%
 for formula in sealed().sequences["circular_state"]:
@@ -174,7 +175,7 @@ for formula in sealed().sequences["circular_state"]:
     print(f"{line:80} {formula.fact}")
 
 # %% [markdown]
-# Nothing is typed in again: we run these lines over NumPy arrays, with the series above.
+# We evaluate these lines on NumPy arrays, with the series above, and do not type them again.
 
 # %%
 functions = {"theta1": theta1, "theta3": theta3, "theta4": theta4, "I": 1j, "pi": np.pi}
@@ -210,17 +211,17 @@ components = [f"theta_form.qbar_{x}" for x in "0abd"]
 show(ledger, "theta_form.phase")
 
 # %% [markdown]
-# ### What is proved of a theta function
+# ### The proof about theta functions
 #
-# The proof has two storeys:
+# The proof has two parts:
 #
-# * In `theta_form` the letters $T_4$, $T_1$ stand for functions *defined* by what is needed of
-#   them: how fast they change, and their quotient. The four components then satisfy
-#   $\dot q=\frac12q\,(0,\Omega)$.
-# * In `theta_functions` they are *declared* to be $\theta_4$ and $\theta_1$. The kernel knows the
-#   series, so it knows how they move; and a sum of products of thetas vanishes where its Fourier
-#   coefficients do, of which it compares finitely many. By Riemann's relations, at arguments some
-#   of which agree, they meet all that `theta_form` asks.
+# * In `theta_form` the letters $T_4$, $T_1$ stand for functions *defined* by the properties that
+#   the proof needs: their derivatives and their quotient. The four components then satisfy $\dot
+#   q=\frac12q\,(0,\Omega)$.
+# * In `theta_functions` they are *declared* to be $\theta_4$ and $\theta_1$. The kernel has the
+#   series, and differentiates them. A sum of products of thetas vanishes if its Fourier
+#   coefficients do, and the kernel compares finitely many of these. By Riemann's relations at
+#   special arguments, the theta functions have all the properties that `theta_form` assumes.
 
 # %%
 proved = [f for f in ledger.facts.values() if f.rule == "theta" and "theta_f" in f.id]
@@ -229,14 +230,13 @@ table({"law": f"`{f.id}`", "left": f"`{f.lhs[0]}`", "right": f"`{f.rhs[0]}`"} fo
 # %% [markdown]
 # ## The line in the complex plane
 #
-# Here is the landscape of both functions, height being $\log_{10}|\theta|$. Their zeros (white
-# dots) lie on a lattice. The motion walks along the red line, $\operatorname{Im}z=-\rho g\beta$,
-# at constant speed $g\mu$.
+# The colour shows $\log_{10}|\theta|$ for both functions. Their zeros (white dots) lie on a
+# lattice. The motion runs along the red line, $\operatorname{Im}z=-\rho g\beta$, at constant speed
+# $g\mu$.
 #
-# `theta_form.inside` says that the line keeps below *half* the height of the zeros of $\theta_4$:
-# $1-k_1x^2=2B_a/(K+B_a)$ is positive. That is why $\bar q_0+i\sigma\bar q_a$ never vanishes, why
-# its phase is a smooth angle without branches to choose, and why the series converge as fast as
-# they do.
+# By `theta_form.inside`, the line lies below *half* the height of the zeros of $\theta_4$:
+# $1-k_1x^2=2B_a/(K+B_a)$ is positive. Therefore $\bar q_0+i\sigma\bar q_a$ never vanishes, its
+# phase is a smooth angle without branches, and the series converge fast.
 
 # %%
 height = -np.log(p) / 2  # of the zeros of theta_4
@@ -267,9 +267,9 @@ show(ledger, "theta_form.inside", "theta_tail.bound")
 # %% [markdown]
 # ## How many terms
 #
-# `theta_tail.bound` bounds what a truncated series leaves out by $2t/(1-r)$, where $t$ bounds the
-# first term left out and $r$ is the ratio of the next to it. An illustration, with the spacecraft:
-# the bound, and the most that is left out of $\theta_4$ along the motion.
+# `theta_tail.bound` bounds the truncation error of a series by $2t/(1-r)$, where $t$ bounds the
+# first term left out and $r$ is the ratio of the next term to it. An illustration for the
+# spacecraft: the bound, and the largest truncation error of $\theta_4$ along the motion.
 
 # %%
 z = constants["g"] * (
@@ -293,15 +293,14 @@ plt.show()
 # %% [markdown]
 # ## A motion that closes, and one that does not
 #
-# $\theta_4$ comes back to itself after $\operatorname{Re}z$ has grown by $\pi$, and $\theta_1$
-# after $2\pi$. So in a frame that turns with $\Lambda$ the two complex numbers run along *closed*
-# curves.
+# $\theta_4$ has the period $\pi$ in $\operatorname{Re}z$, and $\theta_1$ has the period $2\pi$. So
+# in a frame that turns with $\Lambda$ the two complex numbers run along *closed* curves.
 #
-# To see it, take their product. $2\,(\bar q_0+i\sigma\bar q_a)(\bar q_b+i\epsilon\sigma\bar q_d)$
-# is the position of the end of the body axis $a$ as one sees it when looking along the momentum.
-# On the left that point, for a body that tumbles more than the spacecraft does: a rosette, which
-# in general never closes. On the right the same point times $e^{-2i\Lambda t}$. All that is
-# complicated about a tumbling body is the ratio of two clocks.
+# Their product shows this. $2\,(\bar q_0+i\sigma\bar q_a)(\bar q_b+i\epsilon\sigma\bar q_d)$ is the
+# position of the end of the body axis $a$, seen along the momentum. The left picture shows that
+# point for a body that tumbles more than the spacecraft does: a rosette, which in general never
+# closes. The right picture shows the same point times $e^{-2i\Lambda t}$: a closed curve. The
+# motion is a periodic one combined with a uniform rotation.
 
 # %%
 tumbling = TorqueFreeMotion(("0.6", "1", "1.4"), ("0.3", "1", "0.5"))
@@ -338,11 +337,12 @@ table(
 # %% [markdown]
 # ### Periods and Montgomery's phase
 #
-# After $T=4K(m)/\lambda$ the rates are back. The attitude is not: it has turned about the momentum
-# by $2\Lambda T$. `solid_angle.rate` says what this angle is made of: $\dot\psi$ is $2H/K$ less
-# the rate at which the momentum, seen from the body, sweeps solid angle around $\sigma e_a$.
-# Integrated over a period, that is [Montgomery's](site/pages/bibliography.md#montgomery) formula, $2\Lambda T=2HT/K-\text{(solid angle)}$.
-# (A solid angle has the sign of its sense: the spacecraft's is negative, so that it adds.)
+# The rates have the period $T=4K(m)/\lambda$. In this time the attitude turns about the momentum by
+# $2\Lambda T$. `solid_angle.rate` explains this angle: $\dot\psi$ is $2H/K$ minus the rate at which
+# the momentum, seen from the body, sweeps solid angle around $\sigma e_a$. Integrated over a
+# period, that is [Montgomery's](site/pages/bibliography.md#montgomery) formula, $2\Lambda
+# T=2HT/K-\text{(solid angle)}$. (A solid angle has a sign, that of its sense: the spacecraft's is
+# negative and therefore adds.)
 
 # %%
 show(ledger, "period.duration", "mean_rate.Lambda", "solid_angle.rate")
@@ -375,10 +375,10 @@ table(
 # %% [markdown]
 # ## Near the separatrix: the other nome
 #
-# As $k_1\to1$ the nome of $k_1^2$ goes to 1, and the series become slow. But thetas have a second
-# face. Jacobi's imaginary transformation turns $z$ by a quarter turn and exchanges the nome with
-# that of $1-k_1^2$, which goes to *zero*. The form stays the same, with $\theta_2$ for $\theta_4$
-# and $-i\theta_1$ for $\theta_1$. One of the two nomes is at most $e^{-\pi}$, always.
+# As $k_1\to1$ the nome of $k_1^2$ tends to 1, and the series converge slowly. Jacobi's imaginary
+# transformation helps: it turns $z$ by a quarter turn and replaces the nome by that of $1-k_1^2$,
+# which tends to *zero*. The form stays the same, with $\theta_2$ for $\theta_4$ and $-i\theta_1$
+# for $\theta_1$. One of the two nomes is always at most $e^{-\pi}$.
 
 # %%
 STEPS = 8  # of the means, which double their digits each time
@@ -419,19 +419,20 @@ plt.show()
 # %% [markdown]
 # ### And on the edges
 #
-# At $k_1=1$ one term is left of each series, and the thetas are $\cos z$ and $-i\sin z$: the
-# closed form of [notebook 5](05_edges.ipynb). At $k_1=0$ they are $1$ and $h\,(\sin u_1-i\rho\cos
-# u_1)$. No classical identity is needed for either, and so both are PROVED.
+# At $k_1=1$ one term is left of each series, and the thetas are $\cos z$ and $-i\sin z$: the closed
+# form of [notebook 5](05_edges.ipynb). At $k_1=0$ they are $1$ and $h\,(\sin u_1-i\rho\cos u_1)$.
+# Neither needs a classical identity, so both are PROVED.
 
 # %%
 show(ledger, "separatrix_form.T1_re", "separatrix_form.T1_im", "separatrix_form.W")
 
 # %% [markdown]
-# ## Getting there without losing digits
+# ## Constants without loss of digits
 #
-# Constants are where digits get lost: $q$ from a small $m$, $\beta$ from a nearly straight
-# spin. Landen's step finds them by descent. Each step squares the smallness of the modulus,
-# and each formula is made of sums of positive terms; nothing is subtracted that is nearly equal.
+# Digits are easily lost in the constants: in $q$ for small $m$, and in $\beta$ for a motion close
+# to a spin. Landen's descending transformation computes them without such losses. Each step roughly
+# squares the modulus, and each formula is a sum of positive terms, so no nearly equal numbers are
+# subtracted.
 
 # %%
 show(ledger, "landen.k_next", "landen.complement", "landen.Y_next", "scaling.h_plus")
@@ -454,11 +455,11 @@ table(rows)
 #   shifted time, divided by the root of the sum of their squared moduli.
 # * No sign functions, no branches, no integral of the third kind: $\Pi$ has become the phase of
 #   $\theta_4$ and the constant $\Lambda$.
-# * Two faces, circular and hyperbolic, of which one always converges in four terms. The generated
-#   code is made of these.
-# * PROVED from the differential equations on, and from the series of the theta functions.
+# * There is a circular and a hyperbolic form, and one of them always converges in four terms. The
+#   generated code is made of these.
+# * All of this is PROVED from the differential equations and the series of the theta functions.
 #
-# Next: the same formulas to fifty digits and more, with a guarantee for each of them.
+# The next notebook evaluates the same formulas to fifty digits and more, with rigorous bounds.
 
 # %% tags=["hide-cell"]
 swept = polhode.rho * solid

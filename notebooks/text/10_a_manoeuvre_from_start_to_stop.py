@@ -17,16 +17,17 @@
 # %% [markdown]
 # # 10. A manoeuvre, from start to stop
 #
-# This is what the paper is for (section V). A spacecraft rests in one attitude and is wanted in
-# another. Fire once, let it turn by itself, fire once more:
+# This is the application of the paper (section V). A spacecraft at rest in one attitude has to
+# reach another. A first burst starts the rotation, the spacecraft turns freely, and a second burst
+# stops it:
 #
 # > The methodology proposed consists of performing a parametric optimisation of the equations of the
 # > analytic solution of Theorem 1 in order to find the initial angular velocities the spacecraft
 # > should have in order to reach its target configuration.
 #
-# Three rates are sought, and three angles have to come out right. The paper leaves it at "optimise".
-# This notebook plans such a manoeuvre, says why *all* natural motions that do it can be found
-# rather than one, flies it through what disturbs a small satellite (Figures 1 to 3), and hands it to
+# Three rates are unknown, and three angles are prescribed. The paper does not say more than that.
+# This notebook plans such a manoeuvre, explains why *all* natural motions that reach the target can
+# be found, flies it under the disturbances of a small satellite (Figures 1 to 3), and exports it to
 # other programs.
 #
 # | | |
@@ -64,9 +65,10 @@ plan = solve(asked, families=4)
 plan
 
 # %% [markdown]
-# `paper` is a file that comes with the package: the inertia, orbit, disturbances and wheels of the
-# caption of Figure 3; the attitudes and the 120 s are ours, since the paper does not print them. For
-# numbers of your own it is one call, `rigidsym.plan(inertia, start, target, duration)`.
+# `paper` is a file that comes with the package. It has the inertia, orbit, disturbances and wheels
+# of the caption of Figure 3; the attitudes and the 120 s are our choice, since the paper does not
+# print them. For numbers of your own, make one call, `rigidsym.plan(inertia, start, target,
+# duration)`.
 #
 # The table is ranked by **cost**, the momentum that both bursts change. From rest to rest that is
 # $|I\Omega(0)|+|I\Omega(T)|=2K$, because a free body keeps the size of its momentum.
@@ -85,20 +87,20 @@ table(
 )
 
 # %% [markdown]
-# ## Why all of them can be found
+# ## Why all motions can be found
 #
-# An optimiser in three variables finds *a* solution, and never knows what it has missed. Three
-# conservation laws make it a search in one.
+# An optimiser in three variables finds *one* solution and cannot tell which others exist. Three
+# conservation laws reduce the problem to a search in one variable.
 #
-# **1. The cone.** The momentum stays where it is in space. So it is known in the body axes of the
-# target, $N$, once it is known in those of the start, $M$: the turn $R$ between them takes one to the
-# other, $N=R^\mathsf{T}M$. The energy stays, too:
+# **1. The cone.** The momentum is constant in space. Its components $M$ in the body axes at the
+# start therefore determine its components $N$ in the body axes at the target: the rotation $R$
+# between them gives $N=R^\mathsf{T}M$. The energy is constant, too:
 #
 # $$M^\mathsf{T}JM=N^\mathsf{T}JN\quad\Longleftrightarrow\quad M^\mathsf{T}AM=0,\qquad
 # A=RJR^\mathsf{T}-J,\qquad J=\mathrm{diag}(1/c_k).$$
 #
-# $A$ has no trace, so this is a cone, whatever body and turn: of a sphere of directions two closed
-# curves are left.
+# The trace of $A$ is zero, so this is a cone for every body and rotation. It cuts the sphere of
+# directions in two closed curves.
 
 # %%
 show(ledger, "manoeuvre.cone", "manoeuvre.trace", "manoeuvre.axis")
@@ -116,8 +118,9 @@ below, between, above = np.linalg.eigvalsh(A)
 table([{"eigenvalues of $A$, 1/(kg m²)": f"{below:.3f}, {between:.3f}, {above:.3f}"}])
 
 # %% [markdown]
-# Here it is, on the sphere of directions in the start's body axes. Every transfer starts at its dot
-# on the cone and follows its polhode (thick) to the grey dot, which is $N$.
+# The picture shows the cone on the sphere of directions, in the body axes at the start. Every
+# transfer starts at its dot on the cone and follows its polhode (thick) to the grey dot, which is
+# $N$.
 
 # %%
 from rigidsym.manoeuvre import directions_of
@@ -125,23 +128,23 @@ from rigidsym.manoeuvre import directions_of
 directions_of(plan).show()
 
 # %% [markdown]
-# **2. The transit time.** From a direction on the cone the momentum runs along its polhode, and where
-# it is at a time is an elliptic function of [chapter 4](04_no_sign_functions.ipynb). So the time at
-# which it reaches $N$ is an elliptic *integral*, minus another one; and it is there again after every
-# period. That is a discrete choice: how many whole turns round the polhode. Since time only scales
-# rates, $\Omega\mapsto s\,\Omega$ and $t\mapsto t/s$, the time that is given decides the size $K$.
+# **2. The transit time.** From a direction on the cone the momentum moves along its polhode; its
+# position is given by the elliptic functions of [notebook 4](04_no_sign_functions.ipynb). The time
+# at which it reaches $N$ is a difference of two elliptic *integrals*, plus any number of periods.
+# This number is a discrete choice. Since the rates scale with time, $\Omega\mapsto s\,\Omega$ and
+# $t\mapsto t/s$, the given duration determines $K$.
 #
-# **3. One angle is left.** When the momentum is where it should be, the attitude can still be wrong,
-# by a turn *about the momentum*. Let $z$ be the quaternion of what is left, and $L$ where it takes
-# $M$. The first fact says that $L=M$ only if $z$ is a turn about $M$; the second that it is a turn by
-# one angle $x$, whose cosine and sine are $z_0=\cos\frac x2$ and $z\cdot M=K\sin\frac x2$.
+# **3. One angle remains.** When the momentum has the right direction in the body, the attitude can
+# still be wrong by a rotation *about the momentum*. Let $z$ be the quaternion of this rotation, and
+# let $L$ be the image of $M$ under it. The first fact says that $L=M$ only if $z$ is a rotation
+# about $M$; the second gives its angle $x$ by $z_0=\cos\frac x2$ and $z\cdot M=K\sin\frac x2$.
 
 # %%
 show(ledger, "arrival.gap", "arrival.angle")
 
 # %% [markdown]
-# The angle is a function of one variable: where we are on the cone. The motions that arrive are its
-# zeros.
+# The angle is a function of one variable, the position on the cone. Its zeros are the motions that
+# reach the target.
 
 # %%
 from rigidsym.manoeuvre._directions import arcs
@@ -198,11 +201,12 @@ panels[0].legend(loc="upper center", bbox_to_anchor=(0.62, 1.22), ncols=2)
 plt.show()
 
 # %% [markdown]
-# Each dot is a natural motion that arrives, numbered by its cost. Lines end where a motion would need
-# more than the bound; they have gaps where $M$ and $N$ lie on opposite branches of a polhode, which no
-# motion joins; they are steep close to the separatrix. The planner samples these curves, refines every change of sign by Gauss and Newton,
-# and so it knows *all* motions up to the bound. It can be asked to prove itself against chance:
-# random rates, refined until they arrive or give up, find nothing else.
+# Each dot is a natural motion that reaches the target, numbered by its cost. Lines end where a
+# motion would cost more than the bound. They have gaps where $M$ and $N$ lie on opposite branches
+# of a polhode, which no motion joins. They are steep close to the separatrix. The planner samples
+# these curves and refines every change of sign by the Gauss-Newton method, so it finds *all*
+# motions up to the bound. An independent check starts from random rates, refines them until they
+# converge or fail, and finds no other motion.
 
 # %%
 from rigidsym.manoeuvre._refine import refine
@@ -217,12 +221,12 @@ nearest = np.linalg.norm(arrived[:, None] - found, axis=2)
 print(f"{len(found)} motions by the cone; by chance no other")
 
 # %% [markdown]
-# ## What one gains
+# ## The gain
 #
-# The obvious manoeuvre turns about one axis that stays fixed, at a constant rate. Natural motions are
-# the geodesics of the kinetic energy: the shortest of them needs the least energy of *all* ways from
-# here to there in that time, so it beats the obvious one in energy, always. In momentum, which is
-# what the bursts cost, it does so here.
+# The simplest manoeuvre turns about a fixed axis at a constant rate. Natural motions are the
+# geodesics of the kinetic energy: the shortest of them needs the least energy of *all* motions
+# between the two attitudes in that time, so it always needs less energy than the turn about a fixed
+# axis. Here it also needs less momentum, which is the cost of the bursts.
 
 # %%
 axis_rates = posed.axis * posed.angle / best.duration
@@ -235,19 +239,20 @@ table(
 )
 
 # %% [markdown]
-# Four per cent: "reasonably close to the minimum-fuel one" is what the paper presumes, and no more. On
-# the way about a fixed axis a torque $\Omega\times I\Omega$ has to be exerted all the time, though. Who
-# has thrusters and no wheels cannot fly it at all between two bursts.
+# The gain is four per cent; the paper expects natural motions to be "reasonably close to the
+# minimum-fuel one". But the turn about a fixed axis needs a torque $\Omega\times I\Omega$ all the
+# time. A spacecraft that has only thrusters, fired in two bursts, cannot fly it.
 #
 # ## Durations, limits, spins
 #
-# Time only scales: a motion run $s$ times as fast, with rates $W=s\,\Omega$, is a motion.
+# The equations scale with time: a motion run $s$ times as fast, with rates $W=s\,\Omega$, is also a
+# motion.
 
 # %%
 show(ledger, "faster.euler")
 
 # %% [markdown]
-# Half the duration, twice the rates, twice the cost; no new search.
+# Half the duration gives twice the rates and twice the cost, without a new search.
 
 # %%
 ours = {"inertia": asked.inertia, "start": asked.start, "target": asked.target}
@@ -262,8 +267,8 @@ table(
 )
 
 # %% [markdown]
-# So a limit decides a duration. Leave it out, and give what the spacecraft can do; or give both, and
-# be told what is wrong.
+# So a limit determines the duration. Give the spacecraft's limits without a duration, and the
+# planner computes it. If both are given and do not agree, the planner raises an error.
 
 # %%
 quick = rigidsym.plan(**ours, max_rate="0.05").best
@@ -278,9 +283,9 @@ print(f"bursts up to 5e-4 N m s:  {gentle.duration:.2f} s")
 print("both 60 s and 5e-4 N m s:", refused)
 
 # %% [markdown]
-# With **spins** before or after (the spacecraft tumbles when the manoeuvre begins, say) costs no longer
-# scale: a burst is a difference of momenta, and which motion is the cheapest depends on the duration.
-# The motions are still the same ones.
+# With **spins** before or after (for example, if the spacecraft tumbles when the manoeuvre begins)
+# costs do not scale: a burst is a difference of momenta, and the duration decides which motion is
+# the cheapest. The set of motions is the same.
 
 # %%
 from rigidsym.manoeuvre._bursts import Bursts
@@ -318,10 +323,10 @@ print("the cheapest in 60, 120 and 240 s: motions", *(curves.argmin(axis=1) + 1)
 # %% [markdown]
 # ## Half turns, and the middle axis
 #
-# A half turn about a principal axis is the manoeuvre that everyone tries first, and an edge: the turn
-# is a symmetry of the body, $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the whole sphere. The transfers
-# then come in families of equal cost, all round a polhode: with a motion $q(t)$, the product $x(t)=q(t)\,p$
-# with the turn $p$ is a motion, too. The plan names one of each family.
+# A half turn about a principal axis is a special case: it is a symmetry of the body,
+# $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the whole sphere. The transfers then form families of
+# equal cost along a polhode: if $q(t)$ is a motion, so is its product $x(t)=q(t)\,p$ with the half
+# turn $p$. The plan lists one transfer of each family.
 
 # %%
 show(ledger, "manoeuvre.symmetry", "ring.euler")
@@ -346,9 +351,9 @@ table(
 directions_of(flips["largest"]).show()
 
 # %% [markdown]
-# A spin about the axis is the cheapest. About the *middle* axis it is not stable, as
-# [chapter 5](05_edges.ipynb) shows: what the burst does wrong grows like $e^{\lambda t}$. How much does
-# that matter in half a turn? Errors of one per cent of the rate, in any direction:
+# A spin about the axis is the cheapest. About the *middle* axis it is unstable, as [notebook
+# 5](05_edges.ipynb) shows: an error of the burst grows like $e^{\lambda t}$. The next cell shows
+# its effect in half a turn, for errors of one per cent of the rate in any direction:
 
 # %%
 rng = np.random.default_rng(5)
@@ -372,12 +377,12 @@ table(
 )
 
 # %% [markdown]
-# Not a catastrophe in half a turn, but up to four times as much as about the others.
+# In half a turn the error about the middle axis is up to four times as large as about the others.
 #
-# ## How well it arrives
+# ## Accuracy at the target
 #
-# Every transfer is checked before it is given: its rates are exact numbers, and the proved solution
-# says at thirty digits where they lead. Once more by hand, with fifty:
+# Every transfer is checked before it is returned: its rates are exact numbers, and the proved
+# solution gives the final attitude at thirty digits. The same check by hand, at fifty digits:
 
 # %%
 DIGITS = 50
@@ -399,12 +404,12 @@ misses = np.array([miss(one) for one in everything])
 print(f"{len(misses)} transfers miss by less than 1e-12 rad:", bool(misses.max() < 1e-12))
 
 # %% [markdown]
-# ## Flown
+# ## The flight
 #
-# A motion that would be followed if nothing disturbed it is not flown yet. The flight of the paper's
-# Figures 2 and 3: reaction wheels with limits of torque and of its rate, a PD controller that follows
-# the natural motion and then holds the target, an orbit at 600 km with drag, gravity gradient,
-# sunlight and a residual dipole.
+# A real flight has disturbances. We simulate the flight of the paper's Figures 2 and 3: reaction
+# wheels with limits on the torque and on its rate of change, a PD controller that follows the
+# natural motion and then holds the target, and an orbit at 600 km with drag, gravity gradient,
+# solar radiation pressure and a residual dipole.
 
 # %%
 from rigidsym.manoeuvre._classical import euler_angles
@@ -419,32 +424,34 @@ figures = Figures(tracked, euler_angles(best.motion, run.t))
 tracked
 
 # %% [markdown]
-# **Figure 2** of the paper is the attitude: natural motion thin and dashed, flown thick. The dashed
-# line goes on after the target has been reached, where it is no longer followed.
+# **Figure 2** of the paper is the attitude: the natural motion is thin and dashed, the flown
+# attitude is thick. The natural motion goes on after the target has been reached; the controller no
+# longer follows it there.
 
 # %%
 pictures = figures.drawn()
 pictures["figure2"]
 
 # %% [markdown]
-# **Figure 3** is the torque of each wheel. Close to a scheme of two bursts, as the paper says; a burst
-# takes some ten seconds, since wheels are no thrusters.
+# **Figure 3** is the torque of each wheel. It is close to a scheme of two bursts, as the paper
+# says. A burst takes about ten seconds because of the wheels' limits.
 
 # %%
 pictures["figure3"]
 
 # %% [markdown]
-# **Figure 1** is the paper's argument for quaternions: the same natural motion in Euler's angles, by
-# the classical solution. They jump. The body does not: as rotations they are the quaternions above.
+# **Figure 1** is the paper's argument for quaternions: the same natural motion in Euler's angles,
+# by the classical solution. The angles jump, although the attitude is smooth: as rotations they
+# equal the quaternions above.
 
 # %%
 pictures["figure1"]
 
 # %% [markdown]
-# ### What wheels make of "free"
+# ### Free motion with wheels
 #
-# Between the bursts Figure 3 looks like nothing. Look closer, a hundred times enlarged, and leave the
-# disturbances away:
+# Between the bursts the torques in Figure 3 look like zero. The next figure enlarges them a hundred
+# times, without disturbances:
 
 # %%
 calm = replace(
@@ -466,16 +473,18 @@ panel.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 plt.show()
 
 # %% [markdown]
-# The wheels exert what a free body would feel as gyroscopic torque, $-\Omega\times I\Omega$ (dashed). Why?
-# They started the turn by taking up the opposite momentum, $h=-I\Omega$. Body and wheels together have
-# none, so nothing gyroscopic is left to carry the body along its polhode:
+# The wheels exert the gyroscopic torque of a free body, $-\Omega\times I\Omega$ (dashed). The
+# reason: they started the rotation by taking up the opposite momentum, $h=-I\Omega$. Body and
+# wheels together have no momentum, so there is no gyroscopic torque that moves the body along its
+# polhode:
 #
 # $$I\dot\Omega=-\Omega\times(I\Omega+h)+N_c=N_c .$$
 #
-# Left alone, a body that wheels have started turns about a *fixed* axis. So for wheels the natural
-# motion is a smooth reference, but not a free one; that it is for thrusters, which throw the momentum
-# away. What wheels have to exert for it, summed over axes and time, is more than a turn at constant rate
-# about a fixed axis takes:
+# Without control, a body whose rotation was started by wheels turns about a *fixed* axis. For
+# wheels the natural motion is therefore a smooth reference, but not a torque-free one; it is
+# torque-free for thrusters, whose exhaust carries the momentum away. The wheels' torque along the
+# natural motion, summed over axes and time, exceeds that of a turn at constant rate about a fixed
+# axis:
 
 # %%
 once = np.linspace(0, 120, 2001)
@@ -486,9 +495,9 @@ fixed_torque = 2 * np.abs(inertia * axis_rates).sum()
 print(f"by wheels, natural motion over fixed axis: {natural_torque / fixed_torque:.2f}")
 
 # %% [markdown]
-# Over random manoeuvres it is 1.28 in the median, and for thrusters it is the other way round: there
-# natural motions are within 4 % of minimum fuel ([compared](site/pages/manoeuvres.md)). A controller that
-# knows this can be told to supply the torque beforehand rather than wait for an error:
+# Over random manoeuvres the median of this ratio is 1.28. For thrusters the natural motion is the
+# better choice: it is within 4 % of minimum fuel (see the [comparison](site/pages/manoeuvres.md)).
+# With feed-forward, the controller supplies the gyroscopic torque before an error appears:
 
 # %%
 knowing = replace(flight, controller=replace(flight.controller, feedforward=True))
@@ -504,11 +513,12 @@ table(
 )
 
 # %% [markdown]
-# ### Flown by thrusters
+# ### A flight by thrusters
 #
-# Thrusters are on or off: a burst takes as long as its impulse needs. Centred on the instant of the
-# burst, a burn leads to where the burst would have, but for the square of its length; begun at the
-# instant, it is late by half of it. Nothing steers here but the burns, and nothing disturbs:
+# Thrusters are on or off: a burn takes as long as its impulse needs. A burn that is centred on the
+# instant of the ideal burst has an error of second order in its length; a burn that begins at that
+# instant is late by half its length. This flight has only the burns, no controller and no
+# disturbances:
 
 # %%
 from rigidsym.manoeuvre.flight._settings import Thrusters
@@ -533,11 +543,12 @@ table(
 )
 
 # %% [markdown]
-# Disturbances do more: left alone for two minutes, this small spacecraft is pushed off by some degrees.
-# So thrusters fly with wheels that hold what they leave, or with a burst on the way. In a file it is
-# `[thrusters]`, with or without `[controller]`.
+# Disturbances have a larger effect: in two minutes without control they turn this small spacecraft
+# by some degrees. Thrusters are therefore combined with wheels that remove the remaining error, or
+# with a burst on the way. In a manoeuvre file this is the table `[thrusters]`, with or without
+# `[controller]`.
 #
-# ## Handed over
+# ## Export
 #
 # Flight dynamics software reads CCSDS attitude ephemeris messages (AEM), Python code likes SciPy's
 # `RotationSpline`. Both take samples of a motion:
@@ -552,9 +563,9 @@ message = aem(track, epoch, creation_date=epoch, **names)
 print("\n".join(f"{line:.60}" for line in message.splitlines()[:20]))
 
 # %% [markdown]
-# Read back, by a reader that knows nothing of the writer: the attitude is the same to the last digit
-# but one, and the spline is right between the samples, too. (At its ends SciPy's spline is weak; take
-# some samples more than you need, as here on both sides.)
+# An independent reader reads the file back: the attitude is the same except for the last digit, and
+# the spline is also accurate between the samples. (SciPy's spline is less accurate at its ends; add
+# some samples on both sides, as here.)
 
 # %%
 lines = message.partition("DATA_START")[2].partition("DATA_STOP")[0].split("\n")[1:-1]
@@ -568,20 +579,20 @@ angles = (best.motion.rotation(between).inv() * spline(between)).magnitude()
 print("spline off by less than 1e-7 rad between samples a second apart:", angles.max() < 1e-7)
 
 # %% [markdown]
-# ## What one would fly
+# ## Recommendations
 #
-# * **Thrusters**: the natural motion as it is, two bursts and silence between them. Choose the duration
-#   so that the bursts are short beside it, centre the burns, and avoid spins about the middle axis where
-#   the first burst is not exact.
-# * **Wheels**: a turn about a fixed axis, as a rule: it needs less torque in most manoeuvres, this one
-#   among them. The natural motion as a reference costs a small torque all the way; feed
-#   $\Omega\times h$ forward then.
-# * **An optimiser**: for thrusters that are to burst the least fuel, start it here if it stays near its
-#   guess; by its default an interior-point method hardly minds where it starts. `rigidsym compare` has
-#   the figures.
-# * **On board**: `generate("c")` has no allocation and needs libm alone; see
-#   [C for my flight code](howto_c_for_my_flight_code.ipynb). Plan on ground, or scale a stored plan by
-#   the duration: that is one division.
+# * **Thrusters**: fly the natural motion with two bursts. Choose a duration that is long compared
+#   with the bursts, centre the burns, and avoid spins about the middle axis if the first burst is
+#   not exact.
+# * **Wheels**: usually fly a turn about a fixed axis, which needs less torque in most manoeuvres,
+#   including this one. The natural motion as a reference needs a small torque all the time; feed
+#   $\Omega\times h$ forward in this case.
+# * **An optimiser**: to minimise fuel, start a local optimiser from the natural motion. An
+#   interior-point method with its default settings hardly depends on the start. `rigidsym compare`
+#   has the figures.
+# * **On board**: `generate("c")` allocates no memory and needs only libm; see [C for my flight
+#   code](howto_c_for_my_flight_code.ipynb). Plan on the ground, or scale a stored plan to another
+#   duration by one division.
 #
 # On the command line the same is `rigidsym plan paper --all 4`, `rigidsym track paper` and
 # `rigidsym figures`.
