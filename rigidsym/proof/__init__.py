@@ -1,1 +1,1 @@
-"""The proof wing: the kernel, tools for derivations, the second checker, Coq, the paper."""
+"""The proof half: the kernel, derivation steps, a second checker, Coq export and verdicts."""

@@ -1,4 +1,4 @@
-"""Lists and counts of everything that each theorem of the specification takes on trust."""
+"""Assumptions that each theorem of the specification rests on."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from rigidsym.language._specification import Theorem, sequences, theorems
 
 @dataclass(frozen=True, slots=True)
 class Audit:
-    """One theorem, and what it takes on trust, by kind, as text."""
+    """The assumptions of one theorem, grouped by kind, as text."""
 
     theorem: str
     title: str
@@ -17,12 +17,12 @@ class Audit:
 
 
 def audit(specification: str, ledger: Mapping[str, Any]) -> list[Audit]:
-    """List everything that a reader of a proved ledger takes on trust, theorem by theorem."""
+    """List, for each specified theorem, everything that a reader takes on trust."""
     return [_audit(theorem, ledger) for theorem in theorems(specification).values()]
 
 
 def totals(audits: Iterable[Audit]) -> dict[str, int]:
-    """Count the different trusted things of each kind."""
+    """Count the distinct assumptions of each kind over all theorems."""
     found: dict[str, set[str]] = {}
     for one in audits:
         for kind, things in one.trusted.items():
@@ -31,7 +31,7 @@ def totals(audits: Iterable[Audit]) -> dict[str, int]:
 
 
 def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
-    """List hypotheses, rates and definitions of a theorem, and the rest from the ledger."""
+    """Collect the assumptions of one theorem from its statement and the ledger."""
     contexts = {context["name"]: context for context in ledger["contexts"]}
     rates = tuple(f"{name}' = {text}" for name, text in sorted((theorem.moving or {}).items()))
     trusted = {
@@ -51,7 +51,7 @@ def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
 def _readings(
     theorem: Theorem, ledger: Mapping[str, Any], contexts: Mapping[str, Any]
 ) -> list[str]:
-    """List the standard functions that published names mean."""
+    """List the standard functions that the published names of a theorem stand for."""
     found = []
     for sequence, names in theorem.formulas:
         for entry in sequences(ledger)[sequence]:
@@ -61,7 +61,7 @@ def _readings(
 
 
 def _suppositions(name: str, ledger: Mapping[str, Any]) -> list[str]:
-    """List others' results by which standard functions satisfy a theorem's hypotheses."""
+    """List the cited results that link standard functions to a theorem's hypotheses."""
     facts = ledger["facts"]
     resting = {
         fact["context"]

@@ -1,4 +1,4 @@
-"""Facts with the hypotheses they rest on, for notebooks: hypotheses |- statement."""
+"""Facts with their hypotheses, displayed in notebooks as hypotheses |- statement."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -39,14 +39,14 @@ MOST_ROWS = 40
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A fact and its context, as a ledger has them in JSON; the context may be left open."""
+    """A fact of a ledger in JSON form, optionally with its context."""
 
     fact: Mapping[str, Any]
     context: Mapping[str, Any] | None = None
 
     @property
     def id(self) -> str:
-        """The name of the fact."""
+        """The id of the fact."""
         return self.fact["id"]
 
     @property
@@ -56,7 +56,7 @@ class Claim:
 
     @property
     def latex(self) -> str:
-        """LaTeX of hypotheses |- statement; many hypotheses go by the name of their context."""
+        """LaTeX of hypotheses |- statement; the context's name replaces many hypotheses."""
         kind = self.fact["kind"]
         parts = [*chain(*hypotheses(self.context).values())] if self.context else []
         by_name = not 0 < len(parts) <= FEW or kind in ("model", "partition")
@@ -100,7 +100,7 @@ class Claim:
 
 
 class Claims(Mapping[str, Claim]):
-    """The facts of a ledger by their ids, each with its context."""
+    """The facts of a ledger by id, each with its context."""
 
     def __init__(self, found: Iterable[Claim]) -> None:
         self._found = {claim.id: claim for claim in found}
@@ -137,7 +137,10 @@ class Claims(Mapping[str, Claim]):
 
 
 def claims(ledger: Any = None) -> Claims:
-    """Return the facts of a ledger: the sealed one, the kernel's, or one as text or data."""
+    """Return the facts of a ledger; of the sealed ledger if none is given.
+
+    The ledger is the kernel's, or JSON as text or data.
+    """
     data = _data(ledger)
     contexts = {context["name"]: context for context in data["contexts"]}
     return Claims(Claim(fact, contexts[fact["context"]]) for fact in data["facts"])
@@ -158,12 +161,12 @@ def _data(ledger: Any) -> Mapping[str, Any]:
 
 
 def fact_html(fact: Any) -> str:
-    """Return a card of a fact of the kernel, its hypotheses by the name of the context."""
+    """Return an HTML card for a fact of the kernel."""
     return Claim(asdict(fact))._repr_html_()
 
 
 def load_ipython_extension(ipython: Any) -> None:
-    """Register cards for facts and ledgers of the kernel, which have no display of their own."""
+    """Register HTML displays for the kernel's facts and ledgers in IPython."""
     html = ipython.display_formatter.formatters["text/html"]
     html.for_type_by_name("rigidsym.proof.kernel._statement", "Fact", fact_html)
     html.for_type_by_name(

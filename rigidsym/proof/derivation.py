@@ -1,4 +1,4 @@
-"""Running the derivation: all chapters in order, into the ledger."""
+"""Running all chapters of the derivation to produce the ledger."""
 
 import json
 import re
@@ -23,7 +23,7 @@ from rigidsym.view._html.proofs import chapter_html, derivation_html
 
 
 class DerivationError(RuntimeError):
-    """A chapter failed: its name and the reason in one line."""
+    """Failure of a chapter; the message names it and gives the reason in one line."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class Chapter:
 
     @property
     def computed(self) -> int:
-        """The number of facts that a step computed; the kernel decided the others as guesses."""
+        """The number of facts whose statements a step computed; the others were typed."""
         found = {step.fact.id for step in self.steps}
         return sum(fact.id in found for fact in self.facts)
 
@@ -53,7 +53,7 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """The chapters that ran, and the ledger they wrote as text."""
+    """The chapters that ran, with the resulting ledger as text."""
 
     chapters: tuple[Chapter, ...]
     ledger: str
@@ -61,11 +61,14 @@ class Derivation:
 
     @property
     def mutants(self) -> Mapping[str, Mapping[str, int]]:
-        """The fates of the mutants of each fact; those of `recounted` facts were counted again."""
+        """Counts of refuted, refused and equivalent mutants of each fact.
+
+        Those of `recounted` facts were counted in this run.
+        """
         return json.loads(self.ledger)["published"].get("mutants", {})
 
     def to_json(self) -> str:
-        """Return JSON of schema rigidsym.derive/2: every claim with its grade and source."""
+        """Return every claim with its grade and source as JSON of schema rigidsym.derive/2."""
         chapters = [
             {
                 "chapter": chapter.name,
@@ -90,7 +93,7 @@ class Derivation:
 
 
 def sealed_path() -> Path:
-    """Return the path of the sealed ledger of this installation."""
+    """Return the path of the installed sealed ledger."""
     return Path(str(resources.files("derivations").joinpath("ledger.json")))
 
 
@@ -100,7 +103,7 @@ def derive(
     setting: Setting | None = None,
     sealed: str = "",
 ) -> Derivation:
-    """Run the derivation.
+    """Run the chapters of the derivation and return them with the ledger.
 
     Parameters
     ----------
@@ -150,7 +153,7 @@ def derive(
 
 
 def sealed_counts() -> str:
-    """Return the sealed ledger as text, for `derive`; empty where there is none."""
+    """Return the sealed ledger as text, or "" if there is none."""
     try:
         return sealed_text()
     except LedgerError:
@@ -158,7 +161,7 @@ def sealed_counts() -> str:
 
 
 def require_specified(ledger: str) -> None:
-    """Raise DerivationError where a ledger does not prove all of the specification."""
+    """Raise DerivationError unless a ledger proves every theorem of the specification."""
     try:
         require(specification_text(), json.loads(ledger))
     except Unproved as error:
@@ -183,7 +186,7 @@ def _run(builder: LedgerBuilder, name: str) -> Chapter:
 
 
 def statement(fact: Fact) -> str:
-    """Return the statement of a fact in one line of text."""
+    """Return the statement of a fact as one line of text."""
     form = {
         "equal": "{} = {}",
         "unequal": "{} != {}",

@@ -1,4 +1,4 @@
-"""The ledger for Coq: contexts and facts as theorems on real numbers and real functions of time.
+"""Export of the ledger to Coq, as theorems on real numbers and functions of time.
 
 The exporter is not trusted: Coq checks every certificate again, by a checker that `prelude.v`
 proves sound.  The hand-written `theorems/` state the conclusions: which functions of time are the

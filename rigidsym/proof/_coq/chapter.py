@@ -1,4 +1,4 @@
-"""The file of one context: its names, what it supposes, and its facts as theorems on reals."""
+"""The Coq file of one context: its names, hypotheses and facts."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
@@ -14,7 +14,7 @@ Line: TypeAlias = str | Callable[[], str]
 
 @dataclass(slots=True)
 class Model:
-    """A context as a model of another: the other's names here, and their theory."""
+    """A context as a model of another: the other's names in it, and their theory."""
 
     of: "Chapter"
     theory: Theory
@@ -24,7 +24,7 @@ class Model:
 
 @dataclass(slots=True)
 class Chapter:
-    """A context on its way to Coq; `blocks` are written after its names and hypotheses."""
+    """A context during its export; `blocks` follow its names and hypotheses in the file."""
 
     context: Context
     theory: Theory = field(init=False)
@@ -46,7 +46,7 @@ class Chapter:
         self._suppose()
 
     def _suppose(self) -> None:
-        """Add all hypotheses as steps, in the order in which the kernel reads them."""
+        """Add all hypotheses to the theory, in the kernel's order."""
         context, theory = self.context, self.theory
         for k, text in enumerate(context.units):
             theory.unit(text, self._hypothesis("unit", k, text))
@@ -70,37 +70,40 @@ class Chapter:
 
     @property
     def name(self) -> str:
-        """The name of the context, and of its file."""
+        """The name of the context and of its file."""
         return self.context.name
 
     @property
     def dynamic(self) -> bool:
-        """True if quantities may change in time here."""
+        """Whether quantities of the context may change in time."""
         return self.context.rates is not None
 
     @property
     def t(self) -> str:
-        """The argument for time, where there is one."""
+        """The argument " t", or "" if the context has no time."""
         return " t" if self.dynamic else ""
 
     def moves(self, text: str) -> bool:
-        """Say whether a text changes in time."""
+        """Return whether the value of a text changes in time."""
         return bool(self.moving & {*names_in(parse(text))})
 
     def say(self, name: str, names: str = "X", module: str = "") -> str:
-        """Write a name for readers, as a field of `names`, from a file that calls ours `module`."""
+        """Return the Coq term of a quantity in a record of names.
+
+        `module` is the prefix by which another file refers to this one.
+        """
         return f"{module}{self.words[name]} {names}{' t' if name in self.moving else ''}"
 
     def real(self, tree: Tree) -> str:
-        """Write a tree for readers."""
+        """Return an expression as a real number of Coq."""
         return real(tree, self.say)
 
     def write(self, *lines: Line) -> None:
-        """Append lines; those that depend on later facts are functions, called at the end."""
+        """Append a block of lines; a function in it is called when the file is written."""
         self.blocks.append(lines)
 
     def model(self, name: str) -> Model:
-        """Return this context as a model of the other; refused where that was not exported."""
+        """Return this context as a model of another; NotExportedError if it is not exported."""
         if name not in self.models:
             raise NotExportedError(f"that this is a model of {name} is not exported")
         return self.models[name]
@@ -108,7 +111,7 @@ class Chapter:
     # --- the text of the file
 
     def text(self) -> str:
-        """Return the whole file."""
+        """Return the whole Coq file."""
         imports = [f"From Rigidsym.contexts Require {name}." for name in sorted(self.uses)]
         head = ["From Rigidsym Require Import prelude.", *imports]
         blocks = [
@@ -157,7 +160,7 @@ class Chapter:
         return f"(* What is supposed of them. *)\n{record}"
 
     def hypotheses(self, names: str = "X", module: str = "") -> Iterable[tuple[str, bool, str]]:
-        """Yield the fields of `holds`, whether they are about every t, and their claims."""
+        """Yield each field of the record `holds`: name, whether it is about every t, and claim."""
         kinds = (
             ("unit", "units", "{} <> 0"),
             ("relation", "relations", "{} = 0"),
@@ -176,18 +179,18 @@ class Chapter:
             yield f"rate_{word}", True, f"is_derive ({module}{word} {names}) t ({rate})"
 
     def rated(self) -> list[str]:
-        """Return the names that move and whose derivative is known."""
+        """Return the names that move with a known derivative."""
         return [name for name, text in (self.context.rates or {}).items() if text not in ("0", "?")]
 
     # --- other contexts
 
     def qualified(self, other: "Chapter", word: str) -> str:
-        """Return a word of another file."""
+        """Return a word of another file with its prefix."""
         self.uses.add(other.name)
         return f"{other.name}.{word}"
 
     def record(self, other: "Chapter", values: dict[str, str]) -> str:
-        """Return the record of names of another context, with these values."""
+        """Return a record of another context's names with these values."""
         rows = [
             f"{self.qualified(other, other.words[name])} := {value}"
             for name, value in values.items()
@@ -196,12 +199,12 @@ class Chapter:
 
 
 def comment(text: str | None) -> str:
-    """Return a reading as a comment of Coq."""
+    """Return a name's reading as a Coq comment."""
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 
 def known(suffix: str, theory: Theory, start: str, binder: str, more: str, before: str) -> str:
-    """Return steps, the theory that they lead to, and the lemma that it is sound."""
+    """Return Coq text that runs a theory's steps and proves the result sound."""
     steps, result = f"steps{suffix}", f"theory{suffix}"
     rows = ";\n  ".join(theory.steps)
     given = (
@@ -225,12 +228,12 @@ def known(suffix: str, theory: Theory, start: str, binder: str, more: str, befor
 
 
 def claims_list(name: str, rows: Sequence[str], kind: str = "certified") -> str:
-    """Return a list of claims with their cofactors."""
+    """Return the Coq definition of a list of claims with their cofactors."""
     return f"Definition {name} : list {kind} := [\n  " + ";\n  ".join(rows) + "\n]."
 
 
 def path(proof: str, k: int, count: int) -> str:
-    """Return the k-th part of a proof of `count` claims."""
+    """Return the proof of the k-th of `count` claims from a proof of all."""
     for _ in range(k):
         proof = f"(proj2 {proof})"
     return f"(proj1 {proof})" if k < count - 1 else proof

@@ -1,4 +1,4 @@
-"""All files of the export: the prelude, a file per context, theorems in plain words, a Makefile."""
+"""The files of the Coq export: prelude, contexts, theorems and Makefile."""
 
 import re
 from collections import Counter
@@ -44,7 +44,7 @@ CoqMakefile: _CoqProject
 
 @dataclass(frozen=True, slots=True)
 class Export:
-    """Files by name, the number of exported facts by rule, and the reason for each one left out."""
+    """Exported files by name, counts of exported facts by rule, and omitted facts with reasons."""
 
     files: Mapping[str, str]
     exported: Mapping[str, int]
@@ -52,7 +52,7 @@ class Export:
 
 
 def export(ledger: Ledger) -> Export:
-    """Export a ledger that the kernel has admitted as files of Coq."""
+    """Export an admitted ledger as Coq files."""
     chapters = {name: Chapter(context) for name, context in ledger.contexts.items()}
     printer = Printer(chapters, ledger.facts)
     exported: Counter[str] = Counter()
@@ -70,7 +70,7 @@ def export(ledger: Ledger) -> Export:
 
 
 def _fixed(files: Mapping[str, str]) -> dict[str, str]:
-    """Return the hand-written files whose required files are all there."""
+    """Return the hand-written files whose required files all exist."""
     found: dict[str, str] = {}
     for name in _FIXED:
         text = resources.files("rigidsym.proof._coq").joinpath(name).read_text("utf-8")

@@ -1,4 +1,4 @@
-"""The rules of the kernel as theorems of Coq, one function each."""
+"""Facts of the ledger as Coq theorems, with one method for each rule."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -18,17 +18,17 @@ from rigidsym.proof.kernel._language import Tree, parse
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """One claim of the prelude: its constructor and the trees that it is about."""
+    """A claim in the prelude's language: its constructor and its operands."""
 
     form: str
     sides: tuple[Tree, ...]
 
     def data(self, theory: Theory) -> str:
-        """Return the claim as data of the prelude."""
+        """Return the claim as data for the prelude's checker."""
         return f"{self.form} {' '.join(data(tree, theory.index) for tree in self.sides)}"
 
     def real(self, chapter: Chapter) -> str:
-        """Return the claim as readers see it."""
+        """Return the claim as a Coq proposition on real numbers."""
         left, *right = map(chapter.real, self.sides)
         function = f"(fun t : R => {left}) t"
         match self.form:
@@ -44,7 +44,7 @@ class Claim:
 
 
 def claims_of(fact: Fact) -> list[list[Claim]]:
-    """Return the claims of a fact: one list for each of its components."""
+    """Return the claims of each component of a fact."""
     return [_component(fact.kind, *sides) for sides in _sides(fact)]
 
 
@@ -70,12 +70,12 @@ SUPPOSED = ("assumption", "theta", "start")
 
 
 def computed(term: str) -> str:
-    """Return a proof whose last step Coq computes."""
+    """Return a Coq proof whose last step is a computation."""
     return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
 
 
 class Printer:
-    """Printer of facts into the chapters of their contexts, in the order of the ledger."""
+    """Writer of facts into the chapters of their contexts, in the order of the ledger."""
 
     def __init__(self, chapters: dict[str, Chapter], facts: dict[str, Fact]) -> None:
         self.chapters, self.facts = chapters, facts
@@ -84,7 +84,7 @@ class Printer:
         self.components: dict[str, list[tuple[Tree, ...]]] = {}
 
     def export(self, fact: Fact) -> None:
-        """Write one fact; raises NotExportedError where that is impossible."""
+        """Write one fact; NotExportedError if that is impossible."""
         rules: dict[str, Callable[[Chapter, Fact], tuple[str, ...]]] = {
             "identity": self._identity,
             "counterexample": self._counterexample,
@@ -186,7 +186,7 @@ class Printer:
     def _premises(
         self, chapter: Chapter, theory: Theory, fact: Fact, hypotheses: tuple[str, ...]
     ) -> None:
-        """Add premises to a theory, as quantities that vanish."""
+        """Add the equations of a fact's premises to a theory."""
         for premise in (self.facts[name] for name in fact.premises):
             claims = [claim for component in claims_of(premise) for claim in component]
             proof = self._theorem(chapter, premise, hypotheses)
@@ -206,7 +206,7 @@ class Printer:
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:
-        """Return a fact of this context as a proof at t, from X, H and hypotheses A0, A1, ..."""
+        """Return the proof term of a premise at t, from X, H and hypotheses A0, A1, ..."""
         rest = self.hypotheses[premise.id]
         numbers = [hypotheses.index(text) for text in rest]
         if premise.rule in SUPPOSED:
@@ -222,7 +222,7 @@ class Printer:
         return tuple(found)
 
     def _value(self, chapter: Chapter, other: Chapter, name: str, held: bool) -> str:
-        """Return the value here of a quantity of the other context."""
+        """Return another context's quantity in terms of this context's names."""
         value = f"{chapter.words[name]} X"
         if name in other.moving:
             return value if name in chapter.moving else f"fun _ => {value}"
@@ -233,7 +233,7 @@ class Printer:
     def _fields(
         self, chapter: Chapter, other: Chapter, theory: Theory, aliases: dict[str, str]
     ) -> tuple[list[str], list[str]]:
-        """Return claims and proofs of the hypotheses of the other context."""
+        """Return claims and proofs of another context's hypotheses in this context."""
         rows, moving = [], []
 
         def there(text: str) -> Tree:
@@ -413,7 +413,7 @@ class Printer:
         return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
-        """Define the quantities of a case as those of this context."""
+        """Define the quantities of a case as those of the whole context."""
         text = f"Definition as_{other.name} (X : names) : {other.name}.names :="
         if other.name not in chapter.cases:
             chapter.cases.add(other.name)
@@ -467,7 +467,7 @@ class Printer:
 
 
 def known_at_point(name: str, theory: Theory) -> str:
-    """Return the theory of all names at a point."""
+    """Return the Coq lemma that the theory of a rational point is sound."""
     text = known(f"_{name}", theory, "nothing", "BINDER", "MORE", "nothing_sound _")
     return text.replace(
         "BINDER,\n  sound (fun t => atoms X t ++ MORE)", f"sound atoms_{name}"
@@ -475,7 +475,7 @@ def known_at_point(name: str, theory: Theory) -> str:
 
 
 def word(fact: Fact) -> str:
-    """Return the name of a fact within its context."""
+    """Return the Coq name of a fact within its context."""
     return "_".join(fact.id.split(".")[1:])
 
 
@@ -492,6 +492,6 @@ def _all(said: Sequence[str]) -> str:
 
 
 def _binder(hypotheses: Sequence[str]) -> tuple[str, str]:
-    """Return hypotheses as parameters of a theorem, and as arguments."""
+    """Return hypotheses as parameters of a Coq theorem, and as arguments."""
     binder = "".join(f" (A{k} : {text})" for k, text in enumerate(hypotheses))
     return binder, "".join(f" A{k}" for k in range(len(hypotheses)))

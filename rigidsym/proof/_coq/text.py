@@ -1,4 +1,4 @@
-"""Texts of the ledger in Coq: for readers as real numbers, for the prelude's checker as data."""
+"""Ledger expressions in Coq: as real numbers, and as data for the prelude's checker."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
@@ -24,7 +24,7 @@ _OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)
 
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
-    """Return the names of quantities in Coq: their own, or changed where a word is taken."""
+    """Return the Coq name of each quantity, changed if Coq reserves it."""
     known = list(names)
     taken = {*known, *RESERVED}
     found = {}
@@ -39,7 +39,7 @@ def identifiers(names: Iterable[str]) -> dict[str, str]:
 
 
 def names_in(tree: Tree) -> Iterator[str]:
-    """Yield the names of a tree, from left to right, as often as they occur."""
+    """Yield the names in a tree from left to right, with repetitions."""
     match tree:
         case int():
             return
@@ -55,7 +55,7 @@ def names_in(tree: Tree) -> Iterator[str]:
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
-    """Yield all subtrees, each after its own."""
+    """Yield all subtrees in postorder."""
     match tree:
         case int() | str():
             operands: list[Tree] = []
@@ -69,7 +69,7 @@ def parts(tree: Tree) -> Iterator[Tree]:
 
 
 def divisors(tree: Tree) -> Iterator[Tree]:
-    """Yield the divisors in a text except numbers, each after those in itself."""
+    """Yield the divisors in a tree except numbers, inner ones first."""
     for part in parts(tree):
         if is_chain(part) and isinstance(part, tuple):
             pairs = zip(part[1::2], part[2::2], strict=True)
@@ -77,17 +77,17 @@ def divisors(tree: Tree) -> Iterator[Tree]:
 
 
 def derivatives(tree: Tree) -> Iterator[Tree]:
-    """Yield the arguments of D in a text, each after those in itself."""
+    """Yield the arguments of D in a tree, inner ones first."""
     yield from (part[2] for part in parts(tree) if isinstance(part, tuple) and part[0] == "D")
 
 
 def is_chain(tree: Tree) -> bool:
-    """Say whether a tree is a chain of operators: x + y - z, x * y / z."""
+    """Return whether a tree is a chain of operators, such as x + y - z or x * y / z."""
     return isinstance(tree, tuple) and len(tree) > 2 and tree[1] in _OPERATORS
 
 
 def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
-    """Rename the names in a tree."""
+    """Return a tree with its names replaced."""
     match tree:
         case int():
             return tree
@@ -103,7 +103,7 @@ def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
 
 
 def real(tree: Tree, say: Callable[[str], str], level: int = 0) -> str:
-    """Return a text as real numbers of Coq; `say` writes a name."""
+    """Return a tree as a real number of Coq; `say` writes a name."""
     match tree:
         case int():
             return str(tree)
@@ -127,7 +127,7 @@ def _in_brackets(text: str, needed: bool) -> str:
 
 
 def data(tree: Tree, index: Mapping[str, int]) -> str:
-    """Return a text as an `expr` of the prelude; names by their places in the list of atoms."""
+    """Return a tree as an `expr` of the prelude, with names as indices of atoms."""
     match tree:
         case int():
             return f"(Num {tree})"
@@ -156,11 +156,11 @@ def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
 
 
 def rational(number: Number) -> str:
-    """Return numerator and denominator."""
+    """Return numerator and denominator of a rational number as Coq arguments."""
     above = number.numerator
     return f"{above if above >= 0 else f'({above})'} {number.denominator}"
 
 
 def listed(items: Iterable[object]) -> str:
-    """Return a list of Coq."""
+    """Return a Coq list."""
     return f"[{'; '.join(map(str, items))}]"

@@ -1,4 +1,4 @@
-"""A context in the arithmetic of the prelude: the steps that make its names known to Coq.
+"""A context's arithmetic as steps of the prelude, which Coq checks.
 
 The kernel's own ring computes the certificates; Coq checks them again.
 """
@@ -16,17 +16,17 @@ from rigidsym.proof.kernel._language import Tree, parse
 
 
 class NotExportedError(ValueError):
-    """A fact that cannot be stated or proved in Coq from here; the message says why."""
+    """A fact that cannot be stated or proved in Coq; the message gives the reason."""
 
 
 class Theory:
-    """Steps of the prelude, and the ring in which they were computed.
+    """Steps of the prelude and the kernel ring that computed their certificates.
 
     `given` are proofs of what the steps suppose, each a text of Coq.
     """
 
     def __init__(self, context: Context) -> None:
-        """Start with the generators of a context, and with places for its definitions."""
+        """Start with a context's generators and assign indices to its definitions."""
         self.context = context
         self.ring = Ring(context.generators, context.definitions)
         self.texts: dict[str, Tree] = {n: parse(t) for n, t in context.definitions.items()}
@@ -41,7 +41,7 @@ class Theory:
         self._place(context.definitions)
 
     def _place(self, names: Mapping[str, str]) -> None:
-        """Give definitions their places, each after those that it uses."""
+        """Assign an index to each definition, after those that it uses."""
         for name in names:
             if name not in self.index and name not in self._order:
                 inner = {x: "" for x in names_in(self.texts[name]) if x in self.texts}
@@ -50,7 +50,7 @@ class Theory:
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":
-        """Return a copy to extend, its steps counted from here."""
+        """Return a copy whose steps and proofs start empty."""
         more = copy(self)
         more.ring = copy(self.ring)
         more.ring.values = dict(self.ring.values)
@@ -72,31 +72,34 @@ class Theory:
         self.ring.units += (value.numerator,)
 
     def relation(self, text: str, proof: str) -> None:
-        """Add a quantity that vanishes."""
+        """Add a quantity that vanishes by hypothesis."""
         value = self.read(parse(text))
         self._step(f"Relation {self.data(text)}", proof)
         self.ring.relations += (value.numerator,)
 
     def premise(self, tree: Tree, proof: str) -> None:
-        """Add a quantity that vanishes by a fact; division by it precedes all relations."""
+        """Add a quantity that vanishes by a fact; it is divided by before all relations."""
         numerator = self.read(tree).numerator
         self._step(f"Relation {data(tree, self.index)}", proof)
         self.extra += (numerator,)
 
     def rate(self, name: str, text: str, proof: str) -> None:
-        """Add the derivative of a generator."""
+        """Add the time derivative of a generator."""
         tree = parse(text)
         self.read(tree)
         self._step(f"Moves {self.index[name]} {data(tree, self.index)}", proof)
         self._slopes.add(name)
 
     def sign(self, text: str, proof: str) -> None:
-        """Add a quantity that is not negative."""
+        """Add a nonnegative quantity."""
         self.define(*names_in(parse(text)))
         self._step(f"Sign {self.data(text)}", proof)
 
     def alias(self, name: str, own: str, tree: Tree, proof: str) -> None:
-        """Add a name for a tree; its form is that of our own name for it, if there is one."""
+        """Add a second name for an expression.
+
+        If the expression has a name of our own, the normal form is that of our name.
+        """
         value = self.read(tree)
         self.index[name] = len(self.index) + 1
         place, text = self.index[name], data(tree, self.index)
@@ -117,7 +120,7 @@ class Theory:
             self.given.append(proof)
 
     def define(self, *names: str) -> None:
-        """Add steps so that Coq knows these names."""
+        """Add the definitions of names that Coq does not know yet."""
         for name in names:
             if name in self.texts and name not in self._defined:
                 self._defined.add(name)
@@ -128,7 +131,7 @@ class Theory:
                 self.ring.read(name)
 
     def ready(self, tree: Tree) -> None:
-        """Add steps so that Coq can read a tree: its names, inverses and derivatives."""
+        """Add the definitions, inverses and derivatives that occur in a tree."""
         self.define(*names_in(tree))
         for divisor in divisors(tree):
             self.invert(divisor)
@@ -136,12 +139,12 @@ class Theory:
             self.differentiate(inner)
 
     def read(self, tree: Tree) -> Element:
-        """Return the element of a tree, after adding steps so that Coq can read it."""
+        """Return the ring element of a tree, after adding what Coq needs to read it."""
         self.ready(tree)
         return self.ring.value(tree)
 
     def invert(self, tree: Tree) -> None:
-        """Let Coq divide by this: a number times a product of units, modulo the relations."""
+        """Add the inverse of a tree; NotExportedError unless it is a product of units."""
         if isinstance(tree, int) or tree in self._inverted:
             return
         value = self.read(tree)
@@ -157,7 +160,7 @@ class Theory:
         self._step(f"Invert {what} {number} {self.powers(below)} {self.rows(cofactors)}")
 
     def differentiate(self, tree: Tree) -> None:
-        """Let Coq use the derivative of this, in the kernel's form."""
+        """Add the time derivative of a tree, in the kernel's normal form."""
         if tree in self._slopes:
             return
         self.ready(tree)
@@ -177,7 +180,7 @@ class Theory:
         self._step(f"Differentiate {what} {form} {self.rows(cofactors)}")
 
     def _slope(self, tree: Tree) -> Element:
-        """Return the derivative by its rules, as the prelude's `slope` computes it."""
+        """Return the time derivative by the rules that the prelude's `slope` applies."""
         ring = self.ring
         match tree:
             case int():
@@ -209,25 +212,25 @@ class Theory:
         return rate
 
     def reduce(self, polynomial: PolyElement) -> tuple[list[PolyElement], PolyElement]:
-        """Return cofactors of the relations, then of premises, and the remainder."""
+        """Divide by premises and relations; return relation then premise cofactors and the rest."""
         cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder
 
     def rows(self, cofactors: Sequence[PolyElement]) -> str:
-        """Return cofactors for Coq; trailing zeros are left out."""
+        """Return cofactors as Coq data, without trailing zeros."""
         kept = list(cofactors)
         while kept and not kept[-1]:
             kept.pop()
         return listed(terms(polynomial, self.index) for polynomial in kept)
 
     def powers(self, below: Counter[PolyElement]) -> str:
-        """Return the multiplicity of each unit in a denominator; one declared twice counts once."""
+        """Return the multiplicity of each unit in a denominator; repeated units count once."""
         left = Counter(below)
         return f"{listed(left.pop(unit, 0) for unit in self.ring.units)}%nat"
 
     def gap(self, left: Tree, right: Tree) -> str:
-        """Return cofactors that prove two trees equal, found by division."""
+        """Return cofactors, found by division, that prove two trees equal."""
         difference = (self.read(left) - self.read(right)).numerator
         cofactors, remainder = self.reduce(difference)
         if remainder:
@@ -235,5 +238,5 @@ class Theory:
         return self.rows(cofactors)
 
     def data(self, text: str) -> str:
-        """Return a text as data of Coq."""
+        """Return a text as data of the prelude."""
         return data(parse(text), self.index)

@@ -1,4 +1,4 @@
-"""Tools to write derivations with: the builder of a ledger, parts of contexts, quaternions.
+"""Tools for writing derivations: ledger builder, parts of contexts, quaternions.
 
 Every claim is decided by the kernel.
 """

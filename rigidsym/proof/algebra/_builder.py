@@ -1,4 +1,4 @@
-"""The builder of a ledger: short ways to open contexts and to state claims.
+"""Builder of a ledger, with short methods to open contexts and to state claims.
 
 Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
 """
@@ -28,7 +28,7 @@ Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
 class LedgerBuilder:
-    """A ledger that is being written, with the steps of its derivation and results of chapters.
+    """A ledger under construction, with its derivation steps and the chapters' results.
 
     Counts of mutants that the text `sealed`, a written ledger, has for the same facts are kept;
     `recounted` is the number of facts whose mutants were counted again.
@@ -42,25 +42,25 @@ class LedgerBuilder:
         self._results: dict[type, Any] = {}
 
     def keep(self, result: Any) -> None:
-        """Keep the result of a chapter for the chapters after it."""
+        """Store the result of a chapter under its type, for later chapters."""
         self._results[type(result)] = result
 
     def __contains__(self, kind: type) -> bool:
-        """Say whether a chapter has kept a result of this type."""
+        """Return whether a chapter has stored a result of this type."""
         return kind in self._results
 
     def result(self, kind: type[Result]) -> Result:
-        """Return the result that an earlier chapter kept, by its type."""
+        """Return the result of this type that an earlier chapter stored."""
         if kind not in self._results:
             raise LookupError(f"no chapter has found {kind.__name__} yet")
         return self._results[kind]
 
     def open(self, context: Context) -> Ring:
-        """Admit a context and return its ring; raises KernelError where the kernel refuses it."""
+        """Admit a context and return its ring; KernelError if the kernel refuses it."""
         return self.ledger.open(context)
 
     def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove equations componentwise.  The context is the part of the id before the dot."""
+        """Prove equations, component by component, in the context before the dot of the id."""
         return self.decide(_fact(fact_id, "equal", equations, "identity", source))
 
     def compare(
@@ -70,7 +70,7 @@ class LedgerBuilder:
         points: Iterable[Point] = (),
         source: Iterable[str] = (),
     ) -> Fact | None:
-        """Decide whether equations hold: admit that they do, or a point where they do not.
+        """Prove equations, or refute them at a rational point.
 
         The points tried are those given, the witness of the context, and points near it, where
         one name at a time has another value.  Return None where the kernel decides neither: the
@@ -93,11 +93,11 @@ class LedgerBuilder:
         return None
 
     def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
-        """Prove name = sqrt(radicand), by its square and the sign of the name."""
+        """Prove name = sqrt(radicand) from the square and the sign of the name."""
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove that quantities are nonnegative, by equal expressions whose form shows it."""
+        """Prove that quantities are nonnegative by rewriting them in visibly nonnegative forms."""
         return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
@@ -107,7 +107,10 @@ class LedgerBuilder:
         point: Point,
         source: Iterable[str] = (),
     ) -> Fact:
-        """Show that equations do not always hold; `point` overrides the context's witness."""
+        """Refute equations at a rational point.
+
+        `point` overrides values of the context's witness.
+        """
         return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
 
     def _refute(self, fact: Fact, point: Point) -> Fact:
@@ -122,17 +125,20 @@ class LedgerBuilder:
         forms: Mapping[str, str],
         source: Iterable[str] = (),
     ) -> Fact:
-        """Prove equations by an identity of theta functions, with forms in place of its names."""
+        """Prove equations by substituting linear forms into a theta-function identity."""
         fact = _fact(fact_id, "equal", equations, "theta", source)
         certificate = {"identity": identity, "forms": dict(forms)}
         return self.ledger.add(replace(fact, certificate=certificate))
 
     def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove equations that hold where the context starts, and so always."""
+        """Prove equations that hold at the initial instant and are preserved by d/dt."""
         return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
-        """Show that one context is, by the premises, a model of another."""
+        """Prove that a context is a model of another one.
+
+        The premises are facts that the proof may use.
+        """
         name = f"{context}.models_{source}"
         return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
 
@@ -144,7 +150,7 @@ class LedgerBuilder:
         points: Iterable[Point],
         whole: Iterable[str] = (),
     ) -> Fact:
-        """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
+        """Add a cited result, graded ENCLOSED if balls confirm it at the given points.
 
         It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
         """
@@ -156,13 +162,19 @@ class LedgerBuilder:
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
     def split(self, context: str, name: str, *cases: Case) -> None:
-        """Open the cases name = 0, > 0 and, if given, < 0 of a context, with their witnesses."""
+        """Open the cases name = 0, name > 0 and, if given, name < 0 of a context.
+
+        Each case comes with its name and the values of its witness that differ from the context's.
+        """
         whole = self.ledger.contexts[context]
         for (case, witness), part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
             self.open(replace(part, name=case, witness={**whole.witness, **witness}))
 
     def partition(self, context: str, name: str, *cases: str) -> Fact:
-        """Prove that each point of a context is in exactly one of its cases, or of their cases."""
+        """Prove that each point of a context lies in exactly one case.
+
+        A case that has a partition of its own is replaced by its cases.
+        """
         found = (fact for fact in self.ledger.facts.values() if fact.kind == "partition")
         finer = {fact.context: fact for fact in found if fact.context in cases}
         leaves = [finer[case].rhs if case in finer else (case,) for case in cases]
@@ -171,7 +183,7 @@ class LedgerBuilder:
         return self._conclude(whole, *(premise.id for premise in finer.values()))
 
     def carry(self, context: str, fact_ids: Iterable[str]) -> None:
-        """Restate facts in a context that is known to be a model of theirs."""
+        """Restate facts in a context that is a proved model of theirs."""
         for fact_id in fact_ids:
             there = self.ledger.facts[fact_id]
             name = f"{context}.{fact_id.split('.')[1]}"
@@ -179,7 +191,7 @@ class LedgerBuilder:
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
     def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
-        """Publish formulas for the number wing, in order of evaluation, in a group of sequences.
+        """Publish a named sequence of formulas, in order of evaluation, for the number half.
 
         Each is a proved fact, or the definition or reading of a name in a context.
         """
@@ -192,7 +204,7 @@ class LedgerBuilder:
         self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_known(self, entry: Entry) -> bool:
-        """Say whether an entry is a proved formula, or the definition or reading of a name."""
+        """Return whether an entry is a proved formula, or a name's definition or reading."""
         if "fact" in entry:
             fact = self.ledger.facts.get(str(entry["fact"]))
             kinds = ("equal", "root")
@@ -205,7 +217,7 @@ class LedgerBuilder:
         return entry["reading"] in context.reading
 
     def decide(self, fact: Fact) -> Fact:
-        """Admit an identity with its cofactors; KernelError if its normal form is not zero."""
+        """Admit an identity with computed cofactors; KernelError if its normal form is not zero."""
         ring = self.ledger.rings[fact.context]
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
@@ -227,17 +239,23 @@ def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iter
 
 
 def facts(context: str, names: str) -> list[Entry]:
-    """Return entries for facts of one context: `facts("regular", "H E_a")`."""
+    """Return entries that publish facts of a context: `facts("regular", "H E_a")`."""
     return [{"fact": f"{context}.{name}"} for name in names.split()]
 
 
 def definitions(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries for definitions of a context, used where these equations use them."""
+    """Return entries that publish definitions of a context.
+
+    `source` are the equations of the paper that use them.
+    """
     return _said("definition", context, names, source)
 
 
 def readings(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries for readings of names: standard functions, used where these equations are."""
+    """Return entries that publish names which stand for standard functions.
+
+    `source` are the equations of the paper that use them.
+    """
     return _said("reading", context, names, source)
 
 
@@ -246,7 +264,7 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
 
 
 def text(side: Side) -> str:
-    """Return the text from which the kernel reads an expression, a number or an element."""
+    """Return the kernel's text of an expression, a number or an element."""
     if not isinstance(side, Element):
         return str(side)
     below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
@@ -254,5 +272,5 @@ def text(side: Side) -> str:
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
-    """Return the equations between two vectors or matrices, without those of equal texts."""
+    """Return entrywise equations of two vectors or matrices, without trivial ones."""
     return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]

@@ -1,4 +1,4 @@
-"""Numerical evidence for classical identities: Arb's balls agree with a fact at many points.
+"""Numerical evidence for cited identities by ball arithmetic at many points.
 
 A name stands for the number that a point gives it, or for its definition, or for its reading.
 Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
@@ -28,7 +28,10 @@ STEPS = 32
 
 
 def agrees(at: "Evaluation", fact: Fact) -> bool:
-    """Say whether lhs - rhs is enclosed near zero at a point; KernelError for no value."""
+    """Return whether the balls of lhs - rhs contain zero and are small at a point.
+
+    Raises KernelError if a side has no value there.
+    """
     gaps, small = [], _tiny(64)
     for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
         left = at.value(lhs)
@@ -38,7 +41,7 @@ def agrees(at: "Evaluation", fact: Fact) -> bool:
 
 
 def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
-    """Return the values of a point; KernelError for names that are not free."""
+    """Return a point's rational values as balls; KernelError for names that are not free."""
     known = {}
     for name, number in point.items():
         if name not in context.generators or _is_formula(context.reading.get(name, "?")):
@@ -49,7 +52,7 @@ def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
 
 
 class Evaluation:
-    """The balls of the names of a context at one point, each computed once."""
+    """Values of a context's names at one point as balls, computed on demand."""
 
     def __init__(self, context: Context, point: Mapping[str, acb]) -> None:
         self.context = context
@@ -57,7 +60,7 @@ class Evaluation:
         self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1), **point}
 
     def check(self) -> None:
-        """Refuse a point at which a hypothesis about names met so far is broken."""
+        """Refuse a point that violates a hypothesis about names evaluated so far."""
         for holds, texts in (
             (lambda value: value.contains(0), self.context.relations),
             (lambda value: not value.contains(0), self.context.units),
@@ -68,7 +71,7 @@ class Evaluation:
                     raise KernelError(f"the point is not one of the context: {text}")
 
     def value(self, text: str) -> acb:
-        """Return the ball of a text; KernelError where it is no expression, or refers to itself."""
+        """Return the ball of an expression; KernelError if it is invalid or circular."""
         try:
             return self._of(parse(text))
         except (RecursionError, TypeError, ValueError) as error:
@@ -105,7 +108,7 @@ class Evaluation:
 
 
 def names(tree: Tree) -> Iterator[str]:
-    """Yield the names in an expression, except those of functions and D."""
+    """Yield the names in an expression tree, without those of functions."""
     match tree:
         case str() if is_name(tree):
             yield tree
@@ -117,7 +120,7 @@ def names(tree: Tree) -> Iterator[str]:
 
 
 def _is_formula(reading: str) -> bool:
-    """Say whether a reading is an expression, rather than words."""
+    """Return whether a reading is an expression, not words."""
     try:
         parse(reading)
     except KernelError:
@@ -126,7 +129,10 @@ def _is_formula(reading: str) -> bool:
 
 
 def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """Return theta_kind(z, q) or its z-derivative (DLMF 20.2(i)); Arb takes z/pi."""
+    """Return theta_kind(z, q) or its z-derivative as a function (DLMF 20.2(i)).
+
+    Arb takes z/pi.
+    """
 
     def evaluate(z: acb, q: acb) -> acb:
         tau = q.log() / acb(0, 1) / acb.pi()
@@ -137,7 +143,7 @@ def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _tiny(lost: int) -> arb:
-    """Return a small number at the precision of the balls, with some bits lost."""
+    """Return 2**(lost - precision), the tolerance after losing some bits."""
     return arb(2) ** (lost - ctx.prec)
 
 
@@ -153,12 +159,12 @@ def _nome(m: acb) -> acb:
 
 
 def _slope(phi: acb, m: acb) -> acb:
-    """Return dF/dphi."""
+    """Return dF/dphi for the integral of the first kind F(phi | m)."""
     return 1 / (1 - m * phi.sin() ** 2).sqrt()
 
 
 def _amplitude(u: acb, m: acb) -> acb:
-    """Enclose phi with F(phi | m) = u (DLMF 22.16.10, continued) by an interval Newton step."""
+    """Enclose phi with F(phi | m) = u by an interval Newton step (DLMF 22.16.10, continued)."""
     phi = _near(u, _parameter(m))
     radius = arb(0, _tiny(32))
     box = acb(phi.real + radius, phi.imag + radius)
@@ -169,7 +175,7 @@ def _amplitude(u: acb, m: acb) -> acb:
 
 
 def _near(u: acb, m: acb) -> acb:
-    """Approximate an amplitude: integrate dphi/du = dn along the segment to u, then Newton."""
+    """Approximate the amplitude of u by midpoint steps along 0..u, then Newton's method."""
     phi, step = acb(0), u / STEPS
     for _ in range(STEPS):
         half = (phi + step / (2 * _slope(phi, m))).mid()
@@ -180,7 +186,10 @@ def _near(u: acb, m: acb) -> acb:
 
 
 def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
-    """Integrate Pi(n; phi | m) on the real path from 0, without poles for n < 1 (DLMF 19.2.7)."""
+    """Integrate Pi(n; phi | m) along the real path from 0 (DLMF 19.2.7).
+
+    The path has no poles for n < 1.
+    """
 
     def integrand(angle: acb, analytic: bool) -> acb:
         square = angle.sin() ** 2
@@ -215,7 +224,7 @@ FEWER_BITS = 128
 
 
 def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
-    """Say whether lhs - rhs is enclosed near zero at the points and at drawn ones."""
+    """Return whether balls confirm a fact at the given points and at drawn ones."""
     with ctx.workprec(BITS):
         given = (Evaluation(context, rational(context, point)) for point in points)
         if not all(agrees(at, fact) for at in given):
@@ -226,7 +235,10 @@ def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) 
 
 
 def _everywhere(context: Context, fact: Fact, free: Sequence[str]) -> bool:
-    """Say whether balls agree at `COUNT` drawn points; KernelError where there are fewer."""
+    """Return whether balls confirm a fact at `COUNT` drawn points.
+
+    Raises KernelError if too few draws are points of the context.
+    """
     found = 0
     for attempt in range(ATTEMPTS):
         try:
@@ -252,7 +264,7 @@ def _drawn(context: Context, fact: Fact, free: Sequence[str], attempt: int) -> E
 
 
 def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
-    """Return a number for a name, determined by the claim and the attempt."""
+    """Return a value for a name, determined by a hash of the claim and the attempt."""
     claim = [fact.context, *fact.lhs, "=", *fact.rhs, name, str(attempt)]
     digest = sha256("\n".join(claim).encode()).digest()
     share, kind = fmpq(int.from_bytes(digest[:8]), 2**64), digest[8] % 8
@@ -266,14 +278,17 @@ def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
 
 
 def _ties(context: Context, free: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the last name of each relation between free names, and the relation."""
+    """Yield each relation between free names, with its last name."""
     for relation in context.relations:
         if (tied := {*names(parse(relation))}) <= {*free}:
             yield max(tied, key=free.index), relation
 
 
 def _solution(context: Context, known: Mapping[str, acb], name: str, relation: str) -> acb:
-    """Solve a + b x = 0 for x, or a + b x**2 = 0 for x > 0; for others the point is refused."""
+    """Solve a relation for a name in it: a + b x = 0, or a + b x**2 = 0 with x > 0.
+
+    A point with another relation is refused.
+    """
     zero, one, less = (
         Evaluation(context, {**known, name: acb(x)}).value(relation) for x in (0, 1, -1)
     )

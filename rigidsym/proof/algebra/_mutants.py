@@ -1,4 +1,4 @@
-"""Mutants: proved statements made wrong on purpose, to test that their proofs refuse them.
+"""Mutants of proved statements, to test that the proofs reject wrong ones.
 
 A proof that would also accept a changed sign, index or power proves nothing about them.  Each
 mutant changes one place of one side of one component.  It is `refuted` (its normal form is not
@@ -41,8 +41,9 @@ _INDEX = {"1": "2", "2": "3", "3": "1", "a": "b", "b": "d", "d": "a"}
 def tally(
     ledger: Ledger, known: Mapping[str, Fates] | None = None, each: int = EACH
 ) -> dict[str, Fates]:
-    """Count the fates of the mutants, at most `each`, of every decided fact that is not in `known`.
+    """Count the fates of up to `each` mutants of every decided fact.
 
+    Facts in `known` keep their counts.
     Facts about printed lines are left out: tests change one place of the printed LaTeX instead.
     """
     decided = [
@@ -55,7 +56,7 @@ def tally(
 
 
 def known_fates(ledger: Ledger, text: str) -> dict[str, Fates]:
-    """Return the fates that a written ledger has for facts that are in this one unchanged.
+    """Return the mutant counts of a written ledger for facts that are unchanged here.
 
     Their contexts have to be unchanged, too.
     """
@@ -96,7 +97,7 @@ def _enclose(context: Context, mutant: Fact) -> str:
 def decide(
     ring: Ring, lhs: str, rhs: str, power: int = 1, point: list[Number] | None = None
 ) -> str:
-    """Return the fate of lhs**power = rhs by its normal form: refuted, refused or equivalent.
+    """Return whether lhs**power = rhs is refuted, refused or equivalent, by its normal form.
 
     If the sides differ at a point of the context, they are refuted without a normal form.
     """
@@ -109,7 +110,7 @@ def decide(
 
 
 def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
-    """Yield (lhs, rhs) of one component with one place changed; kinds of change alternate."""
+    """Yield (lhs, rhs) with one place of one component changed, alternating kinds of change."""
     kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
     known = ring.values
     sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
@@ -134,7 +135,7 @@ def _changes(text: str, known: Mapping[Tree, Element]) -> Iterator[tuple[str, Ed
 
 
 def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
-    """Yield the kind of each change of one place of a text, and a function that makes it."""
+    """Yield the kind of each single change of a text, with a function that returns the new text."""
     tree = ast.parse(text, mode="eval")
     for place, node in enumerate(islice(ast.walk(tree), PLACES)):
         for kind, changed in variants(node):
@@ -142,7 +143,7 @@ def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
 
 
 def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str, ast.expr]]:
-    """Yield slips at one node: sign, power, factor, term, index, function, derivative."""
+    """Yield likely slips at one node: sign, power, factor, term, index, function, derivative."""
     match node:
         case ast.BinOp(left=left, op=ast.Add(), right=right):
             yield "sign", ast.BinOp(left, ast.Sub(), right)
@@ -171,7 +172,10 @@ def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str
 
 
 def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
-    """Yield known names that are easily mistaken: of the next axis, or of a similar function."""
+    """Yield the known names that are easily mistaken for a name.
+
+    These are names of the next axis and of similar functions.
+    """
     axis = re.fullmatch(r"(.*?)([123]|(?<=_)[abd])(_rate|_squared)?", name)
     candidates = [_PARTNERS.get(name, "")]
     if axis:
@@ -180,7 +184,7 @@ def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
 
 
 def _replaced(text: str, place: int, changed: ast.expr) -> str:
-    """Return the text with the node at one place of the walk changed."""
+    """Return a text with the node at one place of its syntax tree replaced."""
     tree = ast.parse(text, mode="eval")
     target = list(ast.walk(tree))[place]
 

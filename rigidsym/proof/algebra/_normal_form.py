@@ -1,4 +1,7 @@
-"""Normal forms, and the cofactors that prove them: FLINT divides, the kernel multiplies."""
+"""Normal forms of polynomials modulo a context's relations, with cofactors as proof.
+
+FLINT divides to find the cofactors; the kernel multiplies to check them.
+"""
 
 from collections.abc import Sequence
 from functools import lru_cache
@@ -17,7 +20,7 @@ Term: TypeAlias = tuple[tuple[int, ...], Number]
 
 
 def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
-    """Return cofactors of the divisors, and the remainder of plain division by them.
+    """Divide a polynomial by several ones; return the cofactors and the remainder.
 
     Each term is divided by the first divisor whose leading term divides it, and so is what that
     brings in.  All terms that the leading term of one divisor divides go together.
@@ -59,8 +62,9 @@ def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
-    """Return cofactors and remainder by a context's relations; remainder 0 means that it vanishes.
+    """Divide a polynomial by a context's relations; return the cofactors and the remainder.
 
+    A remainder of 0 proves that the polynomial vanishes.
     Where plain division leaves a remainder, each relation is first reduced by those before it: one
     that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
     a remainder is no proof of anything.
@@ -74,7 +78,7 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
 
 
 def nested(polynomial: PolyElement) -> str:
-    """Return a polynomial as text, nested by its generators: half as long as all its terms.
+    """Return a polynomial as text in nested form, half as long as the expanded one.
 
     >>> from sympy import QQ, ring
     >>> _, x, y = ring("x, y", QQ)
@@ -97,7 +101,7 @@ def _nested(terms: list[Term], names: Sequence[str]) -> str:
 
 
 def _product(powers: tuple[int, ...], number: Number, names: Sequence[str]) -> str:
-    """Return one term as text, without a factor 1."""
+    """Return one term of a polynomial as text, without a factor 1."""
     factors = [x if k == 1 else f"{x}**{k}" for x, k in zip(names, powers, strict=True) if k]
     if not factors or number not in (1, -1):
         return "*".join([str(number), *factors])
@@ -106,7 +110,7 @@ def _product(powers: tuple[int, ...], number: Number, names: Sequence[str]) -> s
 
 @lru_cache(maxsize=128)
 def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement]]]:
-    """Return the relations, each reduced by those before it, and the cofactors that give them."""
+    """Return the relations, each reduced by those before it, with cofactors in the originals."""
     basis: list[PolyElement] = []
     origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
@@ -122,7 +126,10 @@ def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement
 def _combined(
     parts: list[PolyElement], rows: list[list[PolyElement]], like: list[PolyElement]
 ) -> list[PolyElement]:
-    """Return the sum of part * row, entry by entry; `like` gives the zeros if there is no row."""
+    """Return the sum of part * row over rows of polynomials.
+
+    `like` has as many entries as a row, for the case that there is none.
+    """
     total = [0 * entry for entry in like]
     for part, row in zip(parts, rows, strict=True):
         total = [x + y for x, y in zip(total, map(mul, [part] * len(row), row), strict=True)]

@@ -1,4 +1,4 @@
-"""Parts of contexts: an angle, Jacobi's three functions, or what a chapter adds.
+"""Reusable parts of contexts, such as an angle or Jacobi's three functions.
 
 A part is names with hypotheses about them: a context without a name of its own.  `join` merges
 parts in order and names the whole; later parts may use what earlier ones introduced.
@@ -12,7 +12,10 @@ from rigidsym.proof.kernel import Context
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """Part of a context, with its fields; `witness` gives the generators and their order."""
+    """Part of a context: names with hypotheses about them.
+
+    The keys of `witness` are the generators, in order.
+    """
 
     witness: Mapping[str, str] = field(default_factory=dict)
     units: tuple[str, ...] = ()
@@ -26,7 +29,7 @@ class Part:
 
 
 def part_of(context: Context, *names: str) -> Part:
-    """Return a context as a part, or only some of its definitions and generators."""
+    """Return a context as a part, restricted to the given names if there are any."""
     chosen = set(names) or {*context.generators, *context.definitions}
 
     def among(table: Mapping[str, str] | None) -> dict[str, str]:
@@ -69,7 +72,7 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
 
 
 def extend(name: str, context: Context, *parts: Part) -> Context:
-    """Extend a context by parts, under another name; they may redefine what it defines."""
+    """Return a context extended by parts under a new name; parts may override definitions."""
     return join(name, part_of(context), *parts, static=context.rates is None)
 
 
@@ -78,17 +81,23 @@ def _once(texts: Iterable[str]) -> tuple[str, ...]:
 
 
 def sign(name: str, reading: str) -> Part:
-    """Return a constant that is +1 or -1."""
+    """Return the part of a constant that is +1 or -1."""
     return Part({name: "1"}, relations=(f"{name}**2 - 1",), reading={name: reading})
 
 
 def half_angle(name: str, rate: str = "") -> Part:
-    """Return cos and sin of half an angle; `rate` is the angle's time derivative."""
+    """Return the part of cos and sin of half an angle and of the whole angle.
+
+    `rate` is the time derivative of the whole angle.
+    """
     return _doubled(f"half_{name}", name, f"{name}/2", name, f"({rate})/2" if rate else "")
 
 
 def double_angle(name: str, rate: str = "") -> Part:
-    """Return cos and sin of an angle and of its double; `rate` is the angle's time derivative."""
+    """Return the part of cos and sin of an angle and of the doubled angle.
+
+    `rate` is the time derivative of the single angle.
+    """
     return _doubled(name, f"2{name}", name, f"2*{name}", rate)
 
 
@@ -112,7 +121,7 @@ def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
 
 
 def circle(cosine: str, sine: str, angle: str) -> Part:
-    """Return cos and sin of an angle at one instant."""
+    """Return the part of cos and sin of an angle at one instant."""
     return Part(
         witness={sine: "4/5", cosine: "3/5"},
         relations=(f"{cosine}**2 + {sine}**2 - 1",),
@@ -121,7 +130,10 @@ def circle(cosine: str, sine: str, angle: str) -> Part:
 
 
 def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) -> Part:
-    """Return sn, cn, dn of (argument | parameter); `rate` is the argument's (DLMF 22.6, 22.13)."""
+    """Return the part of sn, cn and dn of (argument | parameter) (DLMF 22.6, 22.13).
+
+    `rate` is the time derivative of the argument.
+    """
     return Part(
         witness={sn: "0", cn: "1", dn: "1"},
         relations=(f"{cn}**2 + {sn}**2 - 1", f"{dn}**2 + ({parameter})*{sn}**2 - 1"),

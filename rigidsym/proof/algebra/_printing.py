@@ -1,4 +1,4 @@
-"""SymPy's polynomials as texts of the kernel, with terms in a chosen order.
+"""Printer of SymPy polynomials as kernel texts with a chosen order of terms.
 
 SymPy sorts by the alphabet.  A text printed here may become a formula of the number wing, where
 the order of terms is the order of summation: names come as they are listed, terms by degree,
@@ -13,8 +13,9 @@ Ranks: TypeAlias = dict[str, int]
 
 
 def printed(polynomial: Expr, names: str) -> str:
-    """Print sums, products and natural powers of listed names; ValueError for others.
+    """Print a polynomial in the listed names, in their order.
 
+    Raises ValueError for anything but sums, products and natural powers of these names.
     >>> from sympy import symbols
     >>> a, b, e = symbols("a b e")
     >>> printed(e*(2*a**2 - b*e) - a + b, "e b a")
@@ -30,7 +31,7 @@ def _sum(total: Expr, ranks: Ranks) -> str:
 
 
 def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
-    """Return degree, sign, ranks of the factors, and the text without the sign."""
+    """Return a term's degree, sign, ranks of its factors, and text without the sign."""
     number, rest = term.as_coeff_Mul()
     factors = sorted(_factor(factor, ranks) for factor in Mul.make_args(rest) if factor != 1)
     texts = [text for _, text, _ in factors]
@@ -42,7 +43,7 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
 
 
 def _factor(factor: Expr, ranks: Ranks) -> tuple[int, str, int]:
-    """Return rank, text and degree; sums come last."""
+    """Return a factor's rank, text and degree; sums have the last rank."""
     base, exponent = factor.as_base_exp()
     if not (isinstance(exponent, Integer) and exponent > 0):
         raise ValueError(f"{factor}: not a natural power")

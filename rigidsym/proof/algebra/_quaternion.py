@@ -1,4 +1,4 @@
-"""Hamilton's quaternions, scalar first, over any commutative ring."""
+"""Hamilton's quaternions over any commutative ring, scalar part first."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -7,7 +7,7 @@ from sympy import Expr, expand, symbols
 
 
 def product(p: Sequence[Any], q: Sequence[Any], handedness: Any = 1) -> tuple[Any, Any, Any, Any]:
-    """Return the Hamilton product on axes of a handedness, 1 or -1: i j = k, or -k."""
+    """Return the Hamilton product, where i j = k or, for handedness -1, i j = -k."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return (
@@ -19,17 +19,17 @@ def product(p: Sequence[Any], q: Sequence[Any], handedness: Any = 1) -> tuple[An
 
 
 def kinematics(q: str, rates: str, handedness: Any = 1) -> dict[str, Expr]:
-    """Return the sides of q' = q (0, Omega)/2 by names: `kinematics("q0 q1 q2 q3", "O1 O2 O3")`."""
+    """Return the sides of q' = q (0, Omega)/2: `kinematics("q0 q1 q2 q3", "O1 O2 O3")`."""
     turned = product(symbols(q), (0, *symbols(rates)), handedness)
     return {f"D({name})": side / 2 for name, side in zip(q.split(), turned, strict=True)}
 
 
 def rotated(q: Sequence[Expr], vector: Sequence[Any], handedness: Any = 1) -> list[Expr]:
-    """Multiply out q v q^-1 for a unit quaternion."""
+    """Return the vector q v q^-1 for a unit quaternion, expanded."""
     turned = product(product(q, (0, *vector), handedness), conjugate(q), handedness)
     return [expand(component) for component in turned[1:]]
 
 
 def conjugate(q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
-    """Return the inverse of a unit quaternion."""
+    """Return the conjugate of a quaternion, the inverse of a unit one."""
     return q[0], -1 * q[1], -1 * q[2], -1 * q[3]

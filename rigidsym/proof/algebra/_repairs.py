@@ -1,4 +1,4 @@
-"""Repairs: small edits of a printed line that turn a refuted statement into an identity.
+"""Search for small edits of a printed line that turn a false statement into an identity.
 
 The edits are those of mutants, and insertions: of a sign, a derivative, or a constant of the
 context or its square as a factor or divisor.  Edits that fail at a rational point
@@ -20,7 +20,7 @@ _SIDES = ("lhs", "rhs")
 
 
 def repairs(ledger: Ledger, fact_id: str, place: str, component: int = 0) -> list[tuple[str, str]]:
-    """Return the shortest proved repairs of a refuted fact, lhs and rhs; at most `MOST`.
+    """Return up to `MOST` shortest proved repairs of a refuted fact as (lhs, rhs).
 
     `place` is what the paper prints: a side of the statement, or a definition of its context.
     `component` says which of several components to mend.
@@ -70,7 +70,7 @@ def _statement(fact: Fact, place: str, text: str) -> tuple[str, str]:
 
 
 def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | None:
-    """Return the context's ring with a definition changed; None where the kernel refuses it."""
+    """Return a context's ring with changed definitions; None if the kernel refuses it."""
     if not changed:
         return ring
     try:
@@ -89,24 +89,24 @@ def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
 
 @dataclass(frozen=True, slots=True)
 class Jet:
-    """A rational number and its rate of change, None where that is not known."""
+    """A rational value with its time derivative, which is None if unknown."""
 
     value: Fraction
     rate: Fraction | None = Fraction(0)
 
     def plus(self, other: "Jet") -> "Jet":
-        """Return the sum."""
+        """Return the sum of two jets."""
         unknown = self.rate is None or other.rate is None
         return Jet(self.value + other.value, None if unknown else self.rate + other.rate)
 
     def times(self, other: "Jet") -> "Jet":
-        """Return the product."""
+        """Return the product of two jets."""
         unknown = self.rate is None or other.rate is None
         rate = None if unknown else self.rate * other.value + self.value * other.rate
         return Jet(self.value * other.value, rate)
 
     def power(self, exponent: int) -> "Jet":
-        """Return an integer power; ZeroDivisionError where it is not defined."""
+        """Return an integer power of a jet; ZeroDivisionError if it is undefined."""
         slope = exponent * self.value ** (exponent - 1)
         return Jet(self.value**exponent, None if self.rate is None else slope * self.rate)
 
@@ -121,11 +121,11 @@ _OPERATIONS: dict[type, Callable[[Jet, Jet], Jet]] = {
 
 
 class UnknownRateError(ValueError):
-    """A rate that the context does not know, or the rate of a rate."""
+    """A second derivative, or a derivative that the context leaves unknown."""
 
 
 class Instant:
-    """A context at one rational point, where its texts and their rates are numbers."""
+    """Exact values of a context's texts, and of their derivatives, at one rational point."""
 
     def __init__(self, context: Context, point: Mapping[str, str]) -> None:
         self.definitions, self.rates = context.definitions, context.rates or {}
@@ -133,7 +133,7 @@ class Instant:
         self.moving = self._moving({})
 
     def _moving(self, changed: Mapping[str, str]) -> dict[str, Jet]:
-        """Return the quantities with their rates, with some definitions changed."""
+        """Return the generators' values and rates after some definitions changed."""
         known = {**self.still, **changed}
         rates = {
             name: None if text == "?" else self._value(text, dict(known)).value
@@ -142,7 +142,7 @@ class Instant:
         return {name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()}
 
     def agree(self, lhs: str, rhs: str, changed: Mapping[str, str]) -> bool:
-        """Say whether both sides are the same number; True where a rate is not known."""
+        """Return whether two sides have the same value; True if it needs an unknown rate."""
         try:
             moving = self._moving(changed) if changed else self.moving
             known: dict[str, Jet | str] = {**moving, **changed}

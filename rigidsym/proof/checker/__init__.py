@@ -1,4 +1,4 @@
-"""A second, independent checker of the ledger.
+"""Second, independent checker of ledgers.
 
 It decides the same question as `rigidsym.proof.kernel`: does every fact of a ledger follow from the
 hypotheses of its context?  It shares no code with the kernel and no algebra system: it uses FLINT's

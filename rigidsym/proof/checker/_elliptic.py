@@ -1,4 +1,4 @@
-"""Elliptic functions in balls that are proved to hold their values.
+"""Elliptic functions of balls with rigorous error bounds.
 
 Jacobi's functions come from their definition alone, the inverse phi = am(u) of
 
@@ -21,14 +21,17 @@ EVALUATIONS = 20_000
 
 
 def jacobi(u: acb, m: acb) -> tuple[acb, acb, acb]:
-    """Return sn, cn and dn of (u | m), |Im u| < K', 0 < m < 1."""
+    """Return sn, cn and dn of (u | m) for |Im u| < K' and 0 < m < 1."""
     phi, turns = _amplitude(u, m)
     _, s, c, d = _first(phi, m)
     return (-s, -c, d) if turns % 2 else (s, c, d)
 
 
 def epsilon(u: acb, m: acb) -> acb:
-    """Integrate dn**2 from 0 to u: E(phi), since dn is Delta and du is dphi/Delta."""
+    """Return Jacobi's epsilon function, the integral of dn**2 from 0 to u.
+
+    It is E(phi) at phi = am(u), since dn is Delta and du is dphi/Delta.
+    """
     phi, turns = _amplitude(u, m)
     first, s, c, d = _first(phi, m)
     carlson = acb.elliptic_rd(*_doubled(c, d)) / 4 + 3 / ((1 + c) * (1 + d))
@@ -36,30 +39,30 @@ def epsilon(u: acb, m: acb) -> acb:
 
 
 def inverse_sc(x: acb, m: acb) -> acb:
-    """Return the real u with sc(u | m) = x: F(arctan(x))."""
+    """Return the real u with sc(u | m) = x, which is F(arctan(x))."""
     return _first(acb(real(x).atan()), between(arb(0), m, arb(1)))[0]
 
 
 def third_kind_of_argument(u: acb, n: acb, m: acb) -> acb:
-    """Integrate sn**2/(1 - n*sn**2) from 0 to a real u, over phi."""
+    """Integrate sn**2/(1 - n*sn**2) from 0 to a real u, by substituting phi = am(u)."""
     phi, turns = _amplitude(acb(real(u)), m)
     return _third(lambda square: square, n, phi + turns * acb.pi(), m)
 
 
 def third_kind(n: acb, phi: acb, m: acb) -> acb:
-    """Return Legendre's integral of the third kind from 0 to any real phi, by its definition."""
+    """Return Legendre's Pi(n; phi | m) for any real phi, by integration."""
     return _third(lambda square: acb(1), n, acb(real(phi)), m)
 
 
 def real(value: acb) -> arb:
-    """Return a value that is certainly real as a real ball."""
+    """Return the real part of a ball; Refused unless it is exactly real and finite."""
     if not (value.imag == 0 and value.is_finite()):
         raise Refused("a function of real numbers gets another value")
     return value.real
 
 
 def between(low: arb | None, value: acb, high: arb) -> acb:
-    """Return a value that is certainly real and strictly between the bounds."""
+    """Return a real ball; Refused unless it lies strictly between the bounds."""
     number = real(value)
     if not number < high or not (low is None or low < number):
         raise Refused("a function gets a value out of its range")
@@ -67,7 +70,7 @@ def between(low: arb | None, value: acb, high: arb) -> acb:
 
 
 def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
-    """Return phi and k with am(u) = phi + k*pi and phi on the branch of `_first`."""
+    """Return phi and k with am(u) = phi + k*pi, where phi is on the branch of `_first`."""
     m = between(arb(0), m, arb(1))
     if not u.is_finite() or not abs(u.imag) < acb.elliptic_k(1 - m).real:
         raise Refused("an argument of Jacobi's functions is not below the pole i*K'")
@@ -77,8 +80,9 @@ def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
 
 
 def _inverse(u: acb, m: acb) -> acb:
-    """Enclose the zero phi of F(phi) - u for each u of a ball: Newton's method on intervals.
+    """Enclose the solutions phi of F(phi) = u for a ball u by an interval Newton method.
 
+    It starts from a root found by plain Newton steps.
     Where Newton's operator maps a ball into its interior, it holds exactly one zero.  If the ball
     meets the strip |Re phi| < pi/2, `_first` has continued F from 0 to there: phi is am(u).
     """
@@ -104,7 +108,7 @@ def _inverse(u: acb, m: acb) -> acb:
 
 
 def _guess(u: complex, m: float) -> complex:
-    """Approximate phi of u by Runge-Kutta steps for phi' = Delta."""
+    """Approximate am(u) by Runge-Kutta steps for phi' = Delta."""
 
     def slope(phi: complex) -> complex:
         return cmath.sqrt(1 - m * cmath.sin(phi) ** 2)
@@ -119,8 +123,9 @@ def _guess(u: complex, m: float) -> complex:
 
 
 def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
-    """Return F, sin, cos, Delta of phi, continued from 0 over the strip |Re phi| < pi/2 and beyond.
+    """Return F, sin, cos and Delta of phi, continued analytically from 0.
 
+    The domain is the strip |Re phi| < pi/2 and some of what lies beyond it.
     F = s*R_F(c**2, Delta**2, 1).  Doubling its arguments once by hand, with the roots c and Delta,
     takes it across the cut that c**2 runs into at the sides of the strip: the doubled ones are
     products of two numbers with positive real parts, where R_F is analytic.
@@ -135,7 +140,7 @@ def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
 
 
 def _doubled(c: acb, d: acb) -> tuple[acb, acb, acb]:
-    """Return (x + y)/4 for x = c**2, d**2, 1, where y = c*d + d + c."""
+    """Return the doubled arguments of R_F: (x + y)/4 for x = c**2, d**2, 1, y = c*d + d + c."""
     return (c + d) * (c + 1) / 4, (d + c) * (d + 1) / 4, (1 + c) * (1 + d) / 4
 
 

@@ -1,4 +1,4 @@
-"""Balls: both sides of an equation at a point, to thirty digits, with all rounding accounted for.
+"""Numerical checks of equations by ball arithmetic, at given and at drawn points.
 
 The names of a context get their values from the point, from definitions, or from readings that
 are formulas.  Two sides agree where the ball of their difference is small and contains 0.
@@ -26,7 +26,7 @@ TOLERANCE = "1e-30"
 
 
 def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
-    """Accept an equation at a point of its context where the balls of both sides agree."""
+    """Refuse an equation unless the balls of both sides agree at a point of its context."""
     with ctx.workprec(PRECISION):
         values = Values(given, numbers(given, point))
         if not values.confirm(fact, TOLERANCE):
@@ -34,7 +34,7 @@ def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
 
 
 def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
-    """Return the values of a point, for generators whose reading is not a formula."""
+    """Return the values of a point as balls; Refused for names that are not free."""
     if taken := point.keys() - {*given.generators}:
         raise Refused(f"a point gives {min(taken)!a}, which is no generator")
     if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
@@ -43,7 +43,7 @@ def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
 
 
 class Values(Language[acb]):
-    """The values of texts at a point; those of names are computed on demand."""
+    """Ball values of a context's texts at a point, computed on demand."""
 
     def __init__(self, given: Hypotheses, point: dict[str, acb]) -> None:
         self._given, self._unread = given, {**given.reading, **given.definitions}
@@ -53,7 +53,10 @@ class Values(Language[acb]):
         self._values |= point
 
     def confirm(self, fact: Claim, tolerance: str) -> bool:
-        """Say whether both sides agree; Refused where they have no value, or it is no point."""
+        """Return whether both sides agree within a tolerance.
+
+        Raises Refused if they have no value, or if the point is not one of the context.
+        """
         sides = [(self.read(x), self.read(y)) for x, y in zip(fact.lhs, fact.rhs, strict=True)]
         self.check()
         for left, right in sides:
@@ -64,7 +67,7 @@ class Values(Language[acb]):
         return True
 
     def check(self) -> None:
-        """Refuse the point if a hypothesis about nothing but the names met so far is broken."""
+        """Refuse a point that violates a hypothesis about the names evaluated so far."""
         given = self._given
         for texts, holds in (
             (given.relations, lambda value: value.contains(0)),
@@ -76,11 +79,11 @@ class Values(Language[acb]):
                     raise Refused(f"the point does not satisfy what is assumed of {text}")
 
     def number(self, number: int) -> acb:
-        """Return a natural number."""
+        """Return a natural number as a ball."""
         return acb(number)
 
     def name(self, name: str) -> acb:
-        """Return the value of a name; while it is being computed, the name is unknown."""
+        """Return the value of a name; Refused if its definition is circular."""
         if name not in self._values:
             if name not in self._unread:
                 raise Refused(f"{name!r} has no value at the point")
@@ -92,7 +95,7 @@ class Values(Language[acb]):
         return self._values[name]
 
     def call(self, function: str, arguments: list[acb]) -> acb:
-        """Return the value of a function, real where its arguments are."""
+        """Return the value of a function; its imaginary part is dropped for real arguments."""
         key = function, len(arguments)
         if key not in FUNCTIONS:
             raise Refused(f"{function} of {len(arguments)} is no function here")
@@ -102,20 +105,23 @@ class Values(Language[acb]):
         return acb(value.real) if all(x.imag == 0 for x in arguments) else value
 
     def combine(self, operator: str, left: acb, right: acb) -> acb:
-        """Return the result of one operation."""
+        """Return the sum, difference, product or quotient of two balls."""
         return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
 
     def negative(self, operand: acb) -> acb:
-        """Return the opposite."""
+        """Return the negative of a ball."""
         return -operand
 
     def power(self, base: acb, exponent: int) -> acb:
-        """Return a power."""
+        """Return a natural power of a ball."""
         return base**exponent
 
 
 def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """Return theta_index(z, q) of DLMF 20.2(i) or its z-derivative; FLINT takes z/pi."""
+    """Return theta_index(z, q) or its z-derivative as a function (DLMF 20.2(i)).
+
+    FLINT takes z/pi.
+    """
 
     def function(z: acb, q: acb) -> acb:
         tau = between(arb(0), q, arb(1)).log() / acb(0, arb.pi())
@@ -125,14 +131,14 @@ def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _root(x: acb) -> acb:
-    """Return the root of a real number that is certainly not negative."""
+    """Return the square root of a real ball; Refused if it may be negative."""
     if not elliptic.real(x) >= 0:
         raise Refused("the root of a number that may be negative")
     return x.sqrt()
 
 
 def _nome(m: acb) -> acb:
-    """Return exp(-pi K'/K)."""
+    """Return the nome exp(-pi K'/K) of a parameter."""
     m = between(arb(0), m, arb(1))
     return (-acb.pi() * acb.elliptic_k(1 - m) / acb.elliptic_k(m)).exp()
 
@@ -164,7 +170,7 @@ BITS, ALIKE = 128, "1e-18"
 
 
 def look_elsewhere(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
-    """Refuse an equation that fails at a drawn point."""
+    """Refuse an equation that fails at one of many points drawn by a hash of the claim."""
     free = [name for name in given.generators if name in free]
     seen = 0
     with ctx.workprec(BITS):
@@ -199,7 +205,7 @@ def _draw(
 
 
 def _number(seed: bytes, whole: bool, positive: bool) -> acb:
-    """Return a number between 0 and 1, near them, or between -8 and 8."""
+    """Draw a number from (0, 1), from near its ends, or from (-8, 8)."""
     part, choice = fmpq(int.from_bytes(seed[:8], "little"), 2**64), seed[8] % 10
     if whole:
         return acb(seed[9] % 9 - 4)
@@ -213,7 +219,7 @@ def _number(seed: bytes, whole: bool, positive: bool) -> acb:
 
 
 def _solve(given: Hypotheses, known: dict[str, acb], name: str, relation: str) -> acb:
-    """Solve a relation for a name that is in it linearly or by its square alone."""
+    """Solve a relation for a name that occurs in it linearly, or only as its square."""
     at = [Values(given, {**known, name: acb(x)}).read(relation) for x in (-1, 0, 1)]
     if (at[0] - at[2]).contains(0):
         square = at[1] / (at[1] - at[2])

@@ -1,4 +1,4 @@
-"""The language of ledgers: one grammar, and one reader for each kind of meaning.
+"""Grammar of ledger expressions, with one reader per kind of value.
 
 Text is made of natural numbers, names, ``+ - * /``, powers whose exponents are natural numbers, and
 calls ``f(x, y)``, with spaces between them at most.  Names are not Python's keywords; numbers have
@@ -25,39 +25,39 @@ Form: TypeAlias = int | str | tuple["Form", ...]
 
 
 def is_name(text: object) -> bool:
-    """Say whether a text is a name, of a quantity or of a context."""
+    """Return whether a text is a name of a quantity or of a context."""
     return isinstance(text, str) and bool(NAME.fullmatch(text)) and not keyword.iskeyword(text)
 
 
 class Language(ABC, Generic[Meaning]):
-    """Reader of the grammar, whose subclasses give numbers, names and operators a meaning."""
+    """Parser of the grammar; subclasses evaluate numbers, names and operators."""
 
     @abstractmethod
     def number(self, number: int) -> Meaning:
-        """Return the meaning of a natural number."""
+        """Return the value of a natural number."""
 
     @abstractmethod
     def name(self, name: str) -> Meaning:
-        """Return the meaning of a name, or raise Refused."""
+        """Return the value of a name, or raise Refused."""
 
     @abstractmethod
     def call(self, function: str, arguments: list[Meaning]) -> Meaning:
-        """Return the meaning of ``function(*arguments)``, or raise Refused."""
+        """Return the value of ``function(*arguments)``, or raise Refused."""
 
     @abstractmethod
     def combine(self, operator: str, left: Meaning, right: Meaning) -> Meaning:
-        """Return the meaning of two operands with one of ``+ - * /`` between them."""
+        """Return the value of ``left operator right`` for one of ``+ - * /``."""
 
     @abstractmethod
     def negative(self, operand: Meaning) -> Meaning:
-        """Return the meaning of ``-operand``."""
+        """Return the value of ``-operand``."""
 
     @abstractmethod
     def power(self, base: Meaning, exponent: int) -> Meaning:
-        """Return the meaning of ``base**exponent``."""
+        """Return the value of ``base**exponent``."""
 
     def read(self, text: str) -> Meaning:
-        """Return the meaning of a text that is one expression."""
+        """Return the value of a text; Refused unless it is one expression."""
         if len(text) > _LENGTH:
             raise Refused(f"an expression of {len(text)} characters")
         if text != text.strip(" ") or _TOKEN.sub("", text):
@@ -68,7 +68,7 @@ class Language(ABC, Generic[Meaning]):
         return value
 
     def _read(self, tokens: list[str], binding: int = 0, depth: int = 0) -> Meaning:
-        """Read on, up to an operator that binds no tighter than the one before."""
+        """Parse operators that bind tighter than `binding`, with their operands."""
         value = self._operand(tokens, depth)
         while _BINDS.get(tokens[-1], 0) > binding:
             operator = tokens.pop()
@@ -109,35 +109,35 @@ class Language(ABC, Generic[Meaning]):
 
 
 class Forms(Language[Form]):
-    """Reader that gives each expression its form: a tree of tuples."""
+    """Parser of expressions into trees of tuples."""
 
     def number(self, number: int) -> Form:
-        """Return the number."""
+        """Return the number itself."""
         return number
 
     def name(self, name: str) -> Form:
-        """Return the name."""
+        """Return the name itself."""
         return name
 
     def call(self, function: str, arguments: list[Form]) -> Form:
-        """Return a call of a function."""
+        """Return the tree of a function call."""
         return ("call", function, *arguments)
 
     def combine(self, operator: str, left: Form, right: Form) -> Form:
-        """Return an operator and its two sides."""
+        """Return the tree of a binary operation."""
         return operator, left, right
 
     def negative(self, operand: Form) -> Form:
-        """Return a sign and its operand."""
+        """Return the tree of a negation."""
         return "-", operand
 
     def power(self, base: Form, exponent: int) -> Form:
-        """Return a power."""
+        """Return the tree of a power."""
         return "**", base, exponent
 
 
 def is_formula(text: str) -> bool:
-    """Say whether a text is an expression, whatever its names mean."""
+    """Return whether a text is an expression, whatever its names mean."""
     try:
         Forms().read(text)
     except Refused:

@@ -1,4 +1,4 @@
-"""Ledger files as records: JSON of one exact shape and spelling."""
+"""Records of a ledger file, which is JSON of one exact shape and spelling."""
 
 import json
 from dataclasses import dataclass, fields
@@ -9,12 +9,12 @@ KEYS = ["schema", "contexts", "facts", "published"]
 
 
 class Refused(ValueError):  # noqa: N818 (a verdict rather than an error)
-    """The ledger is not in order; one line says where and why."""
+    """Refusal of a ledger; the message says in one line where it is wrong and why."""
 
 
 @dataclass(frozen=True, slots=True)
 class Hypotheses:
-    """The record of a context."""
+    """A context as the ledger file records it."""
 
     name: str
     generators: list[str]
@@ -31,7 +31,10 @@ class Hypotheses:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """The record of a fact; what its certificate must hold depends on the rule."""
+    """A fact as the ledger file records it.
+
+    The rule decides what its certificate must hold.
+    """
 
     id: str
     context: str
@@ -49,7 +52,7 @@ Record = TypeVar("Record", Hypotheses, Claim)
 
 
 def fits(value: object, kind: object) -> bool:
-    """Say whether a JSON value has the type of a field above."""
+    """Return whether a JSON value has the type of a record's field."""
     if kind == list[str]:
         return isinstance(value, list) and all(isinstance(item, str) for item in value)
     if kind == dict[str, str]:
@@ -60,7 +63,7 @@ def fits(value: object, kind: object) -> bool:
 
 
 def fill(kind: type[Record], entry: object) -> Record:
-    """Return an entry as a record: exactly its fields, in order, each of exactly its type."""
+    """Return a JSON entry as a record; Refused unless its fields and types match exactly."""
     if not isinstance(entry, dict) or [*entry] != [field.name for field in fields(kind)]:
         raise Refused("not the fields that the schema gives it")
     if wrong := [field.name for field in fields(kind) if not fits(entry[field.name], field.type)]:
@@ -69,7 +72,7 @@ def fill(kind: type[Record], entry: object) -> Record:
 
 
 def load(text: str) -> tuple[list[object], list[object], dict[str, Any]]:
-    """Return contexts and facts, still unread, and the published index of a ledger file."""
+    """Return the unread contexts, the unread facts and the published index of a ledger file."""
     data = json.loads(text, object_pairs_hook=_once)
     if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != SCHEMA:
         raise Refused(f"not a ledger of schema {SCHEMA}")

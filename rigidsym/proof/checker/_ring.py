@@ -1,4 +1,4 @@
-"""Q[generators] with the units inverted: fractions of FLINT polynomials, never cancelled.
+"""Differential rings over FLINT polynomials: fractions that are never cancelled.
 
 A denominator is always a product of declared units, because `Ring.inverse` makes no other.
 Monomials are ordered lexicographically, later generators larger, as ledgers are written for.
@@ -17,7 +17,7 @@ from rigidsym.proof.checker._records import Refused
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Quotient:
-    """above / below."""
+    """A fraction above / below of two polynomials."""
 
     above: fmpq_mpoly
     below: fmpq_mpoly
@@ -46,7 +46,7 @@ class Quotient:
 
 
 class Ring(Language[Quotient]):
-    """The arithmetic of a context: what names mean, what may be divided by, what vanishes."""
+    """Arithmetic of a context: its names, units, relations and time derivative."""
 
     def __init__(self, generators: list[str], definitions: dict[str, str]) -> None:
         self.polynomials = fmpq_mpoly_ctx.get(generators[::-1], "lex")
@@ -58,35 +58,35 @@ class Ring(Language[Quotient]):
         self.rates: dict[str, Quotient | None] | None = None
 
     def over_one(self, polynomial: fmpq_mpoly) -> Quotient:
-        """Return a polynomial as a quotient."""
+        """Return a polynomial as a fraction."""
         return Quotient(polynomial, self.one)
 
     def number(self, number: int) -> Quotient:
-        """Return a natural number."""
+        """Return a natural number as a fraction."""
         return self.over_one(self.polynomials.constant(number))
 
     def call(self, function: str, arguments: list[Quotient]) -> Quotient:
-        """Return D(x); there is no other function."""
+        """Return the time derivative for D(x); Refused for any other function."""
         if function != "D" or len(arguments) != 1:
             raise Refused(f"{function} of {len(arguments)} is no function here")
         return self.rate(arguments[0])
 
     def combine(self, operator: str, left: Quotient, right: Quotient) -> Quotient:
-        """Return the result of one operation; a divisor has to be invertible."""
+        """Return the sum, difference, product or quotient; Refused if a divisor has no inverse."""
         if operator == "/":
             return left * self.inverse(right)
         return {"+": add, "-": sub, "*": mul}[operator](left, right)
 
     def negative(self, operand: Quotient) -> Quotient:
-        """Return the opposite."""
+        """Return the negative of a fraction."""
         return -operand
 
     def power(self, base: Quotient, exponent: int) -> Quotient:
-        """Return a power that is positive and not too large."""
+        """Return a power; Refused unless it is positive and not too large."""
         return base**exponent
 
     def name(self, name: str) -> Quotient:
-        """Return the value of a name; inside its own definition a name is unknown."""
+        """Return the value of a name; Refused inside its own definition."""
         if name not in self.values:
             if name not in self.unread:
                 raise Refused(f"{name!r} has no meaning here")
@@ -94,14 +94,17 @@ class Ring(Language[Quotient]):
         return self.values[name]
 
     def inverse(self, quotient: Quotient) -> Quotient:
-        """Return 1/quotient, if its numerator, as it is or modulo the relations, is invertible."""
+        """Return 1/quotient; Refused unless its numerator is a product of units.
+
+        The numerator may be reduced by the relations for that.
+        """
         for above in (quotient.above, self.remainder(quotient.above)):
             if scale := self.scale(above):
                 return Quotient(quotient.below / scale, above / scale)
         raise Refused("a division by what is not a product of units")
 
     def scale(self, polynomial: fmpq_mpoly) -> fmpq:
-        """Return c if the polynomial is c times a product of units, else 0."""
+        """Return c if a polynomial is c times a product of units, else 0."""
         for unit in self.units:
             while not polynomial.is_constant() and not unit.is_constant():
                 quotient, rest = divmod(polynomial, unit)
@@ -112,7 +115,7 @@ class Ring(Language[Quotient]):
         return polynomial.leading_coefficient() if constant else fmpq(0)
 
     def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
-        """Divide a polynomial by those that vanish, in turn, until nothing changes.
+        """Reduce a polynomial by the relations and other zeros until nothing changes.
 
         This ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
         The remainder depends on the order of the divisors, so both orders are used.
@@ -122,7 +125,7 @@ class Ring(Language[Quotient]):
         return rest and _divided(_divided(polynomial, divisors[::-1]), divisors)
 
     def rate(self, quotient: Quotient) -> Quotient:
-        """Return D(a/b): the sum over the generators x of (a_x b - a b_x)/b**2 D(x)."""
+        """Return the time derivative D(a/b), the sum of (a_x b - a b_x)/b**2 D(x) over x."""
         if self.rates is None:
             raise Refused("this context has no time derivative")
         (above, below), total = (quotient.above, quotient.below), self.over_one(self.one * 0)

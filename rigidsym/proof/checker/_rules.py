@@ -1,4 +1,4 @@
-"""The rules of inference, and the check that applies them to a ledger from its start to its end.
+"""Inference rules, and the check that applies them to a whole ledger.
 
 A rule raises Refused, or returns the grade that the fact has if its premises have the best one.
 """
@@ -23,14 +23,14 @@ Right = TypeVar("Right")
 
 @dataclass(slots=True)
 class Accepted:
-    """The contexts and facts accepted so far, which alone a fact may rest on."""
+    """The accepted contexts and facts, which alone a fact may rest on."""
 
     theories: dict[str, Theory] = field(default_factory=dict)
     facts: dict[str, Claim] = field(default_factory=dict)
 
 
 def identity(so_far: Accepted, fact: Claim) -> str:
-    """Check (lhs - rhs) * units = sum of cofactor * relation, for each component.
+    """Check that the cofactors combine the relations to a unit multiple of lhs - rhs.
 
     For a root, lhs**2 is in the place of lhs, which has to be visibly nonnegative; for a sign the
     right sides have to be.
@@ -50,7 +50,7 @@ def identity(so_far: Accepted, fact: Claim) -> str:
 
 
 def counterexample(so_far: Accepted, fact: Claim) -> str:
-    """Check that both sides differ at a point of the context, so that lhs = rhs does not follow."""
+    """Check that both sides differ at a rational point of the context."""
     values: Any = fact.certificate.get("point")
     if not fits(values, dict[str, str]):
         raise Refused("the certificate holds no point")
@@ -64,7 +64,7 @@ def counterexample(so_far: Accepted, fact: Claim) -> str:
 
 
 def model(so_far: Accepted, fact: Claim) -> str:
-    """Check that the hypotheses and rates of the context in rhs hold here, by the premises."""
+    """Check that every hypothesis and rate of the context in rhs holds here, given the premises."""
     if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
         raise Refused("a model is of exactly one context")
     here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
@@ -85,7 +85,7 @@ def model(so_far: Accepted, fact: Claim) -> str:
 
 
 def transfer(so_far: Accepted, fact: Claim) -> str:
-    """Check that a statement, unchanged, is that of a fact of which this context is a model."""
+    """Check that a statement repeats a fact of which this context is a model."""
     there, bridge = (so_far.facts[premise] for premise in fact.premises)
     if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
         raise Refused("the second premise does not make this context a model of the first's")
@@ -95,7 +95,7 @@ def transfer(so_far: Accepted, fact: Claim) -> str:
 
 
 def partition(so_far: Accepted, fact: Claim) -> str:
-    """Check that the cases are: x zero, positive and, unless visibly nonnegative, negative.
+    """Check that the cases are x = 0, x > 0 and, unless x >= 0 is visible, x < 0.
 
     In time it stays so: the case x = 0 is closed under d/dt, so that D(x) is a multiple of x, and
     no motion crosses x = 0.  A case may be split further by one premise about it.
@@ -130,7 +130,7 @@ def theta(so_far: Accepted, fact: Claim) -> str:
 
 
 def start(so_far: Accepted, fact: Claim) -> str:
-    """Check that lhs = rhs holds at the start, and that D(lhs - rhs) vanishes with lhs - rhs.
+    """Check that lhs = rhs holds at the start and is preserved by d/dt.
 
     The gaps f satisfy f' = A f, whose only solution that is 0 once is 0.
     """
@@ -145,7 +145,7 @@ def start(so_far: Accepted, fact: Claim) -> str:
 
 
 def assumption(so_far: Accepted, fact: Claim) -> str:
-    """Check that somebody else's result has a reference and, at any points, that balls agree."""
+    """Check that a cited result has a reference, and that balls agree at its points."""
     reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
     if not isinstance(reference, str) or not reference:
         raise Refused("an assumption needs a reference")
@@ -176,7 +176,7 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
 
 
 def check_news(so_far: Accepted, fact: Claim) -> None:
-    """Refuse a fact with a component that its context states, or whose sides are the same."""
+    """Refuse a fact with a component that is trivial or a definition of its context."""
     for lhs, rhs in _pairs(fact.lhs, fact.rhs):
         if so_far.theories[fact.context].says(lhs, rhs):
             raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
@@ -189,7 +189,7 @@ def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
 
 
 def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
-    """Return the sum of cofactor * relation."""
+    """Return the sum of cofactor * relation; Refused for a cofactor with a denominator."""
     total = ring.one * 0
     for text, relation in _pairs(row, ring.relations):
         cofactor = ring.read(text)
@@ -200,7 +200,10 @@ def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
 
 
 def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
-    """Say whether combination = gap * (a product of units), so that the gap vanishes with it."""
+    """Return whether the combination is the gap times a product of units.
+
+    Then the gap vanishes where the combination does.
+    """
     if combination == gap.above or not combination or not gap.above:
         return combination == gap.above  # the product is gap.below
     factor, rest = divmod(combination * gap.below, gap.above)
@@ -208,7 +211,7 @@ def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
 
 
 def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
-    """Return the premises of a model, which have to be equations of its own context."""
+    """Return the premises of a model; Refused unless they are equations of its context."""
     premises = [so_far.facts[premise] for premise in fact.premises]
     if any((p.kind, p.context) != ("equal", fact.context) for p in premises):
         raise Refused("a premise is not an equation of this context")
@@ -216,7 +219,7 @@ def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
 
 
 def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
-    """Return the relations of a context, and its definitions and rates less their values here."""
+    """Return everything that another context's relations, definitions and rates set to zero."""
     read, name, rate = ring.read, ring.name, ring.rate
     zeros = [name(generator) - name(generator) for generator in there.generators]
     zeros += [*map(read, there.relations)]
@@ -228,7 +231,10 @@ def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
 
 
 def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
-    """Say whether a case is the whole with one hypothesis more, name and witness aside."""
+    """Return whether a case adds only the sign of x to the whole context.
+
+    Its name and its witness may differ.
+    """
     more = replace(whole, name=case.name, witness=case.witness)
     if sign == "0":
         return case == replace(more, relations=[*whole.relations, x])
@@ -237,7 +243,7 @@ def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
 
 
 def _leaves(cases: list[str], premises: list[Claim]) -> list[str]:
-    """Return the cases, or the cases that a premise splits them into."""
+    """Return the cases, with each that a premise splits replaced by its own cases."""
     finer = {premise.context: premise.rhs for premise in premises if premise.kind == "partition"}
     if len(finer) < len(premises) or not finer.keys() <= {*cases}:
         raise Refused("a premise is not a partition of a case, or not the only one")
@@ -259,7 +265,7 @@ def check(text: str, specification: str = "") -> int:
 
 
 def grades(text: str, specification: str = "") -> dict[str, int]:
-    """Check a ledger and count its facts by grade; Refused if a fact is wrong or missing."""
+    """Check a ledger and count its facts by grade; Refused if anything is wrong or missing."""
     with _blaming("ledger"):
         contexts, claims, published = load(text)
     judge = Judge()
@@ -277,16 +283,16 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
 
 
 class Judge(Accepted):
-    """Checker that accepts contexts and facts, one after the other."""
+    """Checker that accepts contexts and facts one by one."""
 
     def open(self, given: Hypotheses) -> None:
-        """Accept a context of a new name."""
+        """Accept a context; Refused if its name is taken."""
         if given.name in self.theories:
             raise Refused("this name is taken")
         self.theories[given.name] = Theory(given)
 
     def accept(self, fact: Claim) -> None:
-        """Accept a fact of a new id whose rule holds, at the grade of its weakest support."""
+        """Accept a fact; Refused unless its rule holds and gives the grade that it claims."""
         if not all(map(is_name, fact.id.split("."))):
             raise Refused("this id is not made of names")
         if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
@@ -306,7 +312,7 @@ class Judge(Accepted):
 
 @contextmanager
 def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
-    """Turn any error inside into a Refused of one line that names the entry."""
+    """Convert any error in this block into a one-line Refused that names the entry."""
     try:
         yield
     except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:

@@ -1,4 +1,4 @@
-"""The theorems that a ledger has to contain, read and looked up a second time.
+"""Independent reader of the specification, and search for its theorems in a ledger.
 
 A specification is lines: one without indent opens a block, one indented by four spaces is a clause,
 one indented further goes on with the clause before it; `` | `` stands for such a new line.
@@ -19,7 +19,7 @@ KINDS = {"equal": "=", "root": "root", "nonnegative": "sign"}
 
 @dataclass(slots=True)
 class Block:
-    """The assumptions and statements of a block; only theorems have to be in a ledger."""
+    """Assumptions and statements of one block of a specification."""
 
     assumed: dict[str, set[Form]] = field(default_factory=dict)
     rates: dict[str, Form] | None = None
@@ -29,11 +29,11 @@ class Block:
     cases: list[str] = field(default_factory=list)
 
     def assume(self, clause: str, items: list[str]) -> None:
-        """Add names, or expressions that are zero, nonzero, or nonnegative."""
+        """Add items to one clause: names, zeros, nonzeros or nonnegative expressions."""
         self.assumed.setdefault(clause, set()).update(map(read, items))
 
     def take(self, other: "Block") -> None:
-        """Add everything in another block."""
+        """Add all clauses of another block."""
         for clause, forms in other.assumed.items():
             self.assumed.setdefault(clause, set()).update(forms)
         if other.rates is not None:
@@ -45,12 +45,12 @@ class Block:
 
 @cache
 def read(text: str) -> Form:
-    """Return the form of an expression, read once for all theorems; "?" is itself."""
+    """Return the form of an expression from the cache, or parse it; "?" is kept."""
     return "?" if text.strip() == "?" else Forms().read(text.strip())
 
 
 def blocks(text: str) -> dict[str, tuple[bool, Block]]:
-    """Return each block by its name, and whether it is a theorem."""
+    """Parse a specification into blocks by name, and whether each is a theorem."""
     found: dict[str, tuple[bool, Block]] = {}
     block = Block()
     for line in _lines(text):
@@ -121,7 +121,7 @@ def _said(item: str) -> Said:
 
 
 class Catalogue:
-    """The statements of accepted facts of the best grade, by context."""
+    """The proved facts of a ledger, with its contexts and its published index."""
 
     def __init__(
         self, contexts: dict[str, Hypotheses], facts: dict[str, Claim], published: dict[str, Any]
@@ -130,7 +130,7 @@ class Catalogue:
         self.best = [fact for fact in facts.values() if fact.grade == "PROVED"]
 
     def require(self, text: str) -> None:
-        """Refuse where a theorem is missing."""
+        """Refuse a ledger that lacks a theorem of a specification."""
         for name, (is_theorem, block) in blocks(text).items():
             if is_theorem:
                 self._theorem(name, block)
@@ -171,7 +171,7 @@ class Catalogue:
             raise Refused(f"theorem {name}: the cases are not proved")
 
     def _places(self, name: str) -> set[str]:
-        """The context and all that it is proved to be a model of."""
+        """Return a context's name and those of all contexts that it is a proved model of."""
         found, new = {name}, {name}
         while new:
             models = (f for f in self.best if f.kind == "model" and f.context in new)
@@ -203,14 +203,14 @@ class Catalogue:
 
 
 def _hypotheses(context: Hypotheses) -> list[Any]:
-    """Return names, zeros, nonzeros, nonnegatives and rates, as a theorem lists them."""
+    """Return a context's names, zeros, nonzeros, nonnegatives and rates."""
     rates = None if context.rates is None else {k: read(text) for k, text in context.rates.items()}
     columns = (context.relations, context.units, context.nonnegative)
     return [{*context.generators}, *({*map(read, column)} for column in columns), rates]
 
 
 def _same_names(name: str, block: Block, context: Hypotheses, proved: set[str]) -> None:
-    """Refuse definitions that the theorem does not have and its formulas do not imply."""
+    """Refuse definitions that differ from the theorem's or that it does not mention."""
     defined = dict(_pairs(context.definitions))
     for word, form in block.named.items():
         if defined.get(word) != form:

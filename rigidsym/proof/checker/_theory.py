@@ -1,4 +1,4 @@
-"""A context, opened: its hypotheses are read, closed under d/dt, and hold at its witness."""
+"""Contexts with their ring, checked to be closed under d/dt and inhabited."""
 
 from flint import fmpq
 
@@ -9,7 +9,7 @@ from rigidsym.proof.checker._theta import Functions
 
 
 class Signs:
-    """Quantities that are visibly nonnegative in a context, all names being real.
+    """Quantities of a context that are visibly nonnegative, as all names are real.
 
     These are its nonnegative quantities, their sums, products and quotients, and even powers.
     """
@@ -20,7 +20,7 @@ class Signs:
         self._seen = {self._read(text) for text in given.nonnegative}
 
     def show(self, text: str) -> bool:
-        """Say whether a quantity is visibly nonnegative, wherever it is defined."""
+        """Return whether a text is visibly nonnegative."""
         return self._shown(self._read(text))
 
     def _shown(self, form: Form) -> bool:
@@ -43,7 +43,10 @@ class Signs:
 
 
 class Theory:
-    """An opened context: its hypotheses hold at some point and, if it moves, keep holding."""
+    """A checked context, with its ring, signs and theta functions.
+
+    Its hypotheses hold at some point and, if it moves, at all later times.
+    """
 
     def __init__(self, given: Hypotheses) -> None:
         _check_names(given)
@@ -66,7 +69,7 @@ class Theory:
             raise Refused("it does not start at its witness, or has no time to start at")
 
     def point(self, values: dict[str, str]) -> list[fmpq]:
-        """Return the rational point with these values, after checking every hypothesis there."""
+        """Return a rational point; Refused unless it satisfies every hypothesis."""
         if values.keys() != {*self.given.generators}:
             raise Refused("a point gives other names than the generators")
         at = [rational(values[name]) for name in self.ring.polynomials.names()]
@@ -83,7 +86,7 @@ class Theory:
         return at
 
     def says(self, lhs: str, rhs: str) -> bool:
-        """Say whether sides are alike, or one is the context's definition or rate of the other."""
+        """Return whether both sides are equal forms, or a definition or rate of the context."""
         left, right = map(Forms().read, (lhs, rhs))
         return left == right or self._has_for(left) == right or self._has_for(right) == left
 
@@ -97,7 +100,10 @@ class Theory:
         return None if text == "?" else Forms().read(text)
 
     def _check_closed(self) -> None:
-        """Refuse a relation whose derivative does not vanish: it could hold at one instant only."""
+        """Refuse a relation whose derivative does not vanish.
+
+        It could hold at one instant only.
+        """
         ring = self.ring
         for relation in ring.relations if ring.rates is not None else ():
             if ring.remainder(ring.rate(ring.over_one(relation)).above):
@@ -105,7 +111,7 @@ class Theory:
 
 
 def _check_names(given: Hypotheses) -> None:
-    """Refuse names that are none or mean two things, and rates of other names than generators."""
+    """Refuse invalid or ambiguous names, and rates of names that are no generators."""
     names = [*given.generators, *given.definitions]
     if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
         raise Refused("a name is no name, or means two things")
@@ -114,5 +120,5 @@ def _check_names(given: Hypotheses) -> None:
 
 
 def rational(text: str) -> fmpq:
-    """Return the value of a text without names."""
+    """Return the rational value of a text without names."""
     return Ring([], {}).read(text).above.leading_coefficient()

@@ -1,4 +1,4 @@
-"""Theta functions: names of them, and sums of their products that are zero by their Fourier series.
+"""Theta functions as generators, and identities between their products.
 
 theta_j(z, q) is the sum of chi(n) q**(n**2) exp(2 i n z) over whole n, or halves of odd n if j < 3;
 chi(n) is (-1)**n for j = 4, -i (-1)**(n - 1/2) for j = 1, else 1 (DLMF 20.2(i)), and 0 < q < 1.  A
@@ -25,7 +25,7 @@ Form: TypeAlias = tuple[tuple[str, bool, fmpq], ...]  # names, whether they have
 
 
 class Theta(NamedTuple):
-    """The derivative of an order of theta_index(form, nome**power)."""
+    """The z-derivative of this order of theta_index(form, nome**power)."""
 
     index: int
     order: int
@@ -35,7 +35,7 @@ class Theta(NamedTuple):
 
     @property
     def odd(self) -> bool:
-        """True if the function is odd."""
+        """Whether the function is odd in z."""
         return (self.order + (self.index == 1)) % 2 == 1
 
 
@@ -44,18 +44,18 @@ Sum: TypeAlias = dict[tuple[Leaf, ...], fmpq]
 
 
 class Sums(Language[Sum]):
-    """Reader that gives an expression its terms: products of names and theta functions."""
+    """Parser of expressions into sums of products of names and theta functions."""
 
     def number(self, number: int) -> Sum:
-        """Return a natural number."""
+        """Return a natural number as a sum."""
         return {(): fmpq(number)} if number else {}
 
     def name(self, name: str) -> Sum:
-        """Return a name, of which nothing is known."""
+        """Return a name as a sum of one term."""
         return {(name,): fmpq(1)}
 
     def call(self, function: str, arguments: list[Sum]) -> Sum:
-        """Return a theta function."""
+        """Return a theta function as a sum of one term."""
         kind = _FUNCTION.fullmatch(function)
         if not kind or len(arguments) != 2 or len(arguments[1]) != 1:
             raise Refused(f"{function} of {len(arguments)} is no theta function")
@@ -66,7 +66,7 @@ class Sums(Language[Sum]):
         return {(value,): fmpq(1)}
 
     def combine(self, operator: str, left: Sum, right: Sum) -> Sum:
-        """Return the result of one operation; only numbers divide."""
+        """Return the sum, difference, product or quotient; Refused for divisors with names."""
         if operator in "+-":
             right = self.negative(right) if operator == "-" else right
             return _sum([*left.items(), *right.items()])
@@ -80,11 +80,11 @@ class Sums(Language[Sum]):
         return _sum([(tuple(sorted(x + y, key=repr)), k * m) for (x, k), (y, m) in pairs])
 
     def negative(self, operand: Sum) -> Sum:
-        """Return the opposite."""
+        """Return the negative of a sum."""
         return {leaves: -factor for leaves, factor in operand.items()}
 
     def power(self, base: Sum, exponent: int) -> Sum:
-        """Return a power."""
+        """Return a power of a sum; Refused unless the exponent is from 1 to 9."""
         if not 1 <= exponent <= 9:
             raise Refused(f"a power {exponent}")
         total = base
@@ -101,7 +101,7 @@ def _sum(terms: list[tuple[tuple[Leaf, ...], fmpq]]) -> Sum:
 
 
 def form(terms: Sum) -> Form:
-    """Return terms as a form: linear in names other than I, and with I at most once."""
+    """Return a sum as a linear form; Refused unless it is linear, with I at most once a term."""
     found = []
     for leaves, factor in terms.items():
         names = [leaf for leaf in leaves if leaf != "I"]
@@ -113,7 +113,7 @@ def form(terms: Sum) -> Form:
 
 @lru_cache(maxsize=64)
 def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
-    """Return the terms of an identity that holds for all values of its names, or raise Refused.
+    """Return the terms of an identity; Refused unless it holds for all values of its names.
 
     With z = F x, and F invertible, a product is the sum over n, or over a = F^T n, of its factor
     times chi(n_1) (2 i n_1)**d_1 ... q**(a.E a) exp(2 i a.x).  Where two products have one E, terms
@@ -151,7 +151,7 @@ def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
 
 
 def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
-    """Return F and its inverse."""
+    """Return the matrix F of a product's arguments z = F x, and its inverse."""
     tables = [{name: factor for name, _, factor in theta.form} for theta in leaves]
     size = len(names)
     if len(leaves) != size or not 1 <= size <= 6:
@@ -163,7 +163,7 @@ def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
 
 
 def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
-    """Return E = F^-1 diag(powers) F^-T."""
+    """Return the quadratic form E = F^-1 diag(powers) F^-T of a product's exponents."""
     size = len(leaves)
     powers = fmpq_mat(size, size, [fmpq(0)] * size**2)
     for k, theta in enumerate(leaves):
@@ -172,7 +172,10 @@ def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
 
 
 def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmpq_mpoly, bool]:
-    """Return the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a; i apart."""
+    """Return the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a.
+
+    The second value says whether a factor i is left out.
+    """
     polynomials = fmpq_mpoly_ctx.get(names, "lex")
     weight, turns = polynomials.constant(1), 0
     for k, theta in enumerate(leaves):
@@ -212,7 +215,7 @@ def _classes(
 
 
 class Functions:
-    """The functions that names of a context are declared to be, and values that follow."""
+    """The theta functions that names of a context are declared to be."""
 
     def __init__(self, ring: Ring, declared: dict[str, str]) -> None:
         self.ring = ring
@@ -230,7 +233,7 @@ class Functions:
             self._parts[text[:2], least] = ring.name(name) * self._number(signs[text[:2] == "im"])
 
     def check(self, generators: list[str], rates: dict[str, str] | None) -> None:
-        """Refuse arguments or nomes that mean nothing or move, and rates of other functions."""
+        """Refuse undeclared generators, a moving nome, and wrong time derivatives."""
         ring = self.ring
         for name, part, theta in self._declared:
             if not {name, theta.nome} <= {*generators}:
@@ -252,7 +255,7 @@ class Functions:
                 raise Refused(f"{name} does not move as it is declared")
 
     def values(self, identity: str, forms: dict[str, str]) -> list[fmpq_mpoly]:
-        """Return real and imaginary part of an identity with forms for its names: both vanish."""
+        """Return Re and Im of an identity with forms substituted for its names; both vanish."""
         places = {name: form(Sums().read(text)) for name, text in forms.items()}
         total = [self._number(0), self._number(0)]
         for leaves, factor in zero(identity):
@@ -274,7 +277,10 @@ class Functions:
         return sum(parts, self._number(0))
 
     def _part(self, part: str, theta: Theta) -> Quotient:
-        """Return a part of a value, real for real z; at z = i y, real if even, else imaginary."""
+        """Return Re or Im of a theta function's value in the context's names.
+
+        The value is real for real z; at z = i y it is real if the function is even, else imaginary.
+        """
         kinds = {imaginary for _, imaginary, _ in theta.form}
         if part == "im" and True not in kinds:
             return self._number(0)
@@ -287,7 +293,7 @@ class Functions:
 
 
 def _least(theta: Theta) -> tuple[Theta, int, int]:
-    """Replace z by the least of z, -z and their conjugates; return the function and its signs.
+    """Replace z by the least of z, -z and their conjugates; return the function and two signs.
 
     f(-z) is f(z) or -f(z), and f at the conjugate of z is the conjugate of f(z).
     """
@@ -302,7 +308,7 @@ def _least(theta: Theta) -> tuple[Theta, int, int]:
 
 
 def _placed(terms: Form, places: dict[str, Form]) -> Form:
-    """Return a form in the names of an identity as one in the names of a context."""
+    """Return a linear form with forms substituted for its names."""
     found: dict[tuple[str, bool], fmpq] = {}
     for name, _, factor in terms:
         for inner, imaginary, k in places[name]:

@@ -1,4 +1,4 @@
-"""The trusted core: contexts, facts, rules, grades, certificates and their replay.
+"""The trusted kernel: contexts, facts, inference rules, certificates and replay.
 
 It imports `sympy.polys` and the standard library.  A fact that a replayed ledger grades PROVED
 follows from its context by polynomial arithmetic over Q; what its names mean is for readers.

@@ -1,4 +1,4 @@
-"""The language of ledgers: one grammar for all texts that say something.
+"""Grammar and parser of all expressions in a ledger.
 
     expression = term (("+" | "-") term)*
     term       = factor (("*" | "/") factor)*
@@ -27,17 +27,17 @@ Tree: TypeAlias = int | str | tuple[Any, ...]
 
 
 class KernelError(ValueError):
-    """The kernel refuses: a text, context, fact or certificate breaks one of its rules."""
+    """Refusal of a text, context, fact or certificate that breaks a rule of the kernel."""
 
 
 def is_name(text: str) -> bool:
-    """Say whether a text is a name."""
+    """Return whether a text is a name."""
     return text.isascii() and text.isidentifier() and not iskeyword(text)
 
 
 @cache
 def parse(text: str) -> Tree:
-    """Return the tree of a text that is one expression; KernelError for any other text."""
+    """Return the tree of an expression; KernelError for any other text."""
     if not isinstance(text, str) or len(text) > LONGEST:
         raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
     if not _TEXT.fullmatch(text):
@@ -52,7 +52,7 @@ def parse(text: str) -> Tree:
 
 
 def _chain(tokens: list[str], binding: int, room: int) -> Tree:
-    """Read on, up to an operator that binds no tighter than the one before."""
+    """Parse operators that bind tighter than `binding`, with their operands."""
     tree = _factor(tokens, room)
     while (binds := _BINDS.get(tokens[-1], 0)) > binding:
         begun = tree if isinstance(tree, tuple) and _BINDS.get(tree[1]) == binds else (tree,)

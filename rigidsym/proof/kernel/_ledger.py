@@ -1,4 +1,4 @@
-"""The ledger: contexts and facts in the order they were admitted, as deterministic JSON.
+"""The ledger: contexts and facts in order of admission, written as deterministic JSON.
 
 Facts enter by `Ledger.add` alone; `replay` passes every fact of a written ledger through it again.
 """
@@ -19,12 +19,12 @@ _LISTS |= {"lhs", "rhs", "premises", "source"}
 
 @dataclass(slots=True)
 class Ledger(Admitted):
-    """Everything admitted so far; `published` is for readers, and proves nothing."""
+    """All admitted contexts and facts; `published` is an index that proves nothing."""
 
     published: dict[str, Any] = field(default_factory=dict)
 
     def open(self, context: Context) -> Ring:
-        """Admit a context; raises KernelError where it is not closed, inhabited or new."""
+        """Admit a context; KernelError unless it is closed under d/dt, inhabited and new."""
         if context.name in self.contexts:
             raise KernelError(f"context {context.name} is already there")
         self.rings[context.name] = context.open()
@@ -32,7 +32,7 @@ class Ledger(Admitted):
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
-        """Admit a fact if its rule accepts it with the grade it claims; KernelError otherwise."""
+        """Admit a fact; KernelError unless its rule accepts it with the grade it claims."""
         if not all(map(is_name, fact.id.split("."))) or fact.id in self.facts:
             raise KernelError(f"fact {fact.id!a:.80}: this is no name, or there already")
         try:
@@ -57,7 +57,7 @@ class Ledger(Admitted):
             raise KernelError(f"claims {fact.grade}, has earned {earned}")
 
     def to_text(self) -> str:
-        """Return the ledger as JSON text, the same on every machine."""
+        """Return the ledger as JSON text, identical on every machine."""
         contexts, facts = [*self.contexts.values()], [*self.facts.values()]
         data = {"schema": SCHEMA, "contexts": contexts, "facts": facts, "published": self.published}
 
@@ -68,7 +68,7 @@ class Ledger(Admitted):
 
 
 def replay(text: str, encloses: Encloses | None = None) -> Ledger:
-    """Check a written ledger from its start; raises KernelError at the first error."""
+    """Check a written ledger fact by fact; KernelError at the first invalid entry."""
     try:
         data, ledger = json.loads(text), Ledger(encloses)
         if data["schema"] != SCHEMA:

@@ -1,4 +1,4 @@
-"""Elements of a differential ring: a polynomial over a product of declared units; D is d/dt."""
+"""Differential rings: polynomial fractions whose denominators are products of units."""
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
@@ -19,13 +19,13 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
-    """Return the value at a rational point, given in the order of the ring's generators."""
+    """Return a polynomial's value at a rational point, in the order of the generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
-    """numerator / below, which counts each unit as often as it is a factor."""
+    """A fraction numerator / below; `below` counts how often each unit is a factor."""
 
     numerator: PolyElement
     below: Counter[PolyElement] = field(default_factory=Counter)
@@ -61,7 +61,7 @@ class Element:
 
 
 class Ring:
-    """Q[generators] localised at the units, with the names and the derivation of a context.
+    """Q[generators] localised at the units, with definitions and the time derivative D.
 
     Later generators are larger (lexicographic order): a relation that introduces a root or a
     function value leads with it, and division by the relations is the normal form.
@@ -77,7 +77,7 @@ class Ring:
         self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
 
     def inverse(self, element: Element) -> Element:
-        """Return 1/element; refused unless its numerator is a number times a product of units."""
+        """Return 1/element; KernelError unless its numerator is a number times units."""
         below, rest = self._factors(element.numerator)
         if not rest.is_ground:
             below, rest = self._factors(self.remainder(element.numerator))
@@ -86,7 +86,7 @@ class Ring:
         return Element(Element(self.poly(1 / rest.LC)).over(element.below), below)
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
-        """Return the units that divide a polynomial, each as often as it does, and the rest."""
+        """Divide a polynomial by units; return how often each divides it, and the rest."""
         found, leading = Counter[PolyElement](), polynomial.LM
         for unit in self.units:
             while not unit.is_ground and monomial_divides(unit.LM, leading):
@@ -97,7 +97,7 @@ class Ring:
         return found, polynomial
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
-        """Divide by relations and other zeros; remainder 0 proves that the polynomial vanishes."""
+        """Divide by the relations and given zeros; a remainder 0 proves that it vanishes."""
         return polynomial.rem([*given, *self.relations])
 
     def rate(self, element: Element) -> Element:
@@ -115,11 +115,11 @@ class Ring:
         return total * Element(self.poly(1), element.below)
 
     def read(self, text: str) -> Element:
-        """Return the element of an expression; its names have to be known, its divisors units."""
+        """Parse a text and return its element; KernelError for unknown names or divisors."""
         return self.value(parse(text))
 
     def value(self, tree: Tree) -> Element:
-        """Return the element of a tree, which is computed once."""
+        """Return the element of a tree from the cache, or compute it."""
         if (known := self.values.get(tree)) is None:
             known = self.values[tree] = self._value(tree)
         return known

@@ -1,4 +1,4 @@
-"""The rules of inference: each checks one fact against its premises and its certificate.
+"""Inference rules, each of which checks one fact by its premises and its certificate.
 
 It returns the grade that the rule itself gives, or raises.  Nothing that a fact claims is trusted.
 """
@@ -19,7 +19,7 @@ Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
 
 @dataclass(slots=True)
 class Admitted:
-    """The contexts and facts admitted so far, which alone a rule may use."""
+    """The admitted contexts and facts, which alone a rule may use."""
 
     encloses: Encloses | None = None
     contexts: dict[str, Context] = field(default_factory=dict)
@@ -28,7 +28,7 @@ class Admitted:
 
 
 def identity(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check an identity by its cofactors.
     numerator(lhs_k - rhs_k) = sum_j cofactor_kj * relation_j     for every component k
     -----------------------------------------------------------------------------------
     Gamma |- lhs = rhs
@@ -51,7 +51,7 @@ def identity(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def counterexample(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check that two sides differ at a rational point.
     a rational point of Gamma at which lhs differs from rhs
     -------------------------------------------------------
     Gamma |- lhs != rhs at some point
@@ -66,7 +66,7 @@ def counterexample(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def model(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check that a context satisfies all hypotheses of another one.
     every name of Gamma is a name of Delta, where, by the premises, the relations of Gamma vanish,
     its units are units, its signs are visible, its definitions hold and D reads the same
     ----------------------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ def model(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def transfer(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check that a fact of another context is restated in a model of it.
     Gamma |- statement        Delta |- model of Gamma
     -------------------------------------------------
     Delta |- statement
@@ -108,7 +108,7 @@ def transfer(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def partition(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check that contexts are the cases of another one by the sign of a name.
     Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
     -----------------------------------------------------------------------------------
     Gamma |- exactly one of these contexts, or of those that premises split them into
@@ -132,7 +132,7 @@ def partition(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def theta(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check equations that follow from an identity of theta functions.
     a sum of products of theta functions is 0, by its Fourier coefficients, at all z_1, ..., z_r
     --------------------------------------------------------------------------------------------
     Gamma |- lhs = rhs     where each lhs_k - rhs_k is +- a part of it at certain z_1, ..., z_r
@@ -147,7 +147,7 @@ def theta(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def start(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check equations that hold at an instant and are preserved by d/dt.
     Gamma |- lhs = rhs at the start        Gamma, lhs = rhs |- D(lhs - rhs) = 0
     ---------------------------------------------------------------------------
     Gamma |- lhs = rhs
@@ -166,7 +166,7 @@ def start(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def assumption(admitted: Admitted, fact: Fact) -> Grade:
-    """
+    """Check that a cited result has a reference, and that balls confirm it at its points.
     a reference that states it, and points where balls, if there are points, do not exclude it
     ------------------------------------------------------------------------------------------
     Gamma, read as its `reading` says |- statement        (grade ASSUMED, with points ENCLOSED)
@@ -195,14 +195,14 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """Return the numerators of lhs - rhs (lhs**2 - rhs for a root): zero if the statement holds."""
+    """Return the numerators of lhs - rhs, or of lhs**2 - rhs for a root."""
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
 
 
 def check_news(admitted: Admitted, fact: Fact) -> None:
-    """Refuse two sides that are the same, or that the context states to be."""
+    """Refuse a fact whose sides are equal trees or equal by the context's definitions."""
     same = [(parse(a), parse(b)) for a, b in said(admitted.contexts[fact.context]).items()]
     for sides in zip(fact.lhs, fact.rhs, strict=True):
         lhs, rhs = map(parse, sides)
@@ -211,7 +211,7 @@ def check_news(admitted: Admitted, fact: Fact) -> None:
 
 
 def said(context: Context) -> dict[str, str]:
-    """Return the definitions of a context, and the rates that it knows, as texts."""
+    """Return the texts of a context's definitions and of its known rates."""
     if context.rates is None:
         return {**context.definitions}
     rates = {**dict.fromkeys(context.generators, "0"), **context.rates}.items()
@@ -219,7 +219,7 @@ def said(context: Context) -> dict[str, str]:
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:
-    """Refuse texts that are not made of nonnegative ones by + * /, or of any by even powers."""
+    """Refuse texts that are not visibly nonnegative, by +, *, / or even powers."""
     waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
     while waiting:
         if (tree := waiting.pop()) in seen or isinstance(tree, int):

@@ -1,4 +1,4 @@
-"""Contexts, written as differential rings, and facts: hypotheses and statements.
+"""Contexts, which are differential rings with hypotheses, and facts about them.
 
 A context is refused when its relations are not closed under d/dt (they could hold at one instant
 only) or its rational witness does not satisfy it (it might be empty, and prove everything).
@@ -18,7 +18,7 @@ _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
+    """A context: generators, relations = 0, units != 0, nonnegative names >= 0.
 
     One may divide by units.  `witness` is a rational point, `definitions` abbreviate expressions,
     `reading` says what names stand for.  `rates` maps generators to rates: others are constant,
@@ -38,7 +38,7 @@ class Context:
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
-        """Return the ring of this context; raises KernelError unless it is closed and inhabited."""
+        """Return the context's ring; KernelError unless it is closed under d/dt and inhabited."""
         names = [*self.generators, *self.definitions]
         if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
             raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
@@ -62,7 +62,7 @@ class Context:
         return ring
 
     def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
-        """Return a rational point that gives every generator and satisfies all hypotheses."""
+        """Return a point's rational values; KernelError unless it satisfies every hypothesis."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
         point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
@@ -78,7 +78,7 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """Return this context where a name is zero, positive, negative, with its witness."""
+        """Return this context with a name zero, positive and negative; witnesses are kept."""
         zero = replace(self, relations=(*self.relations, name))
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
@@ -87,7 +87,7 @@ class Context:
 
 
 class Grade(StrEnum):
-    """Grade of a statement, from worst to best: assumed, enclosed by balls, proved."""
+    """Grade of a fact, from worst to best: assumed, enclosed by balls, proved."""
 
     ASSUMED = "ASSUMED"
     ENCLOSED = "ENCLOSED"
@@ -95,13 +95,13 @@ class Grade(StrEnum):
 
 
 def weakest(grades: Iterable[Grade]) -> Grade:
-    """Return the worst grade: a conclusion is as good as its weakest premise."""
+    """Return the worst of some grades."""
     return min(grades, key=list(Grade).index)
 
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """context |- statement; it counts only after `Ledger.add` has admitted it.
+    """A statement in a context; it counts only once `Ledger.add` has admitted it.
 
     By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context

@@ -1,4 +1,4 @@
-"""Theta functions: declarations of generators as such, and identities between their products.
+"""Theta functions as generators, and identities between their products.
 
     theta_j(z, q) = sum of chi_j(n) q**(n**2) exp(2 i n z),   n in Z, or in Z + 1/2 where j < 3
     chi_1(n) = -i (-1)**(n - 1/2),   chi_2(n) = chi_3(n) = 1,   chi_4(n) = (-1)**n,   0 < q < 1
@@ -30,7 +30,7 @@ MOST = 10_000  # classes of exponents of a product, so that no identity takes lo
 
 
 class Theta(NamedTuple):
-    """A derivative of theta_index(form, nome**power), of this order."""
+    """The z-derivative of this order of theta_index(form, nome**power)."""
 
     index: int
     order: int
@@ -41,7 +41,7 @@ class Theta(NamedTuple):
 
 @cache
 def linear(text: str) -> Form:
-    """Read a linear form; I is the imaginary unit."""
+    """Parse a linear form in names, with I as the imaginary unit."""
     ring, form = Ring(tuple(sorted({*re.findall(_NAME, text)})), {}), []
     for powers, number in ring.read(text).numerator.terms():
         names = [str(x) for x, power in zip(ring.poly.gens, powers, strict=True) if power]
@@ -53,7 +53,7 @@ def linear(text: str) -> Form:
 
 
 def theta(text: str) -> Theta:
-    """Read a call of a theta function."""
+    """Parse a call of a theta function."""
     if not (found := _CALL.fullmatch(text)):
         raise KernelError(f"{text!r:.80} is no theta function")
     primes, index, argument, nome, power = found.groups()
@@ -62,7 +62,7 @@ def theta(text: str) -> Theta:
 
 @lru_cache(maxsize=64)
 def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
-    """Return the terms of a sum of products that is 0 identically, by its Fourier series.
+    """Return the terms of a sum of theta products; KernelError unless it vanishes identically.
 
     A product of r functions of independent forms z = F x is the sum over a = F^T n, n = F^-T a, of
     f(a) q**Q(a) exp(2 i a.x) with Q(a) = sum of p_k n_k**2, f(a) = prod of chi(n_k) (2 i n_k)**d_k.
@@ -102,7 +102,7 @@ def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
 
 
 class Series:
-    """The Fourier series of a multiple of a product of theta functions."""
+    """The Fourier series of a product of theta functions times a number."""
 
     def __init__(self, number: Number, factors: list[Theta], names: list[str]) -> None:
         size, self.factors = len(names), factors
@@ -124,7 +124,7 @@ class Series:
         self.weight = prod(map(pow, n, orders), start=a[0] ** 0) * number * sign * 2 ** sum(orders)
 
     def classes(self, period: int, unit: int) -> Iterable[tuple[tuple[int, ...], int]]:
-        """Return each class of a, in parts of a unit, with the sign of `weight` in f there."""
+        """Return each class of exponents a, times `unit`, with the sign of `weight` there."""
         steps = [[int(x * unit) for x in row] for row in self.rows]
         flips = [factor.index in (1, 4) for factor in self.factors]
         halves = [row for row, factor in zip(steps, self.factors, strict=True) if factor.index < 3]
@@ -148,7 +148,7 @@ def _denominator(rows: list[list[Number]]) -> int:
 
 
 class Thetas:
-    """Theta functions that generators of a context are declared to be, and what follows."""
+    """The theta functions that generators of a context are declared to be."""
 
     def __init__(self, ring: Ring, declared: Mapping[str, str]) -> None:
         self.ring, self.zero = ring, ring.read("0")
@@ -159,7 +159,7 @@ class Thetas:
             self.names[found[1], theta(found[2])] = name
 
     def check(self, rates: Mapping[str, str] | None) -> None:
-        """Refuse names that are no generators, a moving nome, and wrong rates.
+        """Refuse undeclared generators, a moving nome, and wrong time derivatives.
 
         D(f(z)) = f'(z) D(z)
         """
@@ -179,7 +179,7 @@ class Thetas:
                     raise KernelError(f"D({name}) is not that of a theta function")
 
     def at(self, identity: str, forms: Mapping[str, str]) -> Complex:
-        """Return the value of an identity with forms for its names, which vanishes."""
+        """Return an identity, which is 0, with linear forms substituted for its names."""
         places = {name: linear(text) for name, text in forms.items()}
         total = self.zero, self.zero
         for number, factors in vanishing(identity):
@@ -197,12 +197,12 @@ class Thetas:
         return parts[0], parts[1]
 
     def _times(self, of: Theta, other: Complex) -> Complex:
-        """Return the product of a function and another value; for 0 the function may be unknown."""
+        """Return f times a complex value; f need not be declared if the value is 0."""
         (a, b), (c, d) = ([self._part(part, of, x) for x in other] for part in ("re", "im"))
         return a - d, b + c
 
     def _part(self, part: str, of: Theta, factor: Element) -> Element:
-        """Return a part of f(z) times a factor, by f(-z) = +-f(z) and f(conj z) = conj f(z)."""
+        """Return Re or Im of f(z) times a factor, by f(-z) = +-f(z) and f(conj z) = conj f(z)."""
         if not factor.numerator:
             return self.zero
         odd, conjugate = (-1) ** (of.order + (of.index == 1)), -1 if part == "im" else 1
@@ -220,7 +220,7 @@ class Thetas:
 
 
 def _placed(of: Theta, places: Mapping[str, Form]) -> Theta:
-    """Return the function with forms for the names of its argument."""
+    """Return a theta function with forms substituted for the names in its argument."""
     total: dict[tuple[str, bool], Number] = {}
     for inner, _, factor in of.form:
         for name, imaginary, number in places[inner]:

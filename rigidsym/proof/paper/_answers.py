@@ -1,4 +1,4 @@
-"""Printed lines as questions, and the facts of a ledger that answer them.
+"""Printed lines as questions to the ledger, and the facts that answer them.
 
 A question is definitions and equations in the names of a context; the fact that answers it is
 found by its texts.
@@ -19,7 +19,7 @@ Texts = Mapping[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Equations to decide in a context that has some definitions from the print."""
+    """Equations to decide in a context, with the definitions that the print gives there."""
 
     context: str
     definitions: Texts
@@ -28,7 +28,10 @@ class Question:
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
-    """Return a line as a question; PrintError if the sense lacks a word, or nothing is stated."""
+    """Translate a printed line to a question in the context of a sense.
+
+    Raises PrintError if the vocabulary lacks a word, or if the line states nothing.
+    """
     line = printed[sense.of].latex if sense.of else latex
     own = [parse(sense.latex if sense.latex is not None else line)]
     if sense.only:
@@ -51,7 +54,7 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
 
 
 def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
-    """Return a question without equations that are trivial or that its context defines."""
+    """Drop the equations of a question that are trivial or definitions of its context."""
     known: dict[Expression, Expression] = {
         Name(name): parse_text(text) for name, text in definitions.items()
     }
@@ -80,7 +83,7 @@ def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
 
 
 def asked(equation: Equation) -> Iterator[tuple[str, Sense]]:
-    """Yield everything to decide about a line: the LaTeX, and its sense."""
+    """Yield everything to decide about an equation, as pairs of LaTeX and sense."""
     yield from ((equation.latex, sense) for sense in equation.senses)
     for reading in equation.readings:
         yield from ((equation.latex, sense) for sense in reading.senses)
@@ -96,19 +99,19 @@ Data = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """A question, and the fact of a ledger that decides it; None where no fact does."""
+    """A question with the fact of a ledger that decides it, None if there is none."""
 
     question: Question
     fact: Data | None
 
     @property
     def holds(self) -> bool | None:
-        """True if the equations hold, False if they do not, None if that is open."""
+        """Whether the equations hold; None if that is open."""
         return None if self.fact is None else self.fact["kind"] == "equal"
 
 
 class Answers:
-    """The facts of a ledger, by their contexts and sides."""
+    """The proved equations and counterexamples of a ledger, indexed by context and sides."""
 
     def __init__(self, ledger: Data, equations: Iterable[Equation]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
@@ -122,11 +125,11 @@ class Answers:
         }
 
     def citing(self, number: str) -> list[str]:
-        """Return the facts that name a line as their source."""
+        """Return the ids of the facts that cite an equation as their source."""
         return [fact["id"] for fact in self._all if number in fact["source"]]
 
     def to(self, latex: str, sense: Sense) -> Answer:
-        """Return the answer to a line with a sense."""
+        """Return the answer to a printed line in one sense."""
         asked = question(latex, sense, self.printed)
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
@@ -136,12 +139,12 @@ class Answers:
 
 
 def together(answers: Iterable[Answer]) -> bool | None:
-    """Say whether all hold; None if one of them is open."""
+    """Return whether all answers hold; None if one is open."""
     held = [answer.holds for answer in answers]
     return None if None in held else all(held)
 
 
 def ids(answers: Iterable[Answer], kind: str) -> tuple[str, ...]:
-    """Return the facts of a kind behind answers, each once."""
+    """Return the ids of the facts of one kind behind some answers, without repetition."""
     facts = [answer.fact for answer in answers if answer.fact is not None]
     return tuple(dict.fromkeys(fact["id"] for fact in facts if fact["kind"] == kind))

@@ -1,4 +1,4 @@
-"""Counterexamples of printed lines: a point, the values of both sides there, and the motion."""
+"""Counterexamples of printed lines: a point, both sides' values and the motion there."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,13 +19,16 @@ MOMENTA = ("M1", "M2", "M3")
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """Principal moments of inertia and body rates, about axes 1, 2, 3 (of Lemma 1: i, j, k)."""
+    """Principal moments of inertia and body rates of a motion.
+
+    They are about axes 1, 2, 3, in Lemma 1 about axes i, j, k.
+    """
 
     inertia: tuple[Fraction, Fraction, Fraction]
     omega: tuple[Fraction, Fraction, Fraction]
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data for programs."""
+        """Return the motion as JSON data."""
         return {"inertia": [*map(str, self.inertia)], "omega": [*map(str, self.omega)]}
 
     def __str__(self) -> str:
@@ -46,7 +49,7 @@ BY_AMPLITUDES = {
 
 
 def motion_at(context: str, values: "Instant") -> Motion | None:
-    """Return the motion at a point, if its context has names for one.
+    """Return the motion at a point of a context; None if the context names no motion.
 
     If it names only the momentum, the body has the moments 2, 3, 5/2.
     """
@@ -68,7 +71,7 @@ LONG = 80
 
 @dataclass(frozen=True, slots=True)
 class Counterexample:
-    """A fact, its point, the equation that fails there, and the values of both sides.
+    """A point where an equation fails, with the values of both sides.
 
     `motion` is the body and its rates at this point, if the context has names for them.
     """
@@ -83,13 +86,16 @@ class Counterexample:
 
     @property
     def sides(self) -> tuple[str, str]:
-        """Both sides with their values; long expressions go by "left side" and "right side"."""
+        """Both sides with their values.
+
+        "left side" and "right side" stand for long expressions.
+        """
         left = self.lhs if len(self.lhs) < LONG else "left side"
         right = self.rhs if len(self.rhs) < LONG else "right side"
         return f"{left} = {self.left}", f"{right} = {self.right}"
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data for programs."""
+        """Return the counterexample as JSON data."""
         return {
             "fact": self.fact,
             "point": dict(self.point),
@@ -102,7 +108,7 @@ class Counterexample:
 
 
 def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexample | None:
-    """Return the first component that fails, if one does."""
+    """Return a counterexample for the first component that fails; None if all hold."""
     if answer.fact is None or answer.holds:
         return None
     point = answer.fact["certificate"]["point"]
@@ -116,7 +122,7 @@ def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexamp
 
 
 class Instant:
-    """A context at one of its points: the values of its texts there, and their rates."""
+    """Exact values of a context's texts, and of their derivatives, at one of its points."""
 
     def __init__(self, context: Data, point: Mapping[str, str]) -> None:
         self.context, self.point = context, point
@@ -124,7 +130,7 @@ class Instant:
 
     @cached_property
     def names(self) -> set[str]:
-        """The names that have a value here."""
+        """The names that have a value at the point."""
         return {*self.point, *self.context["definitions"]}
 
     def of(self, name: str) -> Fraction:
@@ -153,7 +159,7 @@ class Instant:
         raise ValueError(f"{tree} has no value")
 
     def rate(self, tree: Expression) -> Expression:
-        """Return the time derivative of an expression, as an expression."""
+        """Return the time derivative of an expression as an expression."""
         match tree:
             case Number():
                 return Number(0)

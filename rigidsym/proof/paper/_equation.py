@@ -1,4 +1,4 @@
-"""Printed equations as values: text, senses, readings, conditions, flaws, repairs.
+"""Printed equations as values: LaTeX, senses, readings, conditions, flaws and repairs.
 
 A sense says how a line is put into the language of a context; a reading is one way to understand
 the print.  Nothing here says what is true: `rigidsym.proof.paper._verdicts` looks it up.
@@ -13,7 +13,7 @@ from rigidsym.view._html.proofs import equation_html
 
 
 class Flaw(StrEnum):
-    """Kinds of flaws of a printed line, whether or not it is false."""
+    """Kinds of flaws in print; a flawed line may still be true."""
 
     VARIABLE = "roots of another variable"
     MODULUS = "parameter read as modulus"
@@ -34,7 +34,7 @@ class Flaw(StrEnum):
 
 
 class Root(StrEnum):
-    """The independent slips that the misprints come from."""
+    """Independent slips of the paper, from which all misprints follow."""
 
     SCALE = "(14) and (10) to (12) take the roots in different variables"
     HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"
@@ -44,7 +44,7 @@ class Root(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Sense:
-    """A line in the language of a context, where a fact of the ledger decides it.
+    """A translation of a printed line into a context, where a fact decides it.
 
     `defines` maps names that the line defines to those of the context; `says` are further
     equations, from the text.  `given` are other displays whose definitions are taken as they are
@@ -69,7 +69,7 @@ class Sense:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition of a line: its text, the divisors it covers, and why it is needed.
+    """A condition of a line, with the divisors that it covers and the proof that it is needed.
 
     `needed_by` shows that: without the condition a denominator is zero, or the line fails.
     """
@@ -81,7 +81,7 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One way to understand the print, its consequences, and the senses that decide it."""
+    """One possible meaning of the print, its consequences, and the senses that decide it."""
 
     text: str
     implies: str
@@ -90,7 +90,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """One printed equation: its number, LaTeX, reading, and the senses that decide it.
+    """A printed equation: number, LaTeX, reading in words, and the senses that decide it.
 
     `repair` is the mended line, with the senses `mended`; `roots` are the slips that it comes from,
     and `with_mended` are the senses where another line is repaired and this one is not.

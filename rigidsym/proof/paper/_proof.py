@@ -1,4 +1,4 @@
-"""The proof of Theorem 1, (22) to (37), and Remark 3."""
+"""Equations of the proof of Theorem 1, (22) to (37), with Remark 3."""
 
 from dataclasses import replace
 

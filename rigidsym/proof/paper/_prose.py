@@ -1,4 +1,4 @@
-"""Claims of the paper in words, each with the facts or measurements that decide it.
+"""Claims that the paper makes in words, with the facts or measurements that decide them.
 
 Whether such a claim holds is a judgement, and called one; it rests on facts of the ledger, or on
 numbers that a command prints.
@@ -20,7 +20,7 @@ COMPARE = "rigidsym compare"
 
 @dataclass(frozen=True, slots=True)
 class Prose:
-    """A claim of the paper, its place, the judgement on it and its reason.
+    """A claim of the paper in words, its place, our judgement and the reason.
 
     `senses` are numbers of lines with the senses that facts decide; `commands` measure the rest.
     """
@@ -35,7 +35,7 @@ class Prose:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """A claim with the facts that decide it; if one of them is missing, it is open."""
+    """A claim in words with the facts that decide it; open if one is missing."""
 
     prose: Prose
     facts: tuple[str, ...]
@@ -47,7 +47,7 @@ class Judged:
         return self.prose.judgement if self.decided else "open"
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data for programs."""
+        """Return the judged claim as JSON data."""
         return {
             "claim": self.prose.claim,
             "where": self.prose.where,
@@ -109,7 +109,7 @@ PROSE = (
 
 
 def judged(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Judged]:
-    """Judge every claim in words, by a ledger as JSON data."""
+    """Judge every claim in words by a ledger as JSON data."""
     answers = Answers(ledger, equations)
     ruled = []
     for prose in PROSE:

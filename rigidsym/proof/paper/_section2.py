@@ -1,4 +1,4 @@
-"""Section II, (1) to (9): SU(2), the quaternions, and the equations of motion."""
+"""Equations (1) to (9) of Section II: SU(2), quaternions and equations of motion."""
 
 from rigidsym.proof.paper._equation import Equation, Flaw, Sense
 from rigidsym.proof.paper._printed import Vocabulary

@@ -1,4 +1,4 @@
-"""Section III, Lemma 1 to (17), the angular velocities: the lines, and how they are put."""
+"""Equations of Section III, Lemma 1 to (17): angular velocities."""
 
 from dataclasses import replace
 
@@ -27,12 +27,12 @@ UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
 
 
 def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVIDED) -> Sense:
-    """Return the sense of a line about a motion, s_i and s_j being roots of (14) as printed."""
+    """Return a line's sense where s_i and s_j are roots of (14) as printed."""
     return Sense(context, vocabulary, of=number, only=only)
 
 
 def _mended(sense: Sense, amplitude: int) -> Sense:
-    """Return a sense with (14) mended: roots in (c_i Omega_i)^2, and c_i times the amplitude."""
+    """Return a sense with (14) repaired: roots in (c_i Omega_i)^2, amplitude times c_i."""
     words = sense.vocabulary.words
     small = words["s_i"] == IN_RATE["s_i"]
     mended = {**words, **(IN_MOMENTUM if small else exchanged(IN_MOMENTUM))}

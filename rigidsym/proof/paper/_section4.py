@@ -1,4 +1,4 @@
-"""Section IV, Theorem 1 to footnote 3, the attitude: the lines, and how they are put."""
+"""Equations of Section IV, Theorem 1 to footnote 3: the attitude."""
 
 from dataclasses import replace
 
@@ -159,7 +159,7 @@ SIGNS_MENDED = tuple(
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
-    """Return (18) from the cosine and sine of phi1/2 and F1 to F4."""
+    """Return the quaternion (18) of cos(phi1/2), sin(phi1/2) and F1 to F4."""
     return (
         f"{F1}*({c}*{F3} - {s}*{F4})",
         f"{F1}*({s}*{F3} + {c}*{F4})",

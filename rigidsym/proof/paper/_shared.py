@@ -10,23 +10,23 @@ Words = Mapping[str, str]
 
 
 def same(text: str) -> Words:
-    """Return names that a context writes as the print does, without the bar below an index."""
+    """Map printed names such as c_1 to a context's names without "_", such as c1."""
     return {name: name.replace("_", "") for name in text.split()}
 
 
 def plain(text: str) -> Words:
-    """Return names that a context writes as the print does."""
+    """Map printed names to equal names of a context."""
     return {name: name for name in text.split()}
 
 
 def su2(a: str, b: str, c: str, d: str) -> str:
-    """Return the matrix (1) of the quaternion a + b i + c j + d k."""
+    """Return the SU(2) matrix (1) of the quaternion a + b i + c j + d k."""
     first, second = f"{a} + imaginary*({b})", f"{c} + imaginary*({d})"
     return f"matrix({first}, {second}, -({c}) + imaginary*({d}), {a} - imaginary*({b}))"
 
 
 def algebra(x: str, y: str, z: str) -> str:
-    """Return x A_1 + y A_2 + z A_3."""
+    """Return the su(2) matrix x A_1 + y A_2 + z A_3."""
     return su2("0", f"{x}/2", f"{y}/2", f"{z}/2")
 
 
@@ -65,18 +65,18 @@ QUARTIC_AS_PRINTED = {name: f"{name}_printed" for name in ("alpha", "beta", "chi
 
 
 def exchanged(words: Words) -> Words:
-    """Exchange the names of two roots."""
+    """Exchange the texts of the first two names."""
     first, second, *_ = words
     return {**words, first: words[second], second: words[first]}
 
 
 def stated(context: str, texts: Mapping[str, str]) -> Sense:
-    """Return equations in the language of a context that are no line of the paper."""
+    """Return a sense made of equations in a context that are no line of the paper."""
     return Sense(context, latex="", texts=texts)
 
 
 def vanishing(context: str, *texts: str) -> Sense:
-    """Return the equations that quantities of a context are zero."""
+    """Return a sense which states that quantities of a context are zero."""
     return stated(context, dict.fromkeys(texts, "0"))
 
 

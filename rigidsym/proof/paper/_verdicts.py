@@ -1,4 +1,4 @@
-"""The verdict on each printed equation, computed from the facts of a ledger."""
+"""Verdicts on the printed equations, computed from a ledger's facts."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -35,7 +35,7 @@ class Ruling(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A reading, whether the print holds with it, and by which facts."""
+    """A reading, whether the print holds with it, and the facts that decide that."""
 
     reading: Reading
     holds: bool | None
@@ -44,7 +44,7 @@ class Read:
     counterexample: Counterexample | None
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data for programs."""
+        """Return the reading as JSON data."""
         return {
             "reading": self.reading.text,
             "implies": self.reading.implies,
@@ -57,7 +57,7 @@ class Read:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The ruling on one equation, and the facts that it rests on.
+    """The ruling on one equation with the facts that it rests on.
 
     `conditions` are those of the equation, or of its repair where it is a misprint; `readings` are
     decided one by one; `right_with` are other lines which, mended, make this one right as printed;
@@ -80,11 +80,11 @@ class Verdict:
 
     @property
     def roots(self) -> tuple[Root, ...]:
-        """The slips that the line comes from."""
+        """The independent slips behind the misprint."""
         return self.equation.roots
 
     def to_json(self) -> dict[str, Any]:
-        """Return plain data for programs."""
+        """Return the verdict as JSON data."""
         equation = self.equation
         return {
             "equation": equation.number,
@@ -107,7 +107,7 @@ class Verdict:
         }
 
     def facts(self) -> tuple[str, ...]:
-        """Return all facts that the verdict rests on, each once."""
+        """Return all facts that the verdict rests on, without repetition."""
         found = [*self.proved_by, *self.refuted_by, *self.repaired_by]
         for read in self.readings:
             found += [*read.proved_by, *read.refuted_by]
@@ -128,7 +128,7 @@ class Verdict:
 
 
 def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Verdict]:
-    """Return a verdict for every printed equation, from a ledger as JSON data.
+    """Return the verdict on every printed equation, from a ledger as JSON data.
 
     Raises PrintError for a print that cannot be read.
     """
@@ -137,7 +137,10 @@ def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Ve
 
 
 def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
-    """Return the verdict on one equation; open unless all is decided, and the repair holds."""
+    """Return the verdict on one equation.
+
+    It is open unless everything about the line is decided and its repair, if any, holds.
+    """
     here = [answers.to(equation.latex, sense) for sense in equation.senses]
     mended = [answers.to(equation.repair, sense) for sense in equation.mended]
     readings = tuple(_read(equation, reading, answers) for reading in equation.readings)
@@ -212,8 +215,9 @@ def ruling_of(
     readings: Sequence[bool | None],
     conditions: Sequence[str],
 ) -> Ruling:
-    """Return the ruling: refuted and repaired is a misprint; readings that differ are ambiguous.
+    """Return the ruling that follows from what holds.
 
+    A refuted line with a repair is a misprint; readings that differ are ambiguous.
     `holds` says whether the line holds as it is printed, `mended` whether it has a repair that
     does; None where that is open.
     """
@@ -229,7 +233,7 @@ def ruling_of(
 
 
 def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) -> tuple[str, ...]:
-    """Return the stated conditions, and every divisor of the proofs that none of them covers."""
+    """Return the stated conditions, and the divisors in proofs that none of them covers."""
     stated = tuple(condition.text for condition in equation.conditions)
     covered = {unit for condition in equation.conditions for unit in condition.units}
     units = needed_units(proofs, answers)

@@ -1,4 +1,4 @@
-"""Steps over named matrices: coordinates in a basis, products and determinants."""
+"""Derivation steps on named matrices: coordinates, products and determinants."""
 
 from collections.abc import Sequence
 
@@ -26,8 +26,9 @@ def coordinates(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find the x_k of expression = sum x_k B_k by the traces of an orthogonal basis.
+    """Find the coefficients x_k of expression = sum x_k B_k in an orthogonal basis.
 
+    They come from traces.
     The kernel multiplies the expression and decides the equation entry by entry.  Raises StepError
     where the expression is not in the span.
     """
@@ -41,12 +42,12 @@ def coordinates(
 
 
 def _coordinate(value: ImmutableMatrix, direction: ImmutableMatrix) -> sympy.Expr:
-    """Return tr(B* X) / tr(B* B), real for X in the real span of an orthogonal basis."""
+    """Return the coordinate tr(B* X) / tr(B* B), real in the real span of the basis."""
     return sympy.expand((direction.H * value).trace() / (direction.H * direction).trace())
 
 
 def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
-    """Write an expression in whole angles if possible, modulo the relations, factors collected."""
+    """Rewrite an expression in whole angles if possible, reduced and with factors collected."""
     if not expression.is_real and expression.has(sympy.I):
         real = sympy.expand(expression)
         if real.coeff(sympy.I) != 0:
@@ -56,7 +57,10 @@ def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
 
 
 def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
-    """Replace cos(x/2)^2 by (1 + cos x)/2 and so on, where every half angle occurs twice."""
+    """Replace squares and products of half-angle functions by whole-angle functions.
+
+    cos(x/2)^2 becomes (1 + cos x)/2, and so on. Other terms leave the expression unchanged.
+    """
     named = scope.dictionary.named(expression)
     for cosine, sine, whole_cosine, whole_sine in _pairs(scope):
         if not named.free_symbols & {cosine, sine}:
@@ -75,7 +79,7 @@ def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
 
 
 def _pairs(scope: Scope) -> list[tuple[sympy.Symbol, ...]]:
-    """Return the generators cos, sin of angles, and the names of those of the doubled angles."""
+    """Return cos and sin of each angle, with the names of those of the doubled angle."""
     names = scope.dictionary.names
     found = []
     for function, cosine in names.items():
@@ -94,7 +98,7 @@ def multiply(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """State left = right for two expressions in named matrices, which the kernel multiplies out."""
+    """Prove left = right for expressions in named matrices, multiplied out by the kernel."""
     fact = scope.decide_matrices(fact_id, left, right, source)
     return scope.note("multiply", why, right, [(left, right)], fact)
 

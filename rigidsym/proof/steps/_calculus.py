@@ -1,4 +1,4 @@
-"""Steps on one expression: rates, partial fractions, integrals by a table, elimination, roots."""
+"""Derivation steps on one expression: rates, integrals, elimination, roots."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -16,7 +16,7 @@ from rigidsym.proof.steps._scope import Scope
 def differentiate(
     scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Differentiate an expression by time, by the rates of the context."""
+    """Differentiate an expression by time with the rates of the context."""
     value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
     fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source)
     return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
@@ -37,7 +37,7 @@ def rewrite(
     source: Sequence[str] = (),
     verb: str = "rewrite",
 ) -> Step:
-    """State expression = value, where an earlier step or SymPy found the value."""
+    """Prove expression = value for a value that an earlier step or SymPy found."""
     conditions = scope.divisors(expression, value)
     there = scope.at(fact_id, *conditions)
     fact = there.decide(fact_id, [(expression, value)], source)
@@ -79,7 +79,10 @@ def eliminate(
 
 
 def apart(expression: Expr, variable: Expr) -> Expr:
-    """Return partial fractions in a variable, which may be a power, each as c/(1 - n x)."""
+    """Return partial fractions in a variable, each of the form c/(1 - n x).
+
+    The variable may be a power.
+    """
     stand_in = sympy.Dummy()
     parts = [
         sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))
@@ -89,7 +92,7 @@ def apart(expression: Expr, variable: Expr) -> Expr:
 
 
 def _normalised(term: Expr, variable: Symbol) -> Expr:
-    """Return c/(a + b x) as (c/a)/(1 - (-b/a) x), the form that tables of integrals have."""
+    """Rewrite c/(a + b x) as (c/a)/(1 - (-b/a) x), the form used by tables of integrals."""
     above, below = sympy.fraction(sympy.together(term))
     if not below.has(variable):
         return collected(term)
@@ -106,7 +109,7 @@ def integrate(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Integrate a sum of terms, each a constant times an entry of a table of rates.
+    """Integrate a sum of constants times entries of a table of derivatives.
 
     Raises StepError for a term that is not in the table.
     """
@@ -131,7 +134,10 @@ def integrate(
 def nonnegative(
     scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """State that an expression is a sum or product whose form shows that it is nonnegative."""
+    """Prove that an expression is nonnegative by a form that shows it.
+
+    Such a form is a sum or product of nonnegative parts and even powers.
+    """
     try:
         fact = scope.builder.sign(fact_id, {scope.text(expression): scope.text(form)}, source)
     except KernelError as error:
@@ -147,7 +153,7 @@ def roots(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find all roots of a polynomial, which has to factor into linear factors."""
+    """Find all roots of a polynomial that factors into linear factors."""
     stand_in = sympy.Dummy()
     plain = sympy.expand(polynomial).subs(variable, stand_in)
     leading, factors = sympy.factor_list(sympy.numer(sympy.together(plain)), stand_in)
@@ -166,7 +172,7 @@ def roots(
 
 
 def coefficients(expression: Expr, variable: Expr) -> tuple[Expr, ...]:
-    """Return the coefficients of a polynomial, the highest power first, each collected."""
+    """Return the coefficients of a polynomial, highest power first, each collected."""
     stand_in = sympy.Dummy()
     plain = sympy.expand(expression).subs(variable, stand_in)
     return tuple(map(collected, sympy.Poly(plain, stand_in).all_coeffs()))
@@ -182,7 +188,7 @@ def match(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find unknowns for which two polynomials in a variable agree, by their coefficients.
+    """Find unknowns for which two polynomials in a variable have equal coefficients.
 
     The kernel decides that each solution makes them agree.  Raises StepError where none does.
     """

@@ -1,4 +1,4 @@
-"""Solutions of linear equations, one or a family, decided in both directions."""
+"""Derivation steps that solve linear equations, proved in both directions."""
 
 from collections.abc import Sequence
 from itertools import combinations
@@ -21,7 +21,7 @@ def solve(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Solve linear equations left = right that have one solution.
+    """Solve linear equations left = right that have exactly one solution.
 
     With e = left - right, the kernel decides that each unknown minus its value is a combination of
     the e, so that nothing else is a solution, and that each e is one of these differences, so that
@@ -52,7 +52,7 @@ def solve(
 def _system(
     fact_id: str, equations: Sequence[tuple[sympy.Expr, ...]], unknowns: Sequence[Any]
 ) -> tuple[Any, Any]:
-    """Return the matrix and the right side of equations left = right."""
+    """Return the matrix and right side of linear equations."""
     try:
         return sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
     except NonlinearError:
@@ -63,7 +63,7 @@ def _system(
 def _inverse(
     scope: Scope, fact_id: str, system: Any, unknowns: Sequence[Any]
 ) -> tuple[Any, list[int]]:
-    """Return the inverse of rows that determine the unknowns, and these rows."""
+    """Return rows that determine the unknowns, preceded by the inverse of their matrix."""
     rows = list(_pivots(system.T))
     if len(rows) < len(unknowns):
         pivots = _pivots(system)
@@ -78,7 +78,7 @@ def _inverse(
 
 
 def _pivots(system: Any) -> tuple[int, ...]:
-    """Return the columns with a pivot, over the field of fractions of the entries."""
+    """Return the pivot columns over the field of fractions of the entries."""
     return DomainMatrix.from_Matrix(system).to_field().rref()[1]
 
 
@@ -100,8 +100,9 @@ def solve_family(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Solve linear equations that leave one direction free: particular + parameter * direction.
+    """Solve linear equations that leave one direction free.
 
+    The solutions are particular + parameter * direction.
     The particular solution is the one without a denominator.  The kernel decides that each of them
     solves the equations, and that what solves them differs from it by a multiple of the direction.
     Raises StepError where not exactly one direction is free.
@@ -126,7 +127,7 @@ def solve_family(
 def _regular(
     system: Matrix, constants: Matrix, direction: Matrix, unknowns: Sequence[sympy.Symbol]
 ) -> Matrix:
-    """Return the solution without denominators, by a choice of the free unknown."""
+    """Return a particular solution without denominators, by choosing the free unknown."""
     (solution,) = sympy.linsolve((system, constants), *unknowns)
     free = next(x for x, value in zip(unknowns, solution, strict=True) if x == value)
     below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
@@ -163,7 +164,7 @@ def _parallel(
 
 
 def _factors(system: Any, row: Any) -> Any:
-    """Return a row as a combination of the system's rows, of one row if possible."""
+    """Return coefficients that combine the system's rows to a given row, from one if possible."""
     for k in range(system.rows):
         pairs = list(zip(row, system.row(k), strict=True))
         ratios = {sympy.cancel(x / y) for x, y in pairs if y != 0}

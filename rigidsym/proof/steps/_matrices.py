@@ -1,4 +1,4 @@
-"""Two-by-two complex matrices by their names: `R*M*R.I`, entry by entry as texts for the kernel.
+"""Complex two-by-two matrices with names, as entrywise texts for the kernel.
 
 A matrix R is up to eight definitions of its context, R_11_re to R_22_im; parts that are zero have
 none.  A product reaches the kernel as the sums of products of these, unexpanded: the kernel
@@ -41,7 +41,7 @@ class Rate(MatrixExpr):
 
     @property
     def shape(self) -> Any:
-        """The shape of the matrix that is differentiated."""
+        """The shape of the differentiated matrix."""
         inner: Any = self.args[0]
         return inner.shape
 
@@ -55,19 +55,19 @@ class Rate(MatrixExpr):
 
 
 def matrix(name: str) -> MatrixSymbol:
-    """Return a two-by-two matrix by its name."""
+    """Return the two-by-two matrix symbol of a name."""
     return MatrixSymbol(name, 2, 2)
 
 
 def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return real and imaginary part of an expression in real symbols, a polynomial in i."""
+    """Return real and imaginary part of a polynomial in i with real symbols."""
     expanded = sympy.expand(value)
     imaginary = expanded.coeff(sympy.I)
     return expanded - sympy.expand(sympy.I * imaginary), imaginary
 
 
 def part_name(name: str, index: tuple[int, int], part: int) -> str:
-    """Return R_12_im for the imaginary part of the upper right entry of R."""
+    """Return the name of an entry's part: R_12_im is Im of the upper right entry of R."""
     return f"{name}_{index[0]}{index[1]}_{('re', 'im')[part]}"
 
 
@@ -76,7 +76,7 @@ def explicit(
     values: Mapping[str, ImmutableMatrix],
     rate: Callable[[sympy.Expr], sympy.Expr],
 ) -> ImmutableMatrix:
-    """Multiply out an expression in named matrices."""
+    """Multiply out an expression in named matrices with SymPy."""
 
     def of(node: Any) -> ImmutableMatrix:
         match node:
@@ -112,7 +112,10 @@ def entries(
     values: Mapping[str, ImmutableMatrix],
     scalar: Callable[[sympy.Expr], Expression],
 ) -> Entries:
-    """Return the trees of the entries of an expression; `scalar` makes those of factors."""
+    """Return the entries of a matrix expression as trees, products not multiplied out.
+
+    `scalar` converts scalar factors.
+    """
 
     def of(node: Any) -> Entries:
         match node:
@@ -142,7 +145,7 @@ def entries(
 
 
 def determinant(entry: Entries) -> Number:
-    """Return real and imaginary part of a d - b c."""
+    """Return real and imaginary part of the determinant a d - b c."""
     (a, b), (c, d) = ((entry[i, 1], entry[i, 2]) for i in (1, 2))
     first, second = _complex_product(a, d), _complex_product(b, c)
     return _minus(first[0], second[0]), _minus(first[1], second[1])
@@ -205,7 +208,7 @@ def _added(left: Entries, right: Entries) -> Entries:
 def _scaled(
     factor: sympy.Expr, scalar: Callable[[sympy.Expr], Expression], whole: Entries
 ) -> Entries:
-    """Multiply a matrix by a factor of any sign."""
+    """Multiply a matrix by a scalar factor of any sign."""
     negative = factor.could_extract_minus_sign()
     tree = scalar(-factor if negative else factor)
     by = _negative(tree) if negative else tree

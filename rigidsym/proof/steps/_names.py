@@ -1,4 +1,4 @@
-"""SymPy's expressions in the names of a context, and back; and the form in which they read best.
+"""Conversion between SymPy expressions and the names of a context.
 
 The kernel knows names only: `cos_half_phi1` is a generator whose reading is cos(phi1/2).  Where a
 reading is a function of other quantities, SymPy works with the function: this is the dictionary.
@@ -30,19 +30,19 @@ def symbols(text: str) -> tuple[sympy.Symbol, ...]:
 
 
 def read(text: str) -> sympy.Expr:
-    """Read a text of the ledger, or the reading of a name, as an expression in real symbols."""
+    """Convert a ledger text, or a name's reading, to an expression in real symbols."""
     return sympified(parse(text), symbol, BY_PARAMETER)
 
 
 class Dictionary:
-    """The names of a context, and the functions that they mean."""
+    """Names of a context paired with the functions that they stand for."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
 
     @cached_property
     def names(self) -> Mapping[Any, sympy.Symbol]:
-        """The name of each function: cos(phi1/2) -> cos_half_phi1."""
+        """The name of each function, such as cos_half_phi1 for cos(phi1/2)."""
         found = {}
         for name, reading in self.context.reading.items():
             try:
@@ -55,19 +55,19 @@ class Dictionary:
 
     @cached_property
     def functions(self) -> Mapping[sympy.Symbol, sympy.Expr]:
-        """The function of each name: cos_half_phi1 -> cos(phi1/2)."""
+        """The function of each name, such as cos(phi1/2) for cos_half_phi1."""
         return {name: function for function, name in self.names.items()}
 
     def named(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return the expression with names for functions."""
+        """Replace functions in an expression by their names."""
         return sympy.sympify(expression).xreplace(dict(self.names))
 
     def meant(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return the expression with functions for their names."""
+        """Replace names in an expression by their functions."""
         return expression.xreplace(dict(self.functions))
 
     def text(self, expression: sympy.Expr | int) -> str:
-        """Return the text for the kernel; raises StepError where a part has no name here."""
+        """Return the kernel's text of an expression; StepError if a part has no name."""
         named = self.named(sympy.sympify(expression))
         strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
         if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
@@ -76,7 +76,7 @@ class Dictionary:
 
 
 class _Printer(StrPrinter):
-    """SymPy's own text, with quotients for negative powers."""
+    """Printer of SymPy expressions with quotients in place of negative powers."""
 
     def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
         base, exponent = expr.as_base_exp()
@@ -89,7 +89,7 @@ class _Printer(StrPrinter):
 
 
 def collected(expression: Expr) -> Expr:
-    """Return the expression as one fraction of factors, each in its shorter form and sign."""
+    """Return an expression as one fraction of factors, each in its shorter form and sign."""
     above, below = sympy.fraction(sympy.factor(expression))
     sign_above, above = _side(above)
     sign_below, below = _side(below)
@@ -102,7 +102,7 @@ def positive(expression: Expr) -> Expr:
 
 
 def _side(side: Expr) -> tuple[int, Expr]:
-    """Return the sign, and a product of factors that begin with a plus, as short as it gets."""
+    """Return the sign and shortest form of a product whose factors begin with a plus."""
     sign, factors = 1, []
     for factor in Mul.make_args(side):
         base, power = factor.as_base_exp()

@@ -1,4 +1,4 @@
-"""The record of a step, and the error of one that fails."""
+"""Record of a derivation step, and the error of a failed one."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -9,12 +9,12 @@ from rigidsym.proof.kernel import Fact
 
 
 class StepError(ValueError):
-    """A step that cannot be done: its name and the reason in one line."""
+    """Failure of a derivation step; the message names it and gives the reason in one line."""
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Step:
-    """One line of a derivation: its verb and reason, its value, and the fact that proves it.
+    """One line of a derivation: verb, reason, value, and the fact that proves it.
 
     `shown` are the equations of the line as SymPy's `Eq`, unevaluated and with matrices by their
     names; `conditions` must not be zero, `choice` says in words what was chosen.
@@ -30,7 +30,7 @@ class Step:
 
     @property
     def source(self) -> tuple[str, ...]:
-        """Equations of the paper, or references, that the fact is from."""
+        """The paper's equations or references that the fact cites."""
         return self.fact.source
 
     def __getitem__(self, key: Any) -> Any:
@@ -52,7 +52,7 @@ class Step:
         return line_latex(self)
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
-        """Print the line as IPython does in a terminal."""
+        """Print the step in IPython's terminal format."""
         from rigidsym.view._article import line_text
 
         printer.text("..." if cycle else line_text(self))

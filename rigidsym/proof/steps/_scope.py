@@ -1,4 +1,4 @@
-"""A scope: one context as SymPy sees it, with its names, its matrices and its time derivative."""
+"""A context as SymPy sees it: names, named matrices and time derivative."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -29,7 +29,7 @@ STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
 
 class Scope:
-    """A context of a ledger, its named matrices, and SymPy's expressions for its names."""
+    """A context of a ledger with its named matrices and SymPy's expressions for its names."""
 
     def __init__(
         self, builder: LedgerBuilder, context: Context, matrices: Mapping[str, ImmutableMatrix]
@@ -46,7 +46,10 @@ class Scope:
         matrices: Mapping[str, ImmutableMatrix | MatrixExpr] | None = None,
         static: bool = False,
     ) -> "Scope":
-        """Open a context of these parts and of named matrices, each explicit or by those before."""
+        """Open a context of parts and of named matrices.
+
+        A matrix is explicit, or an expression in those before it.
+        """
         scope = cls(builder, join(name, *parts, static=static), {})
         for matrix, value in (matrices or {}).items():
             scope._define(matrix, value)
@@ -73,7 +76,7 @@ class Scope:
         self.matrices[name] = known
 
     def where(self, name: str, *nonzero: sympy.Expr) -> "Scope":
-        """Open the same context under another name, where some quantities are not zero."""
+        """Open a copy of the context under another name, in which some quantities are nonzero."""
         units = tuple(map(self.text, nonzero))
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
         self.builder.open(narrower)
@@ -90,26 +93,29 @@ class Scope:
         return self.builder.ledger.rings[self.name]
 
     def text(self, expression: sympy.Expr | int | str) -> str:
-        """Return the text for the kernel; a text is left as it is."""
+        """Return the kernel's text of an expression; texts are returned unchanged."""
         return expression if isinstance(expression, str) else self.dictionary.text(expression)
 
     def read(self, text: str) -> sympy.Expr:
-        """Return SymPy's expression of a text, with functions for their names."""
+        """Convert a text to SymPy's expression, with functions in place of their names."""
         return self.dictionary.meant(read(text))
 
     def entries(self, expression: MatrixExpr) -> dict[tuple[int, int], tuple[str | None, ...]]:
-        """Return real and imaginary parts of the entries as texts, products not multiplied out."""
+        """Return real and imaginary parts of a matrix expression's entries as texts.
+
+        Products are not multiplied out.
+        """
         trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
         return {index: tuple(map(_printed, parts)) for index, parts in trees.items()}
 
     def determinant(self, expression: MatrixExpr) -> tuple[str, str | None]:
-        """Return real and imaginary part of the determinant, as texts."""
+        """Return real and imaginary part of a matrix expression's determinant as texts."""
         trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
         real, imaginary = determinant(trees)
         return _printed(real) or "0", _printed(imaginary)
 
     def explicit(self, expression: MatrixExpr) -> ImmutableMatrix:
-        """Multiply out an expression in named matrices by SymPy."""
+        """Multiply out an expression in named matrices with SymPy."""
         return explicit(expression, self.matrices, self.rate)
 
     @cached_property
@@ -120,7 +126,7 @@ class Scope:
         return {symbol(name): read(text) for name, text in rates.items() if text != "?"}
 
     def rate(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return the time derivative by the rates of the context."""
+        """Return the time derivative of an expression by the rates of the context."""
         named = self.dictionary.named(sympy.sympify(expression))
         return sympy.expand(self.dictionary.meant(self._named_rate(named)))
 
@@ -140,7 +146,7 @@ class Scope:
         return sympy.S.Zero
 
     def rates(self, expression: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-        """Return the time derivative, and the same with definitions written out."""
+        """Return the time derivative twice: by names, and with definitions expanded."""
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
@@ -151,7 +157,7 @@ class Scope:
         return rate, sympy.expand(written)
 
     def reduced(self, expression: sympy.Expr) -> sympy.Expr:
-        """Reduce numerator and denominator of a quotient modulo the relations, and collect it."""
+        """Reduce numerator and denominator modulo the relations, and collect the quotient."""
         named = self.dictionary.named(expression)
         parts = sympy.fraction(sympy.together(named))
         if self.context.relations and {*map(str, named.free_symbols)} <= {*self.context.generators}:
@@ -159,13 +165,13 @@ class Scope:
         return collected(self.dictionary.meant(sympy.cancel(parts[0] / parts[1])))
 
     def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
-        """Reduce a polynomial modulo the relations, unless it is shorter as it is."""
+        """Reduce a polynomial modulo the relations, unless that makes it longer."""
         numerator = self.ring.read(self.text(sympy.expand(polynomial))).numerator
         rest = read(str(self.ring.remainder(numerator)))
         return min(polynomial, rest, key=lambda x: sympy.count_ops(sympy.expand(x)))
 
     def divisors(self, *expressions: sympy.Expr) -> tuple[sympy.Expr, ...]:
-        """Return the divisors in expressions, in the generators and factor by factor, each once.
+        """Return the distinct factors of all denominators in some expressions.
 
         Quantities that never vanish, such as a moment of inertia, are left out.
         """
@@ -186,7 +192,7 @@ class Scope:
         pairs: Iterable[tuple[sympy.Expr | str, sympy.Expr | str]],
         source: Sequence[str],
     ) -> Fact:
-        """Prove equations by the kernel; StepError names what it could not decide."""
+        """Prove equations with the kernel; StepError if it cannot decide them."""
         texts = [(self.text(left), self.text(right)) for left, right in pairs]
         try:
             return self.builder.claim(fact_id, texts, source)
@@ -196,7 +202,7 @@ class Scope:
     def decide_matrices(
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
-        """Prove left = right by the kernel, entry by entry.
+        """Prove left = right for matrices with the kernel, entry by entry.
 
         Raises StepError where both are the same, or an inverted matrix is not unitary.
         """
@@ -211,7 +217,7 @@ class Scope:
         return self.decide(fact_id, pairs, source)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
-        """Return the entries of both sides, without those that are the same."""
+        """Return pairs of corresponding entries of two matrices, without equal ones."""
         x, y = self.entries(left), self.entries(right)
         return [
             (a or "0", b or "0")
@@ -221,7 +227,10 @@ class Scope:
         ]
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Scope":
-        """Return the scope to state a fact in: this, or one where these quantities are not zero."""
+        """Return the scope of a fact's context, opened here if it does not exist.
+
+        In a new context the given quantities are nonzero.
+        """
         name = fact_id.split(".")[0]
         if name == self.name:
             return self
@@ -239,7 +248,7 @@ class Scope:
         conditions: tuple[sympy.Expr, ...] = (),
         choice: str = "",
     ) -> Step:
-        """Record a step in the builder, for readers of the derivation, and return it."""
+        """Record a derivation step in the builder and return it."""
         shown = tuple(Eq(left, right, evaluate=False) for left, right in equations)
         step = Step(verb, why, value, shown, fact, conditions, choice)
         self.builder.steps.append(step)

@@ -1,4 +1,4 @@
-"""Equations of motion from a Lagrangian in body rates, by the variation of Euler and Poincare."""
+"""Equations of motion from a Lagrangian in body rates, by Euler-Poincare variation."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """Result of a variation: M' = moments, which are in the rates and M1 to M3."""
+    """Result of a variation: momenta, and moments with M' = moments."""
 
     momenta: tuple[sympy.Expr, ...]
     moments: tuple[sympy.Expr, ...]
@@ -27,7 +27,7 @@ class Variation:
 
     @property
     def equations(self) -> list[tuple[Any, Any]]:
-        """Return M' = moment, with the rates' rates as unknowns."""
+        """The equations M' = moment, whose unknowns are the rates' derivatives."""
         known: Any = dict(zip(MOMENTA, self.momenta, strict=True))
         pairs = zip(self.momenta, self.moments, strict=True)
         return [(self.scope.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
@@ -42,7 +42,7 @@ def vary(
     why: str,
     source: Sequence[str] = (),
 ) -> Variation:
-    """Derive the equations of motion of a Lagrangian L(Omega) by Euler and Poincare's variation.
+    """Derive the equations of motion of a Lagrangian L(Omega) by Euler-Poincare variation.
 
     For R' = R Omega and delta R = R eta, delta Omega = eta' + [Omega, eta].  Then delta L is the
     rate of M eta less (M' - moment) eta, with M = dL/dOmega, for every eta.  The kernel decides it
@@ -70,7 +70,7 @@ def vary(
 
 
 def _turned(constants: Constants, etas: Sequence[sympy.Symbol]) -> list[sympy.Expr]:
-    """Return delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j."""
+    """Return the varied rates delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j."""
     triple = range(3)
     return [
         symbol(f"{etas[k]}_rate")
@@ -85,7 +85,7 @@ def _free_motion(
     momenta: Sequence[sympy.Expr],
     moments: Sequence[sympy.Expr],
 ) -> Part:
-    """Return any motion and any variation of it: the rates' rates are unknown."""
+    """Return the part of an arbitrary motion and its variation; second rates are unknown."""
     names = [f"{name}{k}" for name in ("Omega", "eta") for k in (1, 2, 3)]
     numbered = list(enumerate(zip(momenta, moments, strict=True), 1))
     return Part(

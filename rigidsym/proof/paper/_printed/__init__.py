@@ -1,4 +1,4 @@
-"""Printed formulas, read: LaTeX to trees, and trees to the language of a context.
+"""Parser of printed LaTeX formulas, and their translation into the names of a context.
 
 The project has its own parser because SymPy's `parse_latex` evaluates while it reads, and supports
 neither Lie brackets nor functions of time, conditions or lists of equations.

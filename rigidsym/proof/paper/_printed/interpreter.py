@@ -1,4 +1,4 @@
-"""Printed displays in the language of a context: what they define there, and what they state.
+"""Translation of printed formulas into definitions and equations of a context.
 
 A vocabulary gives the print's words their names.  Roots and functions of a time have names in the
 context.  That a name is what the print has there is asked with the statement: its square is what
@@ -39,7 +39,7 @@ class Second(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
-    """The names and texts of a context for printed words.
+    """Translation of printed names to names and texts of a context.
 
     `words` maps printed names or expressions to texts; `roots` names the printed square roots in
     order, `jacobi` the sn, cn and dn of the printed elliptic functions in order, and `arguments`
@@ -69,7 +69,10 @@ _BINARY: dict[str, Callable[[Value, Value], Value]] = {
 
 
 class Interpreter:
-    """Interpreter of trees by one vocabulary; `asked` are the equations that they rely on."""
+    """Evaluator of printed formulas in one vocabulary.
+
+    `asked` collects the equations that the results rely on.
+    """
 
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.vocabulary = vocabulary
@@ -79,7 +82,7 @@ class Interpreter:
         self._triples: dict[str, Triple] = {}
 
     def value(self, tree: Expression) -> Value:
-        """Return the meaning of a tree; PrintError where the vocabulary has none."""
+        """Return the value of a formula; PrintError if the vocabulary lacks a word for it."""
         known = self.meant.get(to_text(tree))
         if known is not None:
             return known
@@ -99,21 +102,21 @@ class Interpreter:
         raise PrintError(f"{to_text(tree)}: the vocabulary has no word for it")
 
     def number(self, tree: Expression) -> Complex:
-        """Return the meaning of a tree that has to be a number."""
+        """Return the value of a formula; PrintError if it is a matrix."""
         found = self.value(tree)
         if isinstance(found, Matrix):
             raise PrintError(f"{to_text(tree)}: a matrix, where a number is due")
         return found
 
     def real(self, tree: Expression) -> Expression:
-        """Return the meaning of a tree that has to be real."""
+        """Return the real value of a formula; PrintError if it is not real."""
         found = self.number(tree)
         if found.imag != ZERO:
             raise PrintError(f"{to_text(tree)}: complex, where a real number is due")
         return found.real
 
     def power(self, base: Value, exponent: Expression) -> Value:
-        """Return an integer power; below zero, of a matrix with determinant one."""
+        """Return an integer power; a negative power of a matrix requires determinant one."""
         match exponent:
             case Name("dagger") if isinstance(base, Matrix):
                 return base.dagger()
@@ -126,7 +129,7 @@ class Interpreter:
         raise PrintError(f"{to_text(exponent)}: no whole exponent")
 
     def call(self, function: str, arguments: tuple[Expression, ...]) -> Value:
-        """Return the meaning of a function of trees."""
+        """Return the value of a function call."""
         match function, arguments:
             case "neg", (inner,):
                 return multiply(Complex(negative(ONE)), self.value(inner)).each(_tidy)
@@ -164,7 +167,7 @@ class Interpreter:
         raise PrintError(f"{to_text(Call(function, arguments))}: the vocabulary has no word for it")
 
     def exponential(self, angle: Expression, generator: Expression) -> Value:
-        """Return exp(phi A) = cos(phi/2) + 2 sin(phi/2) A, where the square of A is -1/4."""
+        """Return exp(phi A) as cos(phi/2) + 2 sin(phi/2) A, requiring A^2 = -1/4."""
         half = Operation("/", angle, Number(2))
         cosine, sine = (self.number(Call(name, (half,))) for name in ("cos", "sin"))
         matrix = self.value(generator)
@@ -173,7 +176,7 @@ class Interpreter:
         return add(cosine, multiply(multiply(Complex(Number(2)), sine), matrix))
 
     def root(self, radicand: Expression) -> Complex:
-        """Return the name of a square root, and ask that its square is the printed radicand."""
+        """Return the name of a square root, requiring that its square is the radicand."""
         text = to_text(radicand)
         if text not in self._roots:
             if len(self._roots) == len(self.vocabulary.roots):
@@ -183,7 +186,7 @@ class Interpreter:
         return self._roots[text]
 
     def triple(self, argument: Expression, parameter: Expression) -> Triple:
-        """Return the names of sn, cn and dn, and ask for the rates that are printed."""
+        """Return the names of sn, cn and dn, requiring their algebraic relations and rates."""
         text = f"{to_text(argument)} | {to_text(parameter)}"
         if text not in self._triples:
             if len(self._triples) == len(self.vocabulary.jacobi):
@@ -201,21 +204,21 @@ class Interpreter:
         return self._triples[text]
 
     def complement(self, s: Complex, d: Complex, second: Expression) -> None:
-        """Ask that dn^2 = 1 - m sn^2, with the printed m."""
+        """Require dn^2 = 1 - m sn^2 for the printed m."""
         m = self.number(second)
         if self.vocabulary.second == Second.MODULUS:
             m = squared(m)
         self.ask(squared(d) + m * squared(s), Complex(ONE))
 
     def amplitude(self, argument: Expression, parameter: Expression) -> Complex:
-        """Return the angle whose sine is sn, and ask that its rate is dn times the argument's."""
+        """Return the amplitude theta, requiring that its rate is dn times the argument's."""
         _, _, d = self.triple(argument, parameter)
         angle = Complex(Name("theta"))
         self.ask(angle.each(rate), self.number(argument).each(rate) * d)
         return angle
 
     def third_kind(self, n: Expression, angle: Expression, parameter: Expression) -> Complex:
-        """Return the name of Pi, and ask that it is the integral of 1/((1 - n sn^2) dn)."""
+        """Return the name of Pi, requiring the rate of the integral of 1/((1 - n sn^2) dn)."""
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.complement(s, d, parameter)
         integral = Complex(Name("Pi"))
@@ -224,21 +227,21 @@ class Interpreter:
         return integral
 
     def inverse(self, value: Expression, parameter: Expression) -> Value:
-        """Return an argument at which sn has the printed value, for the printed parameter."""
+        """Return the inverse of sn, requiring that sn has the printed value and parameter."""
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.ask(s, self.number(value))
         self.complement(s, d, parameter)
         return self.meant["C_i"]
 
     def condition(self, left: Expression, relation: str, right: Expression) -> None:
-        """Ask that an inequality is about the vocabulary's quantity `when`."""
+        """Require that an inequality is about the vocabulary's quantity `when`."""
         if self.vocabulary.when:
             x, y = map(self._size, (left, right))
             over = x - y if relation in (">", ">=") else y - x
             self.ask(over, _number(self.vocabulary.when))
 
     def _size(self, tree: Expression) -> Complex:
-        """Return a side of an inequality, squared for absolute values and numbers beside them."""
+        """Return a side of an inequality; absolute values and plain numbers are squared."""
         match tree:
             case Call("abs", (inner,)):
                 return Complex(self.number(inner).square())
@@ -247,24 +250,24 @@ class Interpreter:
         return self.number(tree)
 
     def ask(self, left: Value, right: Value) -> None:
-        """Ask that two values are the same."""
+        """Require that two values are equal, component by component."""
         self.asked += [(x, y) for x, y in zip(left, right, strict=True) if x != y]
 
 
 def rate(expression: Expression) -> Expression:
-    """Return D of an expression; 0 for a number."""
+    """Return the time derivative of an expression as D(...), or 0 for a number."""
     return ZERO if isinstance(expression, Number) else Call("D", (expression,))
 
 
 def squared(number: Complex) -> Complex:
-    """Return the square of a number."""
+    """Return the square of a complex number."""
     if number.imag == ZERO:
         return Complex(Operation("**", number.real, Number(2)))
     return number * number
 
 
 def _tidy(expression: Expression) -> Expression:
-    """Return -1 x as -x."""
+    """Rewrite a product (-1) x as -x."""
     match expression:
         case Operation("*", Call("neg", (Number(1),)), right):
             return negative(right)
@@ -274,7 +277,7 @@ def _tidy(expression: Expression) -> Expression:
 
 
 class _Plain(Interpreter):
-    """Interpreter of the texts of a vocabulary, whose names are the context's."""
+    """Interpreter that takes every name as the context's own."""
 
     def value(self, tree: Expression) -> Value:
         if isinstance(tree, Name) and tree.name != "imaginary":
@@ -283,7 +286,7 @@ class _Plain(Interpreter):
 
 
 def in_names(text: str) -> Value:
-    """Return the meaning of a text in a context's own names."""
+    """Return the value of a text that uses a context's own names."""
     return _Plain(PLAIN).value(parse(text))
 
 
@@ -297,7 +300,7 @@ ORDERS = ("<", "<=", ">", ">=")
 
 @dataclass(frozen=True, slots=True)
 class Translation:
-    """Texts of definitions in a context, and the components of equations, left and right."""
+    """Definitions as texts of a context, and equations as pairs of texts."""
 
     definitions: Mapping[str, str]
     equations: tuple[tuple[str, str], ...]
@@ -310,7 +313,7 @@ def translate(
     *,
     differentiated: bool = False,
 ) -> Translation:
-    """Translate displays by one vocabulary; raises PrintError where it has no word.
+    """Translate displays to definitions and equations in a vocabulary.
 
     `defines` maps printed names that the displays define to those of the context; a matrix is put
     in where it is used.  All else is stated, with `differentiated` of the time derivatives.
@@ -346,7 +349,7 @@ def translate(
 
 
 def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
-    """Yield the two sides of every equation in a display; chains are taken apart."""
+    """Yield both sides of every equation in a display; a = b = c gives two."""
     for piece in display:
         if isinstance(piece, Statement):
             neighbours = zip(piece.sides, piece.relations, piece.sides[1:], strict=False)
@@ -354,7 +357,7 @@ def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
 
 
 def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> None:
-    """Refuse displays that leave something undefined, or define it twice."""
+    """Refuse displays that leave a name undefined or define it twice."""
     found = [[defined(left) for left, _ in _equations(display)] for display in displays]
     for name in defines:
         times = [names.count(name) for names in found]
@@ -363,7 +366,7 @@ def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> N
 
 
 def defined(left: Expression) -> str:
-    """Return the name that a left side defines, at any time."""
+    """Return the name on a left side, without its argument (t)."""
     match left:
         case Call("at", (inner, Name("t"))):
             return to_text(inner)
@@ -371,7 +374,7 @@ def defined(left: Expression) -> str:
 
 
 def growth(interpreter: Interpreter, tree: Expression) -> Value:
-    """Return the time derivative of a tree, of an integral its integrand.
+    """Return the time derivative of a formula; that of an integral is its integrand.
 
     A factor before an integral is asked to be constant.
     """

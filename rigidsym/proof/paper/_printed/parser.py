@@ -1,4 +1,4 @@
-"""A recursive-descent parser of printed LaTeX, in the paper's own vocabulary.
+"""Recursive-descent parser of the LaTeX that the paper prints.
 
     display   = {statement | words | "," | ";"}
     statement = sum {relation sum}
@@ -26,12 +26,12 @@ from rigidsym.language._expression import Call, Expression, Name, Number, Operat
 
 
 class PrintError(ValueError):
-    """A display that cannot be read, or that has no meaning in a context."""
+    """A display that cannot be parsed, or that has no meaning in a context."""
 
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """Sides with a relation between each two: `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` or `:`."""
+    """Sides with relations between them: `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` or `:`."""
 
     sides: tuple[Expression, ...]
     relations: tuple[str, ...] = ()
@@ -55,7 +55,7 @@ _ROOM = {r"\ ", r"\,", r"\;", r"\:", r"\!", r"\left", r"\right"}
 
 
 def tokens(latex: str) -> Iterator[str]:
-    """Yield the tokens from left to right; raises PrintError for anything else."""
+    """Yield the tokens of a LaTeX formula; PrintError for anything else."""
     place = 0
     while place < len(latex):
         if latex[place].isspace():
@@ -93,13 +93,13 @@ CLOSING = {"(": ")", r"\left|": r"\right|", "|": "|"}
 
 @lru_cache
 def parse(latex: str) -> Display:
-    """Return the statements and words of a display; raises PrintError for a token left over."""
+    """Parse a display into statements and words; PrintError for anything else."""
     reader = _Reader(latex)
     return _cases(reader.display())
 
 
 def _cases(found: list[Statement | Words]) -> Display:
-    """Give the last of several cases the left side of those before it."""
+    """Give the last of several cases the left side of the earlier ones."""
     for k, (piece, after) in enumerate(zip(found, [*found[1:], None], strict=False)):
         otherwise = isinstance(after, Words) and after.text == "otherwise"
         if otherwise and isinstance(piece, Statement) and not piece.relations:
@@ -110,7 +110,7 @@ def _cases(found: list[Statement | Words]) -> Display:
 
 
 class _Reader:
-    """Reader of the tokens of one display."""
+    """Parser of one display, token by token."""
 
     def __init__(self, latex: str) -> None:
         self.latex, self.tokens, self.place = latex, [*tokens(latex), ""], 0
@@ -121,7 +121,7 @@ class _Reader:
         return self.tokens[self.place]
 
     def take(self, due: str = "") -> str:
-        """Return the next token and go on; it has to be `due`, if that is given."""
+        """Return the next token and advance; PrintError if another one is due."""
         if (due and self.next != due) or not self.next:
             raise PrintError(
                 f"{self.latex!r}: {self.next or 'the end'!r} stands where {due or 'more'!r} is due"
@@ -130,7 +130,7 @@ class _Reader:
         return self.tokens[self.place - 1]
 
     def display(self) -> list[Statement | Words]:
-        """Read the whole display."""
+        """Parse the whole display."""
         found: list[Statement | Words] = []
         while self.next:
             if self.next in ",;":
@@ -144,7 +144,7 @@ class _Reader:
         return found
 
     def statement(self) -> Statement:
-        """Read sides and the relations between them."""
+        """Parse sides and the relations between them."""
         sides, relations = [self.sum()], []
         while self.next in RELATIONS:
             relations.append(RELATIONS[self.take()])
@@ -152,7 +152,7 @@ class _Reader:
         return Statement(tuple(sides), tuple(relations))
 
     def sum(self) -> Expression:
-        """Read terms with their signs."""
+        """Parse terms with their signs."""
         total: Expression | None = None
         while total is None or self.next in SIGNS:
             sign = SIGNS[self.take()] if self.next in SIGNS else "+"
@@ -166,11 +166,11 @@ class _Reader:
         return total
 
     def lone(self, sign: str) -> Expression:
-        """Read the factor after a sign, or nothing after a +- that the text mentions."""
+        """Parse the factor after a sign; a +- that stands alone is 1."""
         return Number(1) if sign == "pm" and self.next.startswith(r"\text{") else self.factor()
 
     def product(self) -> Expression:
-        """Read factors side by side, and quotients."""
+        """Parse adjacent factors and quotients."""
         total = self.power(self.enclosed()) if self.next == "|" else self.factor()
         while self.next == "/" or self.begins():
             operator = "/" if self.next == "/" else "*"
@@ -180,7 +180,7 @@ class _Reader:
         return total
 
     def begins(self) -> bool:
-        """Say whether a factor begins here."""
+        """Return whether the next token begins a factor."""
         token = self.next
         return (
             token.isalnum()
@@ -191,18 +191,18 @@ class _Reader:
         )
 
     def factor(self) -> Expression:
-        """Read a quantity to a power."""
+        """Parse a quantity and its exponent."""
         return self.power(self.quantity())
 
     def power(self, base: Expression) -> Expression:
-        """Read the exponent after a quantity, if there is one."""
+        """Parse the exponent after a base, if there is one."""
         if self.next != "^":
             return base
         self.take()
         return Operation("**", base, self.argument())
 
     def argument(self) -> Expression:
-        """Read the argument of an exponent, a fraction or a root: a group, or one token."""
+        """Parse an argument of a LaTeX command: a group in braces, or one token."""
         if self.next != "{":
             return self.letter() if not self.next.isdigit() else Number(int(self.take()))
         self.take()
@@ -211,7 +211,7 @@ class _Reader:
         return found
 
     def quantity(self) -> Expression:
-        """Read a quantity, which has no operators outside of brackets."""
+        """Parse a quantity, which has operators only inside brackets."""
         token = self.next
         if token.isdigit():
             return self.number()
@@ -238,21 +238,21 @@ class _Reader:
         return self.applied(name) if name else self.symbol()
 
     def number(self) -> Number:
-        """Read a natural number."""
+        """Parse a natural number."""
         digits = self.take()
         while self.next.isdigit():
             digits += self.take()
         return Number(int(digits))
 
     def enclosed(self) -> Expression:
-        """Read a sum in brackets, or an absolute value."""
+        """Parse a sum in brackets, or an absolute value."""
         opening = self.take()
         found = self.sum()
         self.take(CLOSING[opening])
         return found if opening == "(" else Call("abs", (found,))
 
     def bracket(self) -> Expression:
-        """Read the Lie bracket of two matrices."""
+        """Parse the Lie bracket of two matrices."""
         self.take("[")
         left = self.sum()
         self.take(",")
@@ -261,7 +261,7 @@ class _Reader:
         return Call("bracket", (left, right))
 
     def matrix(self) -> Expression:
-        """Read a matrix of two rows of two entries."""
+        """Parse a two-by-two matrix."""
         self.take()
         entries = [self.sum()]
         for due in ("&", "\\\\", "&"):
@@ -271,14 +271,14 @@ class _Reader:
         return Call("matrix", tuple(entries))
 
     def function(self) -> str:
-        """Return the name of a function, if one is next."""
+        """Return the name of the next token if it is a function, else ""."""
         token = self.next
         name = token.rpartition("{")[2].rstrip("}").removeprefix("\\")
         known = token in FUNCTIONS or (token.endswith("}") and name in NAMED)
         return name if known or (token == r"\Pi" and self.tokens[self.place + 1] == "(") else ""
 
     def applied(self, name: str) -> Expression:
-        """Read a function of a list, or of the one quantity that follows; sn^2 u is (sn u)^2."""
+        """Parse a function's exponent and arguments; sn^2 u is (sn u)^2."""
         self.take()
         exponent = None
         if self.next == "^":
@@ -290,7 +290,7 @@ class _Reader:
         return found if inverse or exponent is None else Operation("**", found, exponent)
 
     def list(self) -> tuple[Expression, ...]:
-        """Read arguments in brackets, separated by a comma, a semicolon or a bar."""
+        """Parse arguments in brackets, separated by a comma, a semicolon or a bar."""
         self.take("(")
         found = [self.sum()]
         while self.next in (",", ";", "|"):
@@ -300,7 +300,7 @@ class _Reader:
         return tuple(found)
 
     def symbol(self) -> Expression:
-        """Read a name with its indices, and a time or a list that it is applied to."""
+        """Parse a name with its indices, and its argument if it has one."""
         found = self.letter()
         bare = found.arguments[0] if isinstance(found, Call) and found.function == "D" else found
         if isinstance(bare, Name):
@@ -315,7 +315,7 @@ class _Reader:
         return self.list_of(found)
 
     def list_of(self, found: Expression) -> Expression:
-        """Read a list that a name is applied to; one sum in brackets is a factor, left alone."""
+        """Parse a name applied to several arguments; one sum in brackets is left as a factor."""
         start = self.place
         arguments = self.list()
         if len(arguments) > 1 and isinstance(found, Name):
@@ -324,7 +324,7 @@ class _Reader:
         return found
 
     def letter(self) -> Expression:
-        """Read a letter, Latin or Greek, or one with a dot or a bar."""
+        """Parse a Latin or Greek letter, or one with a dot or a bar."""
         token = self.take()
         if token in (r"\dot", r"\bar"):
             inner = self.group()
@@ -339,7 +339,7 @@ class _Reader:
         raise PrintError(f"{self.latex!r}: {token!r} stands where a quantity is due")
 
     def group(self) -> Expression:
-        """Read a letter, in braces or not."""
+        """Parse a letter, in braces or not."""
         if self.next != "{":
             return self.letter()
         self.take()
@@ -348,7 +348,7 @@ class _Reader:
         return found
 
     def below(self) -> str:
-        """Read an index."""
+        """Parse an index, if there is one."""
         if self.next != "_":
             return ""
         self.take()
@@ -362,7 +362,7 @@ class _Reader:
         return f"_{index}"
 
     def star(self) -> str:
-        """Read a star among the exponents; the rest of the braces stays an exponent."""
+        """Parse a star in an exponent; the rest of the exponent is left."""
         ahead = self.tokens[self.place : self.place + 3]
         if ahead[:2] == ["^", r"\star"]:
             self.place += 2

@@ -1,4 +1,4 @@
-"""Complex numbers and two-by-two matrices over expressions: sums and products as they are written.
+"""Complex numbers and two-by-two matrices whose parts are expression trees.
 
 Complex numbers and matrices are multiplied out into their parts, zeros and ones are left out; the
 kernel does the rest.
@@ -17,29 +17,29 @@ ZERO, ONE = Number(0), Number(1)
 
 
 def plus(x: Expression, y: Expression) -> Expression:
-    """Return x + y."""
+    """Return x + y, without a zero."""
     return y if x == ZERO else x if y == ZERO else Operation("+", x, y)
 
 
 def minus(x: Expression, y: Expression) -> Expression:
-    """Return x - y."""
+    """Return x - y, without a zero."""
     return x if y == ZERO else negative(y) if x == ZERO else Operation("-", x, y)
 
 
 def times(x: Expression, y: Expression) -> Expression:
-    """Return x y."""
+    """Return x y, without a one."""
     if ZERO in (x, y):
         return ZERO
     return y if x == ONE else x if y == ONE else Operation("*", x, y)
 
 
 def over(x: Expression, y: Expression) -> Expression:
-    """Return x/y."""
+    """Return x/y, without a denominator one."""
     return x if x == ZERO or y == ONE else Operation("/", x, y)
 
 
 def negative(x: Expression) -> Expression:
-    """Return -x."""
+    """Return -x, without a double sign."""
     match x:
         case Number(0):
             return x
@@ -50,7 +50,7 @@ def negative(x: Expression) -> Expression:
 
 @dataclass(frozen=True, slots=True)
 class Complex:
-    """A complex number, real + i imag."""
+    """A complex number real + i imag."""
 
     real: Expression
     imag: Expression = ZERO
@@ -77,7 +77,7 @@ class Complex:
         return Complex(over(above.real, other.square()), over(above.imag, other.square()))
 
     def conjugate(self) -> "Complex":
-        """Return real - i imag."""
+        """Return the complex conjugate."""
         return Complex(self.real, negative(self.imag))
 
     def square(self) -> Expression:
@@ -85,13 +85,13 @@ class Complex:
         return plus(*(times(x, x) for x in self))
 
     def each(self, change: Callable[[Expression], Expression]) -> "Complex":
-        """Apply a function to both parts."""
+        """Apply a function to real and imaginary part."""
         return Complex(change(self.real), change(self.imag))
 
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """A matrix of two rows, in one tuple; iterating gives all real and imaginary parts."""
+    """A two-by-two matrix; iteration gives the real and imaginary parts of its entries."""
 
     entries: tuple[Complex, Complex, Complex, Complex]
 
@@ -110,16 +110,16 @@ class Matrix:
         return matrix(x[0] * y[0] + x[1] * y[1] for x, y in product(rows, columns))
 
     def scaled(self, factor: Complex) -> "Matrix":
-        """Return a number times the matrix."""
+        """Return the matrix times a number."""
         return matrix(factor * entry for entry in self.entries)
 
     def determinant(self) -> Complex:
-        """Return a d - b c."""
+        """Return the determinant."""
         a, b, c, d = self.entries
         return a * d - b * c
 
     def adjugate(self) -> "Matrix":
-        """Return the inverse, for determinant 1."""
+        """Return the adjugate, the inverse for determinant 1."""
         a, b, c, d = self.entries
         return Matrix((d, Complex(ZERO) - b, Complex(ZERO) - c, a))
 
@@ -129,7 +129,7 @@ class Matrix:
         return Matrix((a, c, b, d))
 
     def each(self, change: Callable[[Expression], Expression]) -> "Matrix":
-        """Apply a function to all parts."""
+        """Apply a function to the real and imaginary parts of all entries."""
         return matrix(entry.each(change) for entry in self.entries)
 
 
@@ -137,7 +137,7 @@ Value: TypeAlias = Complex | Matrix
 
 
 def matrix(entries: Iterator[Complex]) -> Matrix:
-    """Return a matrix from its entries, row by row."""
+    """Return the matrix of four entries, row by row."""
     a, b, c, d = entries
     return Matrix((a, b, c, d))
 
@@ -146,19 +146,19 @@ IDENTITY = Matrix((Complex(ONE), Complex(ZERO), Complex(ZERO), Complex(ONE)))
 
 
 def add(x: Value, y: Value) -> Value:
-    """Return x + y; beside a matrix a number is a multiple of the identity."""
+    """Return x + y; a number added to a matrix is a multiple of the identity."""
     a, b = alike(x, y)
     return a + b  # ty: ignore[unsupported-operator]
 
 
 def subtract(x: Value, y: Value) -> Value:
-    """Return x - y."""
+    """Return x - y; a number beside a matrix is a multiple of the identity."""
     a, b = alike(x, y)
     return a - b  # ty: ignore[unsupported-operator]
 
 
 def multiply(x: Value, y: Value) -> Value:
-    """Return x y, in this order."""
+    """Return the product x y of numbers or matrices."""
     match x, y:
         case Complex(), Complex():
             return x * y
@@ -189,7 +189,7 @@ def power(x: Value, exponent: int) -> Value:
 
 
 def alike(x: Value, y: Value) -> tuple[Value, Value]:
-    """Return both as numbers, or both as matrices."""
+    """Return two values as two numbers or as two matrices."""
     if isinstance(x, Matrix) and isinstance(y, Complex):
         return x, IDENTITY.scaled(y)
     if isinstance(y, Matrix) and isinstance(x, Complex):
