@@ -42,7 +42,7 @@ def key(target: str, form: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """2^exponent, and what it is a limit of."""
+    """A limit of a form: its name, the power of two that it is, and its meaning."""
 
     name: str
     exponent: int
@@ -51,23 +51,19 @@ class Limit:
 
 # Where a step ends.
 STEP_LIMITS = (
-    Limit("min_moment_ratio", -200, "of one principal moment over another"),
-    Limit("max_step", 3, "of |omega dt|, rad"),
+    Limit("min_moment_ratio", -200, "ratio of two principal moments"),
+    Limit("max_step", 3, "|omega dt|, rad"),
 )
 LIMITS = (
     Limit("negligible", -400, "rates below this share of the largest are taken for zero"),
-    Limit("decisive", -70, "of others' share in a tilt, below which those may be taken for zero"),
-    Limit(
-        "min_discriminant", -900, "of E_b in inner units; nearer to the separatrix is taken for it"
-    ),
-    Limit("tolerated", -60, "of the momentum, by which that, or middle-axis spin, may be wrong"),
-    Limit("min_moment_ratio", -200, "of one principal moment over another"),
-    Limit("max_circular", -1, "of k_1^2 on the circular branch; above it, the hyperbolic one"),
-    Limit(
-        "max_real", -1, "of m where the elapsed time has thetas of its own; above, of i times it"
-    ),
-    Limit("max_angle", 46, "of |omega0 t|, rad"),
-    Limit("max_rate", 990, "of a rate, rad/s: exact products with it are still held"),
+    Limit("decisive", -70, "share of a tilt; rates that cause less may be taken for zero"),
+    Limit("min_discriminant", -900, "E_b in inner units; below it, motions are on the separatrix"),
+    Limit("tolerated", -60, "error of such motions, as a share of the momentum"),
+    Limit("min_moment_ratio", -200, "ratio of two principal moments"),
+    Limit("max_circular", -1, "k_1^2 on the circular branch; above it, the hyperbolic one"),
+    Limit("max_real", -1, "m for thetas of real elapsed time; above it, of imaginary time"),
+    Limit("max_angle", 46, "|omega0 t|, rad"),
+    Limit("max_rate", 990, "a rate, rad/s; exact products with it do not overflow"),
 )
 
 

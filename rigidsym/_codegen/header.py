@@ -59,8 +59,8 @@ and their reduction) are truncated as follows; `rigidsym._codegen.special_functi
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
 mpmath:""",
     PI: """\
-Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
-what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
+Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
+uniqueness of solutions.  Special functions (Landen's ladder, the arithmetic-geometric mean,
 Carlson's R_J, angles and their reduction) are truncated as follows;
 `rigidsym._codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:""",

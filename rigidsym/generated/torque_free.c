@@ -306,7 +306,7 @@ static const double_double pi = {3.141592653589793, 1.2246467991473532e-16}; /* 
 static const double pi_hi = 3.141592653589793; /* pi */
 static const double pi_lo = 1.2246467991473532e-16; /* pi - pi_hi */
 static const double_double log_2 = {0.6931471805599453, 2.3190468138462996e-17}; /* log_2 */
-static const double never = 1e+300; /* the exponent of what has vanished */
+static const double never = 1e+300; /* an exponent that stands for infinity */
 static const double_double over_3 = {0.3333333333333333, 1.850371707708594e-17}; /* 1/3 */
 static const double_double over_5 = {0.2, -1.1102230246251566e-17}; /* 1/5 */
 static const double_double over_7 = {0.14285714285714285, 7.93016446160826e-18}; /* 1/7 */
@@ -529,7 +529,7 @@ static INLINED double exponential(double x)
     return value;
 }
 
-/* K^2 - 2 H c_b over any numbers. */
+/* K^2 - 2 H c_b, for numbers of any kind. */
 static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab, double_double c_bd,
     double_double Omega_a, double_double Omega_d)
 {
@@ -537,14 +537,14 @@ static double_double discriminant_dd(double_double c_a, double_double c_d, doubl
     return E_b;
 }
 
-/* K^2 - 2 H c_b over any numbers. */
+/* K^2 - 2 H c_b, for numbers of any kind. */
 static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
 {
     const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
-/* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates. */
 static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
     double Omega_3, double E_2)
 {
@@ -586,7 +586,7 @@ static INLINED double circulation(double c_12, double c_13, double c_23, double 
     return sorted_body;
 }
 
-/* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
+/* Signs, invariants, amplitudes and functions at t = 0; E_b is from `_discriminant`. */
 static FLAT void initial_state(lanes *lane)
 {
     for (size_t i = 0; i < LANES; i++) {
@@ -1567,7 +1567,7 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
     *complement_out = complement;
 }
 
-/* Constants of both directions; reach: the p t^2 beyond which phases are known. */
+/* Constants of `_along_state`; phases are known where p t^2 exceeds reach. */
 static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
     double_double Omega_b0, double_double Omega_d0, double axis_a, double axis_b,
@@ -1604,7 +1604,7 @@ static void along_constants(double_double c_a, double_double c_b, double_double 
     motion->reach = reach;
 }
 
-/* Changes of the rates where p and r grow alike, and where r does. */
+/* Derivatives of the rates where p and r grow equally, and where r alone grows. */
 static void along_state(const torque_free_along *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
     const double *restrict E_t_in, const double *restrict f_in,
@@ -1692,7 +1692,7 @@ static void along_state(const torque_free_along *motion, size_t n, const double 
     }
 }
 
-/* Constants of sensitivities of the rates, at t = 0. */
+/* Constants of the rates' sensitivities. */
 static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
     double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
@@ -1793,7 +1793,7 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->d_by_c_d = dd_rounded(d_by_c_d);
 }
 
-/* Changes of the rates, and integrals of their squares, from functions of the time. */
+/* Derivatives of the rates, and integrals of the squares of rates. */
 static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
     const double *restrict E_t_in, const double *restrict f_in,
@@ -2082,7 +2082,7 @@ static void real_constants(double_double p, double_double r, double_double apart
     motion->F_9 = F_9;
 }
 
-/* Angles of the elapsed time where m <= 1/2, at t + t_lo. */
+/* Angles of the elapsed time t + t_lo for m <= 1/2. */
 static void real_angles(const torque_free_real *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict sin_v_out,
     double *restrict cos_v_out)
@@ -2109,7 +2109,7 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
     }
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`. */
+/* S_t, C_t, D_t, E_t and D_t F_t for m <= 1/2. */
 static void real_state(const torque_free_real *motion, size_t n, const double *restrict sin_v_in,
     const double *restrict cos_v_in, const double *restrict t_in,
     double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
@@ -2351,7 +2351,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->F_9 = F_9;
 }
 
-/* Angles of the elapsed time where m > 1/2, at t + t_lo. */
+/* Angles of the elapsed time t + t_lo for m > 1/2. */
 static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
     double *restrict y_out, double *restrict side_out, double *restrict flip_out,
@@ -2417,7 +2417,7 @@ static void imaginary_angles(const torque_free_imaginary *motion, size_t n, cons
     }
 }
 
-/* S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`. */
+/* S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase for m > 1/2. */
 static void imaginary_state(const torque_free_imaginary *motion, size_t n, const double *restrict w_in,
     const double *restrict p2_in, const double *restrict y_in,
     const double *restrict side_in, const double *restrict flip_in,
@@ -2530,7 +2530,7 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
     }
 }
 
-/* Constants of sensitivities of the attitude, at t = 0; not at rest. */
+/* Constants of the attitude's sensitivities for a moving body. */
 static void turn_constants(double c1, double c2, double c3, double c12, double c13, double c23, double Omega1_0,
     double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
     torque_free_turn *motion)
@@ -2597,7 +2597,7 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
     motion->B33 = B33;
 }
 
-/* Changes of the attitude, and of the state with the time. */
+/* Derivatives of the attitude by the inputs, and of the state by the time. */
 static void turn_state(const torque_free_turn *motion, size_t n, const double *restrict q0_in,
     const double *restrict q1_in, const double *restrict q2_in,
     const double *restrict q3_in, const double *restrict Omega1_in,
@@ -2941,14 +2941,14 @@ static int is_rounded_once(void)
 }
 
 static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
-static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
-static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
-static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
-static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
-static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
-static const double max_real = 0.5; /* 2^-1, of m where the elapsed time has thetas of its own; above, of i times it */
-static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
-static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
+static const double decisive = 8.470329472543003e-22; /* 2^-70, share of a tilt; rates that cause less may be taken for zero */
+static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, E_b in inner units; below it, motions are on the separatrix */
+static const double tolerated = 8.673617379884035e-19; /* 2^-60, error of such motions, as a share of the momentum */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
+static const double max_circular = 0.5; /* 2^-1, k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_real = 0.5; /* 2^-1, m for thetas of real elapsed time; above it, of imaginary time */
+static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
+static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* The mark of a prepared motion: a number that memory hardly has by chance. */
@@ -2985,7 +2985,7 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
-/* x 2^n, which `ldexp` says where the power is no double. */
+/* x 2^n, by `ldexp` where 2^n is no normal double. */
 static double scaled_by(double x, int n)
 {
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
@@ -3007,13 +3007,13 @@ static int all_finite(size_t n, const double *x)
 
 static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
 
-/* c_j - c_k of two different axes, from what each moment is above the next in turn. */
+/* c_j - c_k of two different axes; apart holds the differences of each moment and the next in turn. */
 static double_double difference(const double_double apart[3], int j, int k)
 {
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* The axes by their moments, largest first; equal ones stay in their order. */
+/* Sort the axes by their moments, largest first; equal ones keep their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
@@ -3037,7 +3037,7 @@ static double side_of(const double_double apart[3], const double_double omega[3]
                        !is_zero(omega[l]), E_2);
 }
 
-/* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
+/* E_b to all digits of a double_double, in exact arithmetic where its terms cancel. */
 static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
 {
     const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
@@ -3071,7 +3071,7 @@ static void steady_init(torque_free_motion *motion, const double_double omega[3]
         motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
 }
 
-/* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
+/* Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0. */
 static void limit(torque_free_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
@@ -3079,7 +3079,7 @@ static void limit(torque_free_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where no constant of a motion and no rate, up to its amplitude, overflows. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -3088,7 +3088,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+/* Copy lane i of the constants of a branch to a motion; return a code. */
 static int take(torque_free_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
     const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
@@ -3102,7 +3102,7 @@ static int take(torque_free_motion *motion, const lanes *lane, size_t i, const d
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* Put into lane i the numbers that a motion's constants are made from. */
+/* Write the numbers that the constants of a motion are computed from to lane i. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
@@ -3117,7 +3117,7 @@ static void put(lanes *lane, size_t i, const torque_free_motion *motion, const d
     lane->unit[i] = motion->unit;
 }
 
-/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+/* Copy a used lane to all that are not used, so that unused lanes raise no exceptions. */
 static void repeat(lanes *lane, const int own[LANES])
 {
     double *row = (double *)lane;
@@ -3129,7 +3129,7 @@ static void repeat(lanes *lane, const int own[LANES])
             row[k + i] = own[i] ? row[k + i] : row[k + from];
 }
 
-/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+/* Compute the constants of those of n motions that are on one branch, from the lanes of `initial_state`. */
 static void branch_init(const lanes *lane, int branch, size_t n, torque_free_motion *motion, int *code)
 {
     lanes alike = *lane;
@@ -3157,7 +3157,7 @@ static void branch_init(const lanes *lane, int branch, size_t n, torque_free_mot
             code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
 }
 
-/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+/* Compute the constants of n motions that `begin` wrote to lanes, and their codes; steady ones have theirs. */
 static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *code)
 {
     int own[LANES], count = 0;
@@ -3231,7 +3231,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* Keep the numbers that sensitivities are made from. */
+/* Copy the numbers that sensitivities are computed from to the motion. */
 static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -3242,9 +3242,9 @@ static void keep(torque_free_motion *motion, const double_double c[3], const dou
     }
 }
 
-/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
-   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
-   the rates before faint ones were taken for zero. */
+/* Set all of a motion but the constants of its branch, and write what these are computed from to lane i.
+   c, apart (differences of each moment and the next in turn), the rates `given` and q are in inner
+   units. */
 static void begin(torque_free_motion *motion, lanes *lane, size_t i, const double_double c[3],
                   const double_double apart[3], const double_double given[3], const double_double q[4],
                   const double_double *known, double unit)
@@ -3289,7 +3289,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
         steady_init(motion, omega, unit_q);
 }
 
-/* Begin a motion from doubles, or return a code. */
+/* Check doubles and begin a motion with them; return a code. */
 static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -3394,7 +3394,7 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
     return end(motion, &made, &lane);
 }
 
-/* Times in inner units, and whether all of them are near enough and whether one is zero. */
+/* Scale times to inner units; return 1 if all are within the domain, and set *zero if one is zero. */
 static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
@@ -3430,7 +3430,7 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+/* Compute n states from the angles, in rows s apart: two on the steady branch, at most six on the
    others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
@@ -3472,7 +3472,7 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
         hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s);
 }
 
-/* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
+/* Prefetch the cache lines that the next block of rows will be written to. */
 static void fetch(const double *q, const double *omega)
 {
 #ifdef __GNUC__
@@ -3485,7 +3485,7 @@ static void fetch(const double *q, const double *omega)
 #endif
 }
 
-/* A motion is at its start at t = 0, to the last bit. */
+/* Write the exact initial state of a motion. */
 static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
@@ -3494,7 +3494,7 @@ static void at_initial_state(const torque_free_motion *motion, double *q, double
         omega[k] = motion->omega0[k];
 }
 
-/* Why a motion has no states at some of these times. */
+/* Return the code for times at which a motion has no states. */
 static int refusal(const torque_free_motion *motion, size_t n, const double *t)
 {
     if (!all_finite(n, t))
@@ -3510,7 +3510,7 @@ static void no_states(size_t n, double *q, double *omega)
         omega[i] = (double)NAN;
 }
 
-/* The states at n times; times that are too late are refused, or have none where `lenient`. */
+/* Write the states at n times; late times are refused, or have states of NaN where `lenient`. */
 static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -3605,8 +3605,7 @@ static void grid_angles(const torque_free_motion *motion, double start, double s
     block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
-/* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
-   turned. */
+/* Write n <= BLOCK^2 states from number `first` on: angles are evaluated once in a block, and turned. */
 static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
@@ -3638,7 +3637,7 @@ static void grid_states_one_by_one(const torque_free_motion *motion, double star
     }
 }
 
-/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
+/* Return the index of the first of n samples, from number `first` on, that is at t = 0; n if there is none. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
     const int stands = is_zero(dd_of(step));
@@ -3675,7 +3674,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
-/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+/* Prepare the motions of at most as many bodies as there are lanes, with codes; return how many. */
 static size_t several_init(torque_free_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
                            const double *inertia, const double *omega0, const double *attitude0)
 {
@@ -3689,7 +3688,7 @@ static size_t several_init(torque_free_motion motion[LANES], int code[LANES], la
     return count;
 }
 
-/* The states of one of many bodies; times that are too late have none where `lenient`. */
+/* Write the states of one of many bodies; late times have states of NaN where `lenient`. */
 static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -3740,7 +3739,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "d63cd023e30e959363a17ca6dbf295573826a2298dae4780c1baa45874aaa245"; }
+const char *torque_free_digest(void) { return "fc62ed07d1a0c72d5bccf5dd73e24d2f4fef603a12576fca8e6116bcf4c8dd46"; }
 
 const char *torque_free_message(int code)
 {
@@ -3797,7 +3796,7 @@ const char *torque_free_rule(int code)
     }
 }
 
-/* The number of sensitivities computed side by side: each takes some ninety doubles of stack. */
+/* The number of sensitivities computed side by side: each needs about ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
@@ -3839,7 +3838,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    /* A motion hardly turns over where the time of that is not known. */
+    /* The time at which a motion turns over is known on the hyperbolic branch alone; others hardly do. */
     const int turns_over = motion->branch == 2;
     const double reach = turns_over ? 1.0 : never;
     const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
@@ -3860,7 +3859,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                        &made->turn);
 }
 
-/* S_t, C_t, D_t, E_t, D_t F_t, what has passed and the turns at n inner times, in rows s apart. */
+/* Write S_t, C_t, D_t, E_t, D_t F_t, the integral over the phase and its turns, in rows s apart. */
 static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
 {
     double in[11 * SENSITIVE], rest[SENSITIVE];
@@ -3877,7 +3876,7 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* Doubles that a state has in `attitude`, as in `rates`; and in attitude_t, as in rates_t. */
+/* The numbers of doubles of one state in `attitude` and in `rates`, then in attitude_t and in rates_t. */
 static size_t width_of(int asked)
 {
     const size_t first = asked & TORQUE_FREE_BY_ATTITUDE0 ? 9 : 0, second = asked & TORQUE_FREE_BY_OMEGA0 ? 9 : 0;
@@ -3886,8 +3885,7 @@ static size_t width_of(int asked)
 
 static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
 
-/* Put three columns of a row: the chosen ones by the turn at t = 0, omega0 and the moments are the
-   groups of a row, one after the other. */
+/* Write three columns of each chosen group of a row: by the turn at t = 0, omega0 and the moments. */
 static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
                             size_t i, double by_rate, double by_moment, double again)
 {
@@ -3903,8 +3901,8 @@ static INLINED void put_row(int asked, double *restrict row, const double turn[3
     }
 }
 
-/* The rows of n states, of turns by omega0 and the moments, 18, and of turns and rates by the time, six;
-   by: those of rates by omega0 and the moments. */
+/* Write the rows of n states.  turned_by: 18 derivatives of the turn by omega0 and the moments, then six
+   of turn and rates by the time; by: 18 derivatives of the rates. */
 static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t n, const double *restrict turned_by,
                              const double *const by[18], double *restrict attitude, double *restrict rates,
                              double *restrict attitude_t, double *restrict rates_t)
@@ -3932,7 +3930,7 @@ static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t
     }
 }
 
-/* Write the changes of n <= SENSITIVE states, at inner times t. */
+/* Write the derivatives of n <= SENSITIVE states at inner times t. */
 static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
@@ -3972,7 +3970,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
         put_rows(asked, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
 }
 
-/* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
+/* Write the derivatives of a body at rest, which begins to turn when given rates, or of any body at t = 0. */
 static void plain_sensitivity(const torque_free_motion *motion, double t, int asked, double *restrict attitude,
                               double *restrict rates)
 {
@@ -4011,7 +4009,7 @@ static void no_changes(size_t n, int asked, double *attitude, double *rates, dou
     no_numbers(width_t(asked) * n, rates_t);
 }
 
-/* Sensitivities of n states, after these; where lenient, times that are too late have none. */
+/* Write n states and their sensitivities; late times have NaN where `lenient`. */
 static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, int asked, double *q,
                             double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
                             int lenient)
@@ -4041,7 +4039,7 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
         for (size_t k = 0; (made.at_rest || zero) && k < count; k++)
             if (made.at_rest || !(t[i + k] < 0.0 || t[i + k] > 0.0))
                 plain_sensitivity(motion, t[i + k], asked, turns + width * k, changes + width * k);
-        /* While a block is in the cache it is seen whether any number is lost. */
+        /* Look for lost numbers while the block is in the cache. */
         if (near && !any_lost(width * count, turns) && !any_lost(width * count, changes))
             continue;
         for (size_t k = 0; k < count; k++) {

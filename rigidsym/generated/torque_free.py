@@ -36,47 +36,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  6.9e-43
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  7.6e-53
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest af23706c98fe6cfaabed1f731bfd0283a241d5b64d01bfffcf1de766c6789824
+digest 2fc97257d51d07f71f5a1729167c1173ee9c44d0d1ec9975bc66e1f3393a534c
 """
 
 # ruff: noqa
@@ -263,7 +226,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the exponent of x, over a number between 1/2 and 1."""
+    """Return the e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -277,7 +240,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """Return the column of an axis, which is the same for all bodies or one for each."""
+    """Select the column of an axis, or for each body the column of its own axis."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -287,7 +250,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Return the columns, in reverse order where `first` holds."""
+    """Reverse the order of the columns where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -297,7 +260,7 @@ pi = _DoubleDouble(3.141592653589793, 1.2246467991473532e-16)  # pi
 pi_hi = 3.141592653589793  # pi
 pi_lo = 1.2246467991473532e-16  # pi - pi_hi
 log_2 = _DoubleDouble(0.6931471805599453, 2.3190468138462996e-17)  # log_2
-never = 1e+300  # the exponent of what has vanished
+never = 1e+300  # an exponent that stands for infinity
 over_3 = _DoubleDouble(0.3333333333333333, 1.850371707708594e-17)  # 1/3
 over_5 = _DoubleDouble(0.2, -1.1102230246251566e-17)  # 1/5
 over_7 = _DoubleDouble(0.14285714285714285, 7.93016446160826e-18)  # 1/7
@@ -333,13 +296,13 @@ cosine_7 = 4.1457287175433435e-06  # cos(pi f), z^8
 
 
 def _discriminant(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d):
-    """K^2 - 2 H c_b over any numbers."""
+    """K^2 - 2 H c_b, for numbers of any kind."""
     E_b = c_a * c_ab * (Omega_a * Omega_a) - c_d * c_bd * (Omega_d * Omega_d)  # fact: regular.E_b; (6), (15)
     return E_b
 
 
 def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
-    """1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."""
+    """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
     common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
@@ -379,7 +342,7 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
 
 
 def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d):
-    """Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."""
+    """Signs, invariants, amplitudes and functions at t = 0; E_b is from `_discriminant`."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     sigma = _choose(0, _rounded(Omega_a), 1, -1)  # fact: choice start_signs.sigma; (12)
     rho = _choose(0, _rounded(c_ad), 1, -1)  # fact: choice start_signs.rho; (12)
@@ -982,7 +945,7 @@ def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, 
 
 
 def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach):
-    """Constants of both directions; reach: the p t^2 beyond which phases are known."""
+    """Constants of `_along_state`; phases are known where p t^2 exceeds reach."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
     alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
@@ -1002,7 +965,7 @@ def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_
 
 
 def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r, share, half_over_p, reach):
-    """Changes of the rates where p and r grow alike, and where r does."""
+    """Derivatives of the rates where p and r grow equally, and where r alone grows."""
     common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
     common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
     below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
@@ -1047,7 +1010,7 @@ def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Ome
 
 
 def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d):
-    """Constants of sensitivities of the rates, at t = 0."""
+    """Constants of the rates' sensitivities."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
     alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
@@ -1107,7 +1070,7 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
 
 
 def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k, kappa_a, kappa_d, p, apart, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
-    """Changes of the rates, and integrals of their squares, from functions of the time."""
+    """Derivatives of the rates, and integrals of the squares of rates."""
     common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5)
     common_2 = common_1 * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5)
     Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_2 * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
@@ -1258,7 +1221,7 @@ def _real_constants(p, r, apart, lambda_, divisor, modulus, complement):
 
 
 def _real_angles(t, v_rate_hi, v_rate_lo):
-    """Angles of the elapsed time where m <= 1/2, at t + t_lo."""
+    """Angles of the elapsed time t + t_lo for m <= 1/2."""
     v = v_rate_hi * t  # arithmetic: Dekker 1971
     v_error = _product_error(v_rate_hi, t, v) + v_rate_lo * t  # arithmetic: Dekker 1971
     v_whole = _nearest(v)  # classical: DLMF 4.16
@@ -1275,7 +1238,7 @@ def _real_angles(t, v_rate_hi, v_rate_lo):
 
 
 def _real_state(sin_v, cos_v, t, even_0, even_1, even_2, odd_0, odd_1, sine_even_0, sine_even_1, sine_even_2, sine_odd_0, sine_odd_1, gain_S, gain_C, gain_D, E_rate, slope_0, slope_1, slope_2, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
-    """S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`."""
+    """S_t, C_t, D_t, E_t and D_t F_t for m <= 1/2."""
     x = 1 - 2 * (sin_v * sin_v)  # classical: DLMF 4.21.27
     x2 = x * x  # classical: DLMF 20.2.1, DLMF 20.2.4
     sum_even = _horner(x2, even_0, even_1, even_2)  # classical: DLMF 20.2.4
@@ -1413,7 +1376,7 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement, y0):
 
 
 def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse):
-    """Angles of the elapsed time where m > 1/2, at t + t_lo."""
+    """Angles of the elapsed time t + t_lo for m > 1/2."""
     p_y = y_rate_hi * t  # arithmetic: Dekker 1971
     p_y_error = _product_error(y_rate_hi, t, p_y) + y_rate_lo * t  # arithmetic: Dekker 1971
     periods = _nearest(p_y * period_inverse)  # classical: DLMF 20.2.7
@@ -1452,7 +1415,7 @@ def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_l
 
 
 def _imaginary_state(w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns, t, nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
-    """S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`."""
+    """S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase for m > 1/2."""
     common_1 = w * w  # classical: DLMF 20.2.2, DLMF 20.2.1
     qw2 = nome2 * common_1  # classical: DLMF 20.2.2
     w2 = common_1  # classical: DLMF 20.2.1, DLMF 20.2.2
@@ -1497,7 +1460,7 @@ def _imaginary_state(w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns
 
 
 def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
-    """Constants of sensitivities of the attitude, at t = 0; not at rest."""
+    """Constants of the attitude's sensitivities for a moving body."""
     common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n1_0; (3)
     common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n2_0; (3)
     common_3 = c3 * Omega3_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n3_0; (3)
@@ -1540,7 +1503,7 @@ def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0,
 
 
 def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
-    """Changes of the attitude, and of the state with the time."""
+    """Derivatives of the attitude by the inputs, and of the state by the time."""
     common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
     common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
     R11 = 1 - 2 * (common_1 + common_2)  # fact: definition turned_columns.R11; (3)
@@ -1747,14 +1710,14 @@ SENSITIVITY = {
 
 
 NEGLIGIBLE = 2.0**-400  # rates below this share of the largest are taken for zero
-DECISIVE = 2.0**-70  # of others' share in a tilt, below which those may be taken for zero
-MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix is taken for it
-TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
-MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
-MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
-MAX_REAL = 2.0**-1  # of m where the elapsed time has thetas of its own; above, of i times it
-MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
-MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
+DECISIVE = 2.0**-70  # share of a tilt; rates that cause less may be taken for zero
+MIN_DISCRIMINANT = 2.0**-900  # E_b in inner units; below it, motions are on the separatrix
+TOLERATED = 2.0**-60  # error of such motions, as a share of the momentum
+MIN_MOMENT_RATIO = 2.0**-200  # ratio of two principal moments
+MAX_CIRCULAR = 2.0**-1  # k_1^2 on the circular branch; above it, the hyperbolic one
+MAX_REAL = 2.0**-1  # m for thetas of real elapsed time; above it, of imaginary time
+MAX_ANGLE = 2.0**46  # |omega0 t|, rad
+MAX_RATE = 2.0**990  # a rate, rad/s; exact products with it do not overflow
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
 _LEAST = 2.0**-1074
@@ -1762,7 +1725,7 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """An input that breaks a rule: its field, the rule, and the first body and time that do.
+    """Invalid input, with the field, the broken rule, and the first body and time that break it.
 
     Bodies are counted through the leading axes.
     """
@@ -1776,13 +1739,13 @@ class _RefusedError(ValueError):
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
-    """Prepare constants of free motions, for `states`; they share no memory with the caller.
+    """Compute the constants of free motions that `states` takes.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
-    positive where they have to be, or of too different size; with errors="nan" bodies of such
-    numbers are kept, and their states are NaN.
+    shapes broadcast; no memory is shared.  Raises ValueError for wrong shapes and for numbers that
+    are not finite, not positive where they have to be, or of too different size; with errors="nan"
+    bodies of such numbers are kept, and their states are NaN.
     """
     given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
     shape, lenient = _batch(*given), _is_lenient(errors)
@@ -1802,7 +1765,7 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
 
 @np.errstate(all="ignore")
 def _made(columns, shape, refused):
-    """Prepare motions from inertia, omega0 and attitude0 by columns.
+    """Compute the constants of motions from columns of inertia, omega0 and attitude0.
 
     Columns are arrays (B,), or Python's floats of one body.  Refused bodies are noted in `refused`
     (B,), or raise an error where it is None.  Python raises an ArithmeticError where arrays
@@ -1828,7 +1791,7 @@ def _made(columns, shape, refused):
 
 
 def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
-    """Prepare one motion whose numbers are known beyond binary64, each the sum of two doubles.
+    """Compute the constants of one motion from double-doubles, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
@@ -1853,7 +1816,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """Prepare motions from c, given (rates) and q, which are columns of pairs in inner units.
+    """Compute the constants of motions from scaled columns: moments c, rates `given`, attitudes q.
 
     apart: what each moment is above the next in turn.
     """
@@ -1891,7 +1854,7 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
 
 
 def _rows(columns):
-    """Stack columns side by side, (B, N)."""
+    """Stack N columns of B numbers into an array of shape (B, N)."""
     many = isinstance(columns[0], np.ndarray)
     return np.stack(columns, axis=-1) if many else np.array([columns])
 
@@ -1901,7 +1864,7 @@ def _pair_rows(columns):
 
 
 def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the group of bodies whose rates are constant."""
+    """Append the group of bodies with constant rates to `made`."""
     rest = _largest([x.hi for x in omega]) == 0
     first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
     values = _steady_constants(first, omega[1], omega[2], *q)
@@ -1912,7 +1875,7 @@ def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the groups of moving bodies: the circular and the hyperbolic branch."""
+    """Append the groups of the circular and of the hyperbolic branch to `made`."""
     known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for x, axis in zip("abd", axes, strict=True):
         known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
@@ -1933,20 +1896,20 @@ def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _limit(made, index, constants, fast):
-    """Bound the times of bodies that cannot exist, which can turn much faster than at t = 0."""
+    """Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0."""
     largest = _largest([constants[name] for name in fast])
     limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
 
 
 def _check_rates(constants, amplitudes, bodies, refused):
-    """Refuse what doubles do not hold, rates up to their amplitudes."""
+    """Refuse bodies whose constants or largest rates overflow binary64."""
     held = _are_finite([*constants.values()]) & (_largest(amplitudes) <= MAX_RATE)
     _refuse("omega0", "rates beyond what binary64 can hold", held, refused, bodies)
 
 
 def _blot_out(made, refused):
-    """Set to NaN all numbers that states of refused bodies are made from."""
+    """Set all constants of refused bodies to NaN."""
     made["q0"][refused] = made["omega0"][refused] = np.nan
     for _, index, constants in made["groups"]:
         for values in constants.values():
@@ -1954,13 +1917,13 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """Return the constants of an entry by name, from arguments found by name."""
+    """Call the function of a table entry and return its results by name."""
     values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
-    """Return one number as Python's, which is faster than arrays of one."""
+    """Convert an array of one number to a Python float, which is faster to compute with."""
     if isinstance(value, _DoubleDouble):
         return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
@@ -1976,7 +1939,7 @@ def _filled(constants, size):
 
 
 def states(prepared, t, out=None, errors="raise"):
-    """Return the states (q, omega) at the times t in s.
+    """Return the attitudes q and the body rates omega at the times t in s.
 
     Shapes are (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and (..., N, 3) for t (N,) or,
     with a row for each motion, t (..., N).  q is continuous in the double cover from attitude0 on.
@@ -2007,12 +1970,12 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """Return the rows of times of some motions; one row serves all."""
+    """Return the rows of t for some bodies; a single row holds for all bodies."""
     return t if len(t) == 1 else t[bodies]
 
 
 def _begin(prepared, t, q, omega):
-    """Set motions to their start at t = 0, to the last bit."""
+    """Write the exact initial states where t = 0."""
     body, zero = np.nonzero(t == 0)
     for name, rows in (("q0", q), ("omega0", omega)):
         if zero.size and len(t) == 1:
@@ -2028,7 +1991,7 @@ def _is_lenient(errors):
 
 
 def _single(prepared, t, lenient):
-    """Return the state of one body at one time, by Python's floats."""
+    """Compute the state of one body at one time with Python floats."""
     unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
     if not -max_angle <= inner <= max_angle:
@@ -2047,7 +2010,7 @@ def _single(prepared, t, lenient):
 
 
 def _in_floats(prepared):
-    """Return the constants of one body as Python's floats; kept, since they serve every call."""
+    """Convert the constants of one body to Python floats and cache them in `prepared`."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: value.item() for key, value in constants.items()}
@@ -2077,7 +2040,7 @@ def _fits(array, shape):
 
 
 def _are_near(prepared, t):
-    """Return True where all times are finite and near enough for all bodies."""
+    """Return True if every time is finite and within the time domain of every body."""
     if not (t.size and prepared["unit"].size):
         return True
     # No array as long as a row is made for this.
@@ -2088,7 +2051,7 @@ def _are_near(prepared, t):
 
 
 def _refuse_times(prepared, t):
-    """Raise an error for the first time that is not finite or, for the first such body, too far."""
+    """Raise an error that names the first time that is not finite or beyond its body's domain."""
     for body, number in np.argwhere(~np.isfinite(t))[:1]:
         raise _RefusedError("t", _BAD_TIMES, int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
@@ -2105,7 +2068,7 @@ def _refuse_times(prepared, t):
 
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
-    """Set to NaN the states at times that are not finite or too far."""
+    """Set states to NaN at times that are not finite or beyond their body's domain."""
     step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
@@ -2117,7 +2080,7 @@ def _erase(prepared, t, q, omega):
 
 @np.errstate(all="ignore")
 def _fill(prepared, name, index, constants, t, q, omega):
-    """Fill the rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Write one group's states to the output in blocks of times, or of bodies for few times."""
     branch = BRANCHES[name]
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
@@ -2141,7 +2104,7 @@ def _fill(prepared, name, index, constants, t, q, omega):
 
 
 def _write(prepared, branch, body, columns, t, q, omega, some):
-    """Write the states of one body at a block of times, or of some bodies at all times."""
+    """Write the states of one body at a block of times, or of several bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
     axes = prepared["axes"][body]
@@ -2157,7 +2120,7 @@ def _write(prepared, branch, body, columns, t, q, omega, some):
 
 
 def _check(inertia, omega0, attitude0, refused):
-    """Refuse bodies by their numbers, which are columns."""
+    """Check columns of inertia, omega0 and attitude0, and refuse invalid bodies."""
     rows = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     for name, columns in rows.items():
         _refuse(name, "every number must be finite", _are_finite(columns), refused)
@@ -2179,7 +2142,7 @@ def _are_finite(columns):
 
 
 def _batch(inertia, omega0, attitude0):
-    """Broadcast the leading shapes."""
+    """Return the shape that the leading axes of all inputs broadcast to."""
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
@@ -2195,7 +2158,7 @@ def _batch(inertia, omega0, attitude0):
 
 
 def _refuse(field, rule, good, refused, bodies=None):
-    """Note the bodies that are not good, or raise an error with the number of the first."""
+    """Mark the bodies where `good` is False as refused, or raise an error for the first."""
     if good is not True:
         at = np.flatnonzero(np.logical_not(good))
         at = at if bodies is None else bodies[at]
@@ -2206,7 +2169,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Return the rates and E_b of the motions to follow, and the last inner times.
+    """Replace motions too near the separatrix by limiting motions; return their last times, too.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -2243,7 +2206,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Return which motions become separatrix or spin, which become spin, and their last times.
+    """Return which motions to replace, which of those by spins, and their last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -2275,7 +2238,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Divide columns by a power of two that brings the largest into [1, 2); return it, too."""
+    """Scale columns by a power of two so that the largest lies in [1, 2); return both."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -2287,7 +2250,7 @@ def _scaled(columns):
 
 
 def _differences(apart, axes):
-    """Return c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    """Return c_a - c_b, c_a - c_d and c_b - c_d as double-doubles."""
     found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
         forward = (axes[y] - axes[x]) % 3 == 1
@@ -2312,13 +2275,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """Return E_b as a pair: where its terms cancel, from integers."""
+    """Return E_b as a double-double, from exact integers where its terms cancel."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -2338,7 +2301,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """Return E_b of one motion in integer arithmetic, as two doubles."""
+    """Compute E_b of one motion in integer arithmetic; return two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -2349,7 +2312,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Return Python's integers and the power of two that turns them into x."""
+    """Write the doubles x as integers times one power of two; return both."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))
@@ -2365,7 +2328,7 @@ COLUMNS = ("attitude0", "omega0", "inertia", "t")
 
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
-    """Return states at the times t in s, and their changes with the inputs.
+    """Return the states at the times t in s and their derivatives by the inputs.
 
     (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
     `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
@@ -2410,7 +2373,7 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
 
 
 def _together(shape, ends):
-    """Return zeros of these shapes in one piece of memory.
+    """Allocate arrays of zeros of several shapes in one block of memory.
 
     Allocators keep one piece where they would return several to the system, page by page.
     """
@@ -2423,7 +2386,7 @@ def _together(shape, ends):
 
 
 def _elapsed(prepared):
-    """Return the constants of sensitivities, by groups of one nome and one order of axes."""
+    """Compute the constants of sensitivities, grouped by nome and order of axes."""
     c, apart, omega, discriminant = prepared["given"]
     axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
     # Where rates are constant, too, a is the axis with p >= r.
@@ -2458,7 +2421,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """Return the phase at t = 0, and the p t^2 beyond which it is used: where it is known."""
+    """Return the phases at t = 0, and the values of p t^2 beyond which they are used."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -2468,7 +2431,7 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """Return the indices of some bodies, and their constants by the part that uses them.
+    """Return the indices of a group's bodies, and constants by the part that uses them.
 
     Constants are arrays, or Python's floats of one body.
     """
@@ -2485,16 +2448,16 @@ def _of_group(name, index, known):
 
 
 def _of_one(made, number):
-    """Return the constants of one body, as Python's floats."""
+    """Return the constants of one body as Python floats."""
     return {
         part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
     }
 
 
 def _fill_sensitivities(prepared, group, t, rows, first_of):
-    """Fill the rows of one group, in blocks: of times, or of bodies where times are few.
+    """Write the sensitivities of one group to the output arrays block by block.
 
-    Whether any number of theirs is lost.
+    Blocks are of times, or of bodies where times are few.  Returns True if any number is lost.
     """
     name, order, index, made = group
     size, lost = t.shape[1], False
@@ -2530,9 +2493,9 @@ def _fill_sensitivities(prepared, group, t, rows, first_of):
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place, first_of):
-    """Write those of one body at a block of times, or of some bodies at all times.
+    """Write the sensitivities of one body at a block of times, or of several at all times.
 
-    Whether any of them is lost.
+    Returns True if any number is lost.
     """
     unit, moment_unit = units
     known = {"t": unit * t}
@@ -2589,13 +2552,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """Return the results of a function of the time, by name."""
+    """Call a function of the time and return its results by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """Fill the changes of bodies at rest, which begin to turn as they are given rates."""
+    """Write the sensitivities of bodies at rest, which begin to turn when given rates."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [
@@ -2611,14 +2574,14 @@ def _at_rest(prepared, t, rows, first_of, at_once):
 
 
 def _unchanged(t, rows, at_once):
-    """Set the changes at t = 0 to those given."""
+    """Write the exact initial derivatives where t = 0."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
         rows[2][some, time], rows[3][some, time] = at_once
 
 
 def _check_held(rows, errors):
-    """Refuse times at which changes have no numbers: where their squares leave binary64."""
+    """Refuse times at which squares of derivatives overflow binary64, or write NaN there."""
     lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows], axis=0)
     if not np.any(lost):
         return

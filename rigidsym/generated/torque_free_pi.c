@@ -306,7 +306,7 @@ static const double_double pi = {3.141592653589793, 1.2246467991473532e-16}; /* 
 static const double pi_hi = 3.141592653589793; /* pi */
 static const double pi_lo = 1.2246467991473532e-16; /* pi - pi_hi */
 static const double_double log_2 = {0.6931471805599453, 2.3190468138462996e-17}; /* log_2 */
-static const double never = 1e+300; /* the exponent of what has vanished */
+static const double never = 1e+300; /* an exponent that stands for infinity */
 static const double_double over_3 = {0.3333333333333333, 1.850371707708594e-17}; /* 1/3 */
 static const double_double over_5 = {0.2, -1.1102230246251566e-17}; /* 1/5 */
 static const double_double over_7 = {0.14285714285714285, 7.93016446160826e-18}; /* 1/7 */
@@ -353,8 +353,8 @@ static const double exponential_5 = 2.4801536334724617e-05; /* e^r, r^8 */
 static const double exponential_6 = 2.7557280025515365e-06; /* e^r, r^9 */
 static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
 static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
-static const double deepest = 100.0; /* beyond it tanh is 1 and sech is nothing */
-static const double least_c = 1e-45; /* sech where it is nothing */
+static const double deepest = 100.0; /* beyond it tanh is 1 and sech is 0 */
+static const double least_c = 1e-45; /* stands for sech where that is 0 */
 
 typedef struct {
     double c_a_hi[LANES];
@@ -529,7 +529,7 @@ static INLINED double exponential(double x)
     return value;
 }
 
-/* K^2 - 2 H c_b over any numbers. */
+/* K^2 - 2 H c_b, for numbers of any kind. */
 static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab, double_double c_bd,
     double_double Omega_a, double_double Omega_d)
 {
@@ -537,14 +537,14 @@ static double_double discriminant_dd(double_double c_a, double_double c_d, doubl
     return E_b;
 }
 
-/* K^2 - 2 H c_b over any numbers. */
+/* K^2 - 2 H c_b, for numbers of any kind. */
 static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
 {
     const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
-/* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates. */
 static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
     double Omega_3, double E_2)
 {
@@ -586,7 +586,7 @@ static INLINED double circulation(double c_12, double c_13, double c_23, double 
     return sorted_body;
 }
 
-/* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
+/* Signs, invariants, amplitudes and functions at t = 0; E_b is from `_discriminant`. */
 static FLAT void initial_state(lanes *lane)
 {
     for (size_t i = 0; i < LANES; i++) {
@@ -1810,13 +1810,13 @@ static int is_rounded_once(void)
 }
 
 static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
-static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
-static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
-static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
-static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
-static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
-static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
-static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
+static const double decisive = 8.470329472543003e-22; /* 2^-70, share of a tilt; rates that cause less may be taken for zero */
+static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, E_b in inner units; below it, motions are on the separatrix */
+static const double tolerated = 8.673617379884035e-19; /* 2^-60, error of such motions, as a share of the momentum */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
+static const double max_circular = 0.5; /* 2^-1, k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
+static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
 #define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
 
 /* The mark of a prepared motion: a number that memory hardly has by chance. */
@@ -1853,7 +1853,7 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
-/* x 2^n, which `ldexp` says where the power is no double. */
+/* x 2^n, by `ldexp` where 2^n is no normal double. */
 static double scaled_by(double x, int n)
 {
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
@@ -1875,13 +1875,13 @@ static int all_finite(size_t n, const double *x)
 
 static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
 
-/* c_j - c_k of two different axes, from what each moment is above the next in turn. */
+/* c_j - c_k of two different axes; apart holds the differences of each moment and the next in turn. */
 static double_double difference(const double_double apart[3], int j, int k)
 {
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* The axes by their moments, largest first; equal ones stay in their order. */
+/* Sort the axes by their moments, largest first; equal ones keep their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
@@ -1905,7 +1905,7 @@ static double side_of(const double_double apart[3], const double_double omega[3]
                        !is_zero(omega[l]), E_2);
 }
 
-/* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
+/* E_b to all digits of a double_double, in exact arithmetic where its terms cancel. */
 static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
 {
     const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
@@ -1939,7 +1939,7 @@ static void steady_init(torque_free_pi_motion *motion, const double_double omega
         motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
 }
 
-/* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
+/* Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0. */
 static void limit(torque_free_pi_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
@@ -1947,7 +1947,7 @@ static void limit(torque_free_pi_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where no constant of a motion and no rate, up to its amplitude, overflows. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -1956,7 +1956,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+/* Copy lane i of the constants of a branch to a motion; return a code. */
 static int take(torque_free_pi_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
     const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
@@ -1970,7 +1970,7 @@ static int take(torque_free_pi_motion *motion, const lanes *lane, size_t i, cons
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_PI_OK : TORQUE_FREE_PI_RATES;
 }
 
-/* Put into lane i the numbers that a motion's constants are made from. */
+/* Write the numbers that the constants of a motion are computed from to lane i. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_pi_motion *motion, const double_double c[3],
@@ -1985,7 +1985,7 @@ static void put(lanes *lane, size_t i, const torque_free_pi_motion *motion, cons
     lane->unit[i] = motion->unit;
 }
 
-/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+/* Copy a used lane to all that are not used, so that unused lanes raise no exceptions. */
 static void repeat(lanes *lane, const int own[LANES])
 {
     double *row = (double *)lane;
@@ -1997,7 +1997,7 @@ static void repeat(lanes *lane, const int own[LANES])
             row[k + i] = own[i] ? row[k + i] : row[k + from];
 }
 
-/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+/* Compute the constants of those of n motions that are on one branch, from the lanes of `initial_state`. */
 static void branch_init(const lanes *lane, int branch, size_t n, torque_free_pi_motion *motion, int *code)
 {
     lanes alike = *lane;
@@ -2025,7 +2025,7 @@ static void branch_init(const lanes *lane, int branch, size_t n, torque_free_pi_
             code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
 }
 
-/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+/* Compute the constants of n motions that `begin` wrote to lanes, and their codes; steady ones have theirs. */
 static void moving_init(lanes *lane, size_t n, torque_free_pi_motion *motion, int *code)
 {
     int own[LANES], count = 0;
@@ -2099,7 +2099,7 @@ static void follow(torque_free_pi_motion *motion, const double_double c[3], cons
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* Keep the numbers that sensitivities are made from. */
+/* Copy the numbers that sensitivities are computed from to the motion. */
 static void keep(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -2110,9 +2110,9 @@ static void keep(torque_free_pi_motion *motion, const double_double c[3], const 
     }
 }
 
-/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
-   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
-   the rates before faint ones were taken for zero. */
+/* Set all of a motion but the constants of its branch, and write what these are computed from to lane i.
+   c, apart (differences of each moment and the next in turn), the rates `given` and q are in inner
+   units. */
 static void begin(torque_free_pi_motion *motion, lanes *lane, size_t i, const double_double c[3],
                   const double_double apart[3], const double_double given[3], const double_double q[4],
                   const double_double *known, double unit)
@@ -2157,7 +2157,7 @@ static void begin(torque_free_pi_motion *motion, lanes *lane, size_t i, const do
         steady_init(motion, omega, unit_q);
 }
 
-/* Begin a motion from doubles, or return a code. */
+/* Check doubles and begin a motion with them; return a code. */
 static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -2262,7 +2262,7 @@ int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, con
     return end(motion, &made, &lane);
 }
 
-/* Times in inner units, and whether all of them are near enough and whether one is zero. */
+/* Scale times to inner units; return 1 if all are within the domain, and set *zero if one is zero. */
 static int scaled_times(const torque_free_pi_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
@@ -2298,7 +2298,7 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+/* Compute n states from the angles, in rows s apart: two on the steady branch, at most six on the
    others; `out` has room for seven. */
 static void block_states(const torque_free_pi_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
@@ -2340,7 +2340,7 @@ static void block_angles(const torque_free_pi_motion *motion, size_t n, size_t s
         hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
 }
 
-/* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
+/* Prefetch the cache lines that the next block of rows will be written to. */
 static void fetch(const double *q, const double *omega)
 {
 #ifdef __GNUC__
@@ -2353,7 +2353,7 @@ static void fetch(const double *q, const double *omega)
 #endif
 }
 
-/* A motion is at its start at t = 0, to the last bit. */
+/* Write the exact initial state of a motion. */
 static void at_initial_state(const torque_free_pi_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
@@ -2362,7 +2362,7 @@ static void at_initial_state(const torque_free_pi_motion *motion, double *q, dou
         omega[k] = motion->omega0[k];
 }
 
-/* Why a motion has no states at some of these times. */
+/* Return the code for times at which a motion has no states. */
 static int refusal(const torque_free_pi_motion *motion, size_t n, const double *t)
 {
     if (!all_finite(n, t))
@@ -2378,7 +2378,7 @@ static void no_states(size_t n, double *q, double *omega)
         omega[i] = (double)NAN;
 }
 
-/* The states at n times; times that are too late are refused, or have none where `lenient`. */
+/* Write the states at n times; late times are refused, or have states of NaN where `lenient`. */
 static int states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -2473,8 +2473,7 @@ static void grid_angles(const torque_free_pi_motion *motion, double start, doubl
     block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
-/* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
-   turned. */
+/* Write n <= BLOCK^2 states from number `first` on: angles are evaluated once in a block, and turned. */
 static void grid_states(const torque_free_pi_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
@@ -2506,7 +2505,7 @@ static void grid_states_one_by_one(const torque_free_pi_motion *motion, double s
     }
 }
 
-/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
+/* Return the index of the first of n samples, from number `first` on, that is at t = 0; n if there is none. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
     const int stands = is_zero(dd_of(step));
@@ -2543,7 +2542,7 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
     return TORQUE_FREE_PI_OK;
 }
 
-/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+/* Prepare the motions of at most as many bodies as there are lanes, with codes; return how many. */
 static size_t several_init(torque_free_pi_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
                            const double *inertia, const double *omega0, const double *attitude0)
 {
@@ -2557,7 +2556,7 @@ static size_t several_init(torque_free_pi_motion motion[LANES], int code[LANES],
     return count;
 }
 
-/* The states of one of many bodies; times that are too late have none where `lenient`. */
+/* Write the states of one of many bodies; late times have states of NaN where `lenient`. */
 static int states_of(const torque_free_pi_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -2608,7 +2607,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "62ed60ef9622f835e5cd9835e5370b559755760d556184bd00af16a325fe3409"; }
+const char *torque_free_pi_digest(void) { return "56011c098d6097162495cdb1c9a464fd70cdf7836464ef83a5f0f189aadc4024"; }
 
 const char *torque_free_pi_message(int code)
 {

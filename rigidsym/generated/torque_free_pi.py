@@ -24,8 +24,8 @@ Lines of code:
      69   5 %  are arithmetic: sums, products, quotients, roots, reductions
     681  50 %  are the runtime, written by hand
 
-Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
-what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
+Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
+uniqueness of solutions.  Special functions (Landen's ladder, the arithmetic-geometric mean,
 Carlson's R_J, angles and their reduction) are truncated as follows;
 `rigidsym._codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:
@@ -37,47 +37,10 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy-pi --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.4e-16  9.7e-16
-  published              7.5e-16  1.2e-15
-  axis orders and signs  9.0e-16  8.4e-16
-  uniform                1.1e-15  1.1e-15
-  near separatrix        1.4e-15  1.1e-15
-  beside separatrix      1.3e-15  5.6e-16
-  nearest separatrix     1.3e-15  4.9e-16
-  separatrix             1.2e-15  5.6e-16
-  symmetric              8.4e-16  4.7e-16
-  near prolate           1.5e-15  9.5e-16
-  near oblate            1.2e-15  1.1e-15
-  nearest symmetric      9.8e-16  9.4e-16
-  sphere                 8.1e-16  6.9e-43
-  near sphere            1.4e-15  1.6e-15
-  nearest sphere         1.0e-15  7.3e-16
-  spin                   8.1e-16  7.6e-53
-  near spin, largest     1.3e-15  8.3e-16
-  near spin, middle      1.2e-15  4.2e-16
-  near spin, smallest    9.3e-16  5.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.3e-15  1.0e-15
-  rod                    1.3e-15  1.1e-15
-  needle                 1.8e-15  1.1e-15
-  special values         1.1e-15  1.0e-15
-  special attitudes      9.4e-16  1.0e-15
-  scales                 1.6e-15  1.0e-15
-  small scales           1.4e-15  1.1e-15
-  large scales           1.2e-15  1.1e-15
-  extreme scales         1.1e-15  1.1e-15
-  decimals               1.4e-15  1.0e-15
-  long times             1.1e-15  1.2e-15
-  longest times          1.2e-15  1.1e-15
-  near separatrix, long  1.3e-15  8.6e-16
-  branch switch          1.7e-15  1.5e-15
-  zeros of the rates     1.3e-15  8.1e-16
-  quarter periods        1.2e-15  9.6e-16
+Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 292b62e5f727dde9ec4ad6c6b5c17a6c9a852a7785184c1e38d6fc452234189b
+digest 26b470cf217d7cfb388a03fff434c2a93d4c88f8e9a14e72c7dbf53b7b35d835
 """
 
 # ruff: noqa
@@ -264,7 +227,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the exponent of x, over a number between 1/2 and 1."""
+    """Return the e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -278,7 +241,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """Return the column of an axis, which is the same for all bodies or one for each."""
+    """Select the column of an axis, or for each body the column of its own axis."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -288,7 +251,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Return the columns, in reverse order where `first` holds."""
+    """Reverse the order of the columns where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -298,7 +261,7 @@ pi = _DoubleDouble(3.141592653589793, 1.2246467991473532e-16)  # pi
 pi_hi = 3.141592653589793  # pi
 pi_lo = 1.2246467991473532e-16  # pi - pi_hi
 log_2 = _DoubleDouble(0.6931471805599453, 2.3190468138462996e-17)  # log_2
-never = 1e+300  # the exponent of what has vanished
+never = 1e+300  # an exponent that stands for infinity
 over_3 = _DoubleDouble(0.3333333333333333, 1.850371707708594e-17)  # 1/3
 over_5 = _DoubleDouble(0.2, -1.1102230246251566e-17)  # 1/5
 over_7 = _DoubleDouble(0.14285714285714285, 7.93016446160826e-18)  # 1/7
@@ -331,18 +294,18 @@ cosine_4 = -0.025806888796526702  # cos(pi f), z^5
 cosine_5 = 0.0019295558327461697  # cos(pi f), z^6
 cosine_6 = -0.00010456397431434991  # cos(pi f), z^7
 cosine_7 = 4.1457287175433435e-06  # cos(pi f), z^8
-deepest = 100.0  # beyond it tanh is 1 and sech is nothing
-least_c = 1e-45  # sech where it is nothing
+deepest = 100.0  # beyond it tanh is 1 and sech is 0
+least_c = 1e-45  # stands for sech where that is 0
 
 
 def _discriminant(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d):
-    """K^2 - 2 H c_b over any numbers."""
+    """K^2 - 2 H c_b, for numbers of any kind."""
     E_b = c_a * c_ab * (Omega_a * Omega_a) - c_d * c_bd * (Omega_d * Omega_d)  # fact: regular.E_b; (6), (15)
     return E_b
 
 
 def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
-    """1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."""
+    """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
     common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
@@ -382,7 +345,7 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
 
 
 def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d):
-    """Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."""
+    """Signs, invariants, amplitudes and functions at t = 0; E_b is from `_discriminant`."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     sigma = _choose(0, _rounded(Omega_a), 1, -1)  # fact: choice start_signs.sigma; (12)
     rho = _choose(0, _rounded(c_ad), 1, -1)  # fact: choice start_signs.rho; (12)
@@ -1146,13 +1109,13 @@ BRANCHES = {
 
 
 NEGLIGIBLE = 2.0**-400  # rates below this share of the largest are taken for zero
-DECISIVE = 2.0**-70  # of others' share in a tilt, below which those may be taken for zero
-MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix is taken for it
-TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
-MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
-MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
-MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
-MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
+DECISIVE = 2.0**-70  # share of a tilt; rates that cause less may be taken for zero
+MIN_DISCRIMINANT = 2.0**-900  # E_b in inner units; below it, motions are on the separatrix
+TOLERATED = 2.0**-60  # error of such motions, as a share of the momentum
+MIN_MOMENT_RATIO = 2.0**-200  # ratio of two principal moments
+MAX_CIRCULAR = 2.0**-1  # k_1^2 on the circular branch; above it, the hyperbolic one
+MAX_ANGLE = 2.0**46  # |omega0 t|, rad
+MAX_RATE = 2.0**990  # a rate, rad/s; exact products with it do not overflow
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
 _LEAST = 2.0**-1074
@@ -1160,7 +1123,7 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """An input that breaks a rule: its field, the rule, and the first body and time that do.
+    """Invalid input, with the field, the broken rule, and the first body and time that break it.
 
     Bodies are counted through the leading axes.
     """
@@ -1174,13 +1137,13 @@ class _RefusedError(ValueError):
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
-    """Prepare constants of free motions, for `states`; they share no memory with the caller.
+    """Compute the constants of free motions that `states` takes.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
-    positive where they have to be, or of too different size; with errors="nan" bodies of such
-    numbers are kept, and their states are NaN.
+    shapes broadcast; no memory is shared.  Raises ValueError for wrong shapes and for numbers that
+    are not finite, not positive where they have to be, or of too different size; with errors="nan"
+    bodies of such numbers are kept, and their states are NaN.
     """
     given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
     shape, lenient = _batch(*given), _is_lenient(errors)
@@ -1200,7 +1163,7 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
 
 @np.errstate(all="ignore")
 def _made(columns, shape, refused):
-    """Prepare motions from inertia, omega0 and attitude0 by columns.
+    """Compute the constants of motions from columns of inertia, omega0 and attitude0.
 
     Columns are arrays (B,), or Python's floats of one body.  Refused bodies are noted in `refused`
     (B,), or raise an error where it is None.  Python raises an ArithmeticError where arrays
@@ -1226,7 +1189,7 @@ def _made(columns, shape, refused):
 
 
 def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
-    """Prepare one motion whose numbers are known beyond binary64, each the sum of two doubles.
+    """Compute the constants of one motion from double-doubles, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
@@ -1251,7 +1214,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """Prepare motions from c, given (rates) and q, which are columns of pairs in inner units.
+    """Compute the constants of motions from scaled columns: moments c, rates `given`, attitudes q.
 
     apart: what each moment is above the next in turn.
     """
@@ -1289,7 +1252,7 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
 
 
 def _rows(columns):
-    """Stack columns side by side, (B, N)."""
+    """Stack N columns of B numbers into an array of shape (B, N)."""
     many = isinstance(columns[0], np.ndarray)
     return np.stack(columns, axis=-1) if many else np.array([columns])
 
@@ -1299,7 +1262,7 @@ def _pair_rows(columns):
 
 
 def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the group of bodies whose rates are constant."""
+    """Append the group of bodies with constant rates to `made`."""
     rest = _largest([x.hi for x in omega]) == 0
     first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
     values = _steady_constants(first, omega[1], omega[2], *q)
@@ -1310,7 +1273,7 @@ def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the groups of moving bodies: the circular and the hyperbolic branch."""
+    """Append the groups of the circular and of the hyperbolic branch to `made`."""
     known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for x, axis in zip("abd", axes, strict=True):
         known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
@@ -1331,20 +1294,20 @@ def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _limit(made, index, constants, fast):
-    """Bound the times of bodies that cannot exist, which can turn much faster than at t = 0."""
+    """Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0."""
     largest = _largest([constants[name] for name in fast])
     limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
 
 
 def _check_rates(constants, amplitudes, bodies, refused):
-    """Refuse what doubles do not hold, rates up to their amplitudes."""
+    """Refuse bodies whose constants or largest rates overflow binary64."""
     held = _are_finite([*constants.values()]) & (_largest(amplitudes) <= MAX_RATE)
     _refuse("omega0", "rates beyond what binary64 can hold", held, refused, bodies)
 
 
 def _blot_out(made, refused):
-    """Set to NaN all numbers that states of refused bodies are made from."""
+    """Set all constants of refused bodies to NaN."""
     made["q0"][refused] = made["omega0"][refused] = np.nan
     for _, index, constants in made["groups"]:
         for values in constants.values():
@@ -1352,13 +1315,13 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """Return the constants of an entry by name, from arguments found by name."""
+    """Call the function of a table entry and return its results by name."""
     values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
-    """Return one number as Python's, which is faster than arrays of one."""
+    """Convert an array of one number to a Python float, which is faster to compute with."""
     if isinstance(value, _DoubleDouble):
         return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
@@ -1374,7 +1337,7 @@ def _filled(constants, size):
 
 
 def states(prepared, t, out=None, errors="raise"):
-    """Return the states (q, omega) at the times t in s.
+    """Return the attitudes q and the body rates omega at the times t in s.
 
     Shapes are (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and (..., N, 3) for t (N,) or,
     with a row for each motion, t (..., N).  q is continuous in the double cover from attitude0 on.
@@ -1405,12 +1368,12 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """Return the rows of times of some motions; one row serves all."""
+    """Return the rows of t for some bodies; a single row holds for all bodies."""
     return t if len(t) == 1 else t[bodies]
 
 
 def _begin(prepared, t, q, omega):
-    """Set motions to their start at t = 0, to the last bit."""
+    """Write the exact initial states where t = 0."""
     body, zero = np.nonzero(t == 0)
     for name, rows in (("q0", q), ("omega0", omega)):
         if zero.size and len(t) == 1:
@@ -1426,7 +1389,7 @@ def _is_lenient(errors):
 
 
 def _single(prepared, t, lenient):
-    """Return the state of one body at one time, by Python's floats."""
+    """Compute the state of one body at one time with Python floats."""
     unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
     if not -max_angle <= inner <= max_angle:
@@ -1445,7 +1408,7 @@ def _single(prepared, t, lenient):
 
 
 def _in_floats(prepared):
-    """Return the constants of one body as Python's floats; kept, since they serve every call."""
+    """Convert the constants of one body to Python floats and cache them in `prepared`."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: value.item() for key, value in constants.items()}
@@ -1475,7 +1438,7 @@ def _fits(array, shape):
 
 
 def _are_near(prepared, t):
-    """Return True where all times are finite and near enough for all bodies."""
+    """Return True if every time is finite and within the time domain of every body."""
     if not (t.size and prepared["unit"].size):
         return True
     # No array as long as a row is made for this.
@@ -1486,7 +1449,7 @@ def _are_near(prepared, t):
 
 
 def _refuse_times(prepared, t):
-    """Raise an error for the first time that is not finite or, for the first such body, too far."""
+    """Raise an error that names the first time that is not finite or beyond its body's domain."""
     for body, number in np.argwhere(~np.isfinite(t))[:1]:
         raise _RefusedError("t", _BAD_TIMES, int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
@@ -1503,7 +1466,7 @@ def _refuse_times(prepared, t):
 
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
-    """Set to NaN the states at times that are not finite or too far."""
+    """Set states to NaN at times that are not finite or beyond their body's domain."""
     step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
@@ -1515,7 +1478,7 @@ def _erase(prepared, t, q, omega):
 
 @np.errstate(all="ignore")
 def _fill(prepared, name, index, constants, t, q, omega):
-    """Fill the rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Write one group's states to the output in blocks of times, or of bodies for few times."""
     branch = BRANCHES[name]
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
@@ -1539,7 +1502,7 @@ def _fill(prepared, name, index, constants, t, q, omega):
 
 
 def _write(prepared, branch, body, columns, t, q, omega, some):
-    """Write the states of one body at a block of times, or of some bodies at all times."""
+    """Write the states of one body at a block of times, or of several bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
     axes = prepared["axes"][body]
@@ -1555,7 +1518,7 @@ def _write(prepared, branch, body, columns, t, q, omega, some):
 
 
 def _check(inertia, omega0, attitude0, refused):
-    """Refuse bodies by their numbers, which are columns."""
+    """Check columns of inertia, omega0 and attitude0, and refuse invalid bodies."""
     rows = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     for name, columns in rows.items():
         _refuse(name, "every number must be finite", _are_finite(columns), refused)
@@ -1577,7 +1540,7 @@ def _are_finite(columns):
 
 
 def _batch(inertia, omega0, attitude0):
-    """Broadcast the leading shapes."""
+    """Return the shape that the leading axes of all inputs broadcast to."""
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
@@ -1593,7 +1556,7 @@ def _batch(inertia, omega0, attitude0):
 
 
 def _refuse(field, rule, good, refused, bodies=None):
-    """Note the bodies that are not good, or raise an error with the number of the first."""
+    """Mark the bodies where `good` is False as refused, or raise an error for the first."""
     if good is not True:
         at = np.flatnonzero(np.logical_not(good))
         at = at if bodies is None else bodies[at]
@@ -1604,7 +1567,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Return the rates and E_b of the motions to follow, and the last inner times.
+    """Replace motions too near the separatrix by limiting motions; return their last times, too.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1641,7 +1604,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Return which motions become separatrix or spin, which become spin, and their last times.
+    """Return which motions to replace, which of those by spins, and their last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -1673,7 +1636,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Divide columns by a power of two that brings the largest into [1, 2); return it, too."""
+    """Scale columns by a power of two so that the largest lies in [1, 2); return both."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -1685,7 +1648,7 @@ def _scaled(columns):
 
 
 def _differences(apart, axes):
-    """Return c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    """Return c_a - c_b, c_a - c_d and c_b - c_d as double-doubles."""
     found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
         forward = (axes[y] - axes[x]) % 3 == 1
@@ -1710,13 +1673,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """Return E_b as a pair: where its terms cancel, from integers."""
+    """Return E_b as a double-double, from exact integers where its terms cancel."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -1736,7 +1699,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """Return E_b of one motion in integer arithmetic, as two doubles."""
+    """Compute E_b of one motion in integer arithmetic; return two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -1747,7 +1710,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Return Python's integers and the power of two that turns them into x."""
+    """Write the doubles x as integers times one power of two; return both."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))

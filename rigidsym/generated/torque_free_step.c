@@ -396,7 +396,7 @@ static void step_body(size_t n, lanes *x)
     }
 }
 
-/* Momentum, its projection, frequencies, rate of psi; X and Y at the shortest of times. */
+/* Momentum, its projection, frequencies, rate of psi; X and Y at the shortest time. */
 static void step_start(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -473,7 +473,7 @@ static void step_start(size_t n, lanes *x)
     }
 }
 
-/* psi/2 at the shortest time less what grows with it. */
+/* psi/2 at the shortest time, without its linear part. */
 static void step_first(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -612,7 +612,7 @@ static void step_projected(size_t n, lanes *x)
     }
 }
 
-/* Half of psi at twice the time, but for what grows with it. */
+/* psi/2 at twice the time, without its linear part. */
 static void step_second_half(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -637,7 +637,7 @@ static void step_second_half(size_t n, lanes *x)
     }
 }
 
-/* The same in the last doublings. */
+/* The momentum's projection in extended precision, for the last doublings. */
 static void step_last_projected(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -665,7 +665,7 @@ static void step_last_projected(size_t n, lanes *x)
     }
 }
 
-/* The same in the last doublings. */
+/* psi/2 at twice the time from extended numbers, for the last doublings. */
 static void step_last_second_half(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -748,7 +748,7 @@ static void step_shortest_before(size_t n, lanes *x)
     }
 }
 
-/* The quaternion in front of the attitude by psi and the shortest rotation. */
+/* The constant left factor of the attitude. */
 static void step_front(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -847,7 +847,7 @@ static void step_attitude(size_t n, lanes *x)
     }
 }
 
-/* The torque of what a vector in space exerts, and of what stays in the body. */
+/* The torque that a vector in space exerts, and a torque fixed in the body. */
 static void step_kick(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -889,10 +889,11 @@ static void step_kick(size_t n, lanes *x)
     }
 }
 
-static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
-static const double max_step = 8.0; /* 2^3, of |omega dt|, rad */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
+static const double max_step = 8.0; /* 2^3, |omega dt|, rad */
 
-/* Numbers from 2^-40 to 2^40 need no scaling: 22nd powers of rates, the last in a series, are held. */
+/* Return the exponent to scale by, 0 from 2^-40 to 2^40: there the highest powers of rates, the 22nd, do
+   not overflow. */
 static double scale(double largest)
 {
     int exponent;
@@ -927,7 +928,7 @@ static int can_exist(const double_double c[3])
 #endif
 }
 
-/* The moments of lane i, the largest first. */
+/* Check moments and write them to lane i, the largest first; return a code. */
 static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
 {
     const double largest = largest_of(inertia), least = fmin(inertia[0], fmin(inertia[1], inertia[2]));
@@ -980,7 +981,7 @@ static void put_body(lanes *x, size_t i, const torque_free_body *body)
     x->epsilon[i] = body->epsilon;
 }
 
-/* The state of a lane as it was given, what its rates are scaled by, and whether nothing turns. */
+/* The given state of a lane, the exponent that scales its rates, and 1 where nothing turns. */
 typedef struct {
     int axis[3], exponent, still;
     double q[4], omega[3];
@@ -1030,7 +1031,7 @@ static int set_state(lanes *x, size_t i, const int axis[3], const double *q, con
         (other) = (turned) ? first : second;                                                              \
     } while (0)
 
-/* Names for the axes: a is the one of largest moment, or of smallest where K^2 < 2 H c_b. */
+/* Choose the axis a: that of largest moment, or of smallest where K^2 < 2 H c_b. */
 static void circulating(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -1051,7 +1052,7 @@ static void circulating(size_t n, lanes *x)
     }
 }
 
-/* Put the results at twice the time in the place of their arguments. */
+/* Replace X, Y and W by their values at twice the time. */
 static void advance(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -1064,14 +1065,14 @@ static void advance(size_t n, lanes *x)
     }
 }
 
-/* x over the root of a square, as good as rounded once. */
+/* x over the root of a square, with little more error than one rounding. */
 static INLINED double divided(double x, double over, double more)
 {
     const double y = x * over;
     return y + (product_error(x, over, y) + x * more);
 }
 
-/* A quaternion over its length. */
+/* Normalise a quaternion. */
 static INLINED void divide(double *q_0, double *q_a, double *q_b, double *q_d)
 {
     const double_double first = dd_add_xx(two_product(*q_0, *q_0), two_product(*q_a, *q_a));
@@ -1091,7 +1092,7 @@ static void normalised(size_t n, lanes *x)
         divide(&x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
 }
 
-/* x rounded up or down, each as often as it is near: chance is between -1/2 and 1/2. */
+/* x rounded up or down, to the nearer double more often: chance is between -1/2 and 1/2. */
 static INLINED double dithered(double hi, double lo, double chance)
 {
     const double size = fabs(hi), next = size + size * 1.1102230246251568e-16;
@@ -1141,7 +1142,7 @@ static void move(size_t n, lanes *x)
     rounded(n, x);
 }
 
-/* Bodies that cannot exist can turn much faster than at the start: then there are no numbers. */
+/* Return 1 where the state is finite: nonphysical bodies can turn much faster than at the start. */
 static int is_held(const lanes *x, size_t i)
 {
     const double sum = x->q_0[i] + x->q_a[i] + x->q_b[i] + x->q_d[i];
@@ -1244,7 +1245,7 @@ static int lanes_hold(void)
 
 static int is_rounded_once(void) { return sums_hold() && quotients_hold() && lanes_hold(); }
 
-/* A body without a look at arithmetic, for who has looked. */
+/* Compute the constants of a body, without testing the arithmetic of this build. */
 static int body_init(torque_free_body *body, const double inertia[3])
 {
     lanes x;
@@ -1335,7 +1336,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "dddb1701dcb1bc27f2e4bc3a68f7725304aa3b17064bcf7d576d78b9a2ad42de"; }
+const char *torque_free_step_digest(void) { return "866c83661f9a30861e979a7f5e1de974e7cd06a26d1c475ae53291f4547dd5b5"; }
 
 const char *torque_free_step_message(int code)
 {
@@ -1411,7 +1412,7 @@ static double hyperbolic_anomaly(double mean, double e)
     return anomaly;
 }
 
-/* From the mass point to the body, times sqrt(3 mu/r^5). */
+/* The vector from the mass point to the body, times sqrt(3 mu/r^5). */
 static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
 {
     const double e = orbit->eccentricity, a = orbit->semi_major;
@@ -1433,7 +1434,7 @@ static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
         u[k] = strong * (along * orbit->along[k] + across * orbit->across[k]);
 }
 
-/* Bodies side by side with their states; the lane that a body is in never counts. */
+/* Bodies side by side with their states; results do not depend on the lane. */
 typedef struct {
     size_t count;
     torque_free_body bodies[LANES];

@@ -21,7 +21,7 @@ Lines of code:
     144  24 %  follow facts of the ledger, each named on its line
      77  13 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    370  62 %  are the runtime, written by hand
+    371  62 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
@@ -33,47 +33,10 @@ against mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy-step --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  3.7e-16  8.0e-17
-  published              5.1e-16  1.6e-16
-  axis orders and signs  7.7e-16  1.6e-16
-  uniform                7.1e-16  1.8e-16
-  near separatrix        7.1e-16  1.9e-16
-  beside separatrix      8.1e-16  1.9e-16
-  nearest separatrix     8.0e-16  1.9e-16
-  separatrix             7.3e-16  2.0e-16
-  symmetric              8.1e-16  1.9e-16
-  near prolate           6.7e-16  1.9e-16
-  near oblate            7.7e-16  1.9e-16
-  nearest symmetric      7.4e-16  1.8e-16
-  sphere                 7.4e-16  2.0e-52
-  near sphere            6.8e-16  2.0e-16
-  nearest sphere         6.7e-16  5.4e-17
-  spin                   6.0e-16  7.6e-53
-  near spin, largest     5.7e-16  1.3e-16
-  near spin, middle      7.4e-16  1.8e-16
-  near spin, smallest    6.3e-16  1.5e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   7.2e-16  2.0e-16
-  rod                    8.3e-16  1.9e-16
-  needle                 7.2e-16  2.0e-16
-  special values         7.6e-16  2.1e-16
-  special attitudes      7.5e-16  1.8e-16
-  scales                 7.2e-16  2.0e-16
-  small scales           8.1e-16  2.0e-16
-  large scales           7.3e-16  2.0e-16
-  extreme scales         8.1e-16  2.0e-16
-  decimals               7.5e-16  1.8e-16
-  long times             7.6e-16  1.9e-16
-  longest times          7.3e-16  1.9e-16
-  near separatrix, long  8.5e-16  2.1e-16
-  branch switch          7.6e-16  1.9e-16
-  zeros of the rates     7.0e-16  2.0e-16
-  quarter periods        6.8e-16  1.9e-16
+Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest a89ddfb9de47aa79e83ec9ea7e38120120f46f42c7fec091adf2eb492ecfa84a
+digest 2f1bd1b3224b0895c586646a6f12e4c35997434732a8c28376632aad347242ed
 """
 
 # ruff: noqa
@@ -260,7 +223,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the exponent of x, over a number between 1/2 and 1."""
+    """Return the e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -274,7 +237,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """Return the column of an axis, which is the same for all bodies or one for each."""
+    """Select the column of an axis, or for each body the column of its own axis."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -284,7 +247,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Return the columns, in reverse order where `first` holds."""
+    """Reverse the order of the columns where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -324,7 +287,7 @@ def _step_body(c_a, c_b, c_d, c_ab, c_ad, c_bd, epsilon):
 
 
 def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, epsilon, sigma):
-    """Momentum, its projection, frequencies, rate of psi; X and Y at the shortest of times."""
+    """Momentum, its projection, frequencies, rate of psi; X and Y at the shortest time."""
     c_ab = c_a - c_b  # fact: definition step.c_ab; (10)
     c_ad = c_a - c_d  # fact: definition step.c_ad; (10)
     c_bd = c_b - c_d  # fact: definition step.c_bd; (10)
@@ -365,7 +328,7 @@ def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, e
 
 
 def _step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im):
-    """psi/2 at the shortest time less what grows with it."""
+    """psi/2 at the shortest time, without its linear part."""
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     rate_re = h * (z_im * zr_im - z_re * zr_re)  # fact: definition turn.rate_re; (27), (36)
@@ -471,7 +434,7 @@ def _step_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
 
 
 def _step_second_half(h, X, w_re, w_im, W_re, W_im):
-    """Half of psi at twice the time, but for what grows with it."""
+    """psi/2 at twice the time, without its linear part."""
     nu_re = h * (w_im * w_im - w_re * w_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * w_re * w_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
@@ -486,7 +449,7 @@ def _step_second_half(h, X, w_re, w_im, W_re, W_im):
 
 
 def _step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
-    """The same in the last doublings."""
+    """The momentum's projection in extended precision, for the last doublings."""
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
@@ -501,7 +464,7 @@ def _step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
 
 
 def _step_last_second_half(h, X, v_re, v_im, W_re, W_im):
-    """The same in the last doublings."""
+    """psi/2 at twice the time from extended numbers, for the last doublings."""
     nu_re = h * (v_im * v_im - v_re * v_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * v_re * v_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
@@ -542,7 +505,7 @@ def _step_shortest_before(K, Omega_a0, Omega_b0, Omega_d0, c_a, c_b, c_d, epsilo
 
 
 def _step_front(s_0, s_b, s_d, q_0, q_a, q_b, q_d, epsilon):
-    """The quaternion in front of the attitude by psi and the shortest rotation."""
+    """The constant left factor of the attitude."""
     qbar_0 = s_0  # fact: definition attitude.qbar_0; (18), (25)
     qbar_a = 0  # fact: definition attitude.qbar_a; (18), (25)
     qbar_b = s_b  # fact: definition attitude.qbar_b; (18), (25)
@@ -593,7 +556,7 @@ def _step_attitude(t, Lambda_rate_hi, Lambda_rate_lo, W_re, W_im, s_0, s_b, s_d,
 
 
 def _step_kick(q0, q1, q2, q3, u1, u2, u3, b1, b2, b3, k, m1, m2, m3, Q11, Q22, Q33, Q23, Q13, Q12):
-    """The torque of what a vector in space exerts, and of what stays in the body."""
+    """The torque that a vector in space exerts, and a torque fixed in the body."""
     w1 = 2 * (u2 * q3 - u3 * q2)  # fact: definition kick.w1; (3)
     w2 = 2 * (u3 * q1 - u1 * q3)  # fact: definition kick.w2; (3)
     w3 = 2 * (u1 * q2 - u2 * q1)  # fact: definition kick.w3; (3)
@@ -609,8 +572,8 @@ def _step_kick(q0, q1, q2, q3, u1, u2, u3, b1, b2, b3, k, m1, m2, m3, Q11, Q22, 
     return T1, T2, T3
 
 
-MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
-MAX_STEP = 2.0**3  # of |omega dt|, rad
+MIN_MOMENT_RATIO = 2.0**-200  # ratio of two principal moments
+MAX_STEP = 2.0**3  # |omega dt|, rad
 STEPS = 5  # doublings of the time
 LAST = 2  # of them extended
 # Bodies at a time: what is computed of them fits the cache.
@@ -621,7 +584,7 @@ _COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
-    """An input that breaks a rule: its field, the rule, and the first body that does.
+    """Invalid input, with the field, the broken rule, and the first body that breaks it.
 
     Bodies are counted through the leading axes.
     """
@@ -636,10 +599,10 @@ class _RefusedError(ValueError):
 
 @np.errstate(invalid="ignore")
 def prepare(inertia):
-    """Prepare the constants of bodies, for `step`; inertia (B, 3) in kg m^2, positive.
+    """Compute the constants of bodies that `step` takes, from inertia (B, 3) in kg m^2.
 
-    Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
-    are not positive and finite, or of too different size.
+    For one body, (3,), they are Python floats, which `step_one` takes.  Raises ValueError for
+    moments that are not positive and finite, or of too different size.
     """
     inertia = np.asarray(inertia, float)
     if inertia.ndim == 1:
@@ -670,23 +633,24 @@ def prepare(inertia):
 
 
 def _refuse(field, rule, good):
-    """Raise an error for the first body that is not good."""
+    """Raise an error for the first body where `good` is False."""
     if good is not True:
         for body in np.flatnonzero(np.logical_not(good))[:1]:
             raise _RefusedError(field, rule, int(body))
 
 
 def _paired(values):
-    """Make pairs from doubles hi, lo, hi, lo, ..."""
+    """Return double-doubles from a sequence hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
 def step(bodies, q, omega, dt, out):
-    """Move B bodies freely for dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
+    """Write the states of B free bodies after dt to `out`.
 
-    bodies: of `prepare`, for one body or B of them.  q may have any length but zero, and is
-    returned a unit quaternion; out, a pair of such arrays, may be (q, omega).  Raises ValueError
-    for what is not finite, a zero quaternion, and |omega dt| beyond 2^3 rad.
+    q (B, 4), omega (B, 3), dt (B,) or (); bodies: of `prepare`, for one body or B of them.  q may
+    have any length but zero, and is returned a unit quaternion; out, a pair of such arrays, may be
+    (q, omega).  Raises ValueError for what is not finite, a zero quaternion, and |omega dt| beyond
+    2^3 rad.
     """
     dt = np.broadcast_to(dt, len(q))
     for name, values in (("q", q), ("omega", omega), ("dt", dt[:, None])):
@@ -701,10 +665,10 @@ def step(bodies, q, omega, dt, out):
 
 
 def step_one(body, q, omega, dt):
-    """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
+    """Return the state of one body after dt, as lists computed with Python floats.
 
-    Raises ValueError or ArithmeticError where `step` refuses a body, and for numbers that leave
-    binary64 on the way.
+    It has the bits of `step`; body: of `prepare`.  Raises ValueError or ArithmeticError where
+    `step` refuses a body, and for numbers that overflow on the way.
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
         raise _RefusedError("q", "every number must be finite, and one not zero", 0)
@@ -716,7 +680,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Return the constants of some of the bodies; one body serves all."""
+    """Return the constants of some bodies; those of a single body hold for all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -733,7 +697,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return the attitude and the rates after dt on the axes a, b, d, and these axes.
+    """Return attitudes and rates after dt in the order of the axes a, b, d, and these axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -767,7 +731,7 @@ def _stepped(bodies, q, omega, dt):
 
 
 def _unit(parts):
-    """Divide a quaternion by its length, each number as good as rounded once."""
+    """Normalise a quaternion, with little more error than one rounding in each component."""
     squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
     square = sum(squares, _DoubleDouble(0.0))
     over = 1 / _sqrt(square.hi)
@@ -777,7 +741,7 @@ def _unit(parts):
 
 
 def _rounded_rates(rates, parts):
-    """Round rates up or down at random, each as often as it is near.
+    """Round rates up or down at random, to the nearer double more often (stochastic rounding).
 
     Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
     one way for long.  The attitude's last digits are as good as chance.
@@ -798,7 +762,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """Return the attitude of moving bodies, about as long as q, and the rates as pairs."""
+    """Return attitudes, not normalised, and rates as double-doubles of moving bodies after t."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))

@@ -110,7 +110,7 @@ def constants() -> tuple[Constant, ...]:
         Constant("pi_hi", pi_hi, None, "pi"),
         Constant("pi_lo", pi_lo, None, "pi - pi_hi"),
         Constant("log_2", log_2, log_2_lo, "log_2"),
-        Constant("never", 1e300, None, "the exponent of what has vanished"),
+        Constant("never", 1e300, None, "an exponent that stands for infinity"),
         *angles.constants(),
         *reduction.constants(),
         *exponential.constants(),

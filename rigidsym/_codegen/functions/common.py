@@ -35,13 +35,15 @@ def discriminant(solution: Solution) -> Function:
     """State E_b, over any kind of numbers."""
     parameters = ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d")
     lets = select(solution.sequences["constants"], ("E_b",), parameters)
-    return Function("_discriminant", "K^2 - 2 H c_b over any numbers.", parameters, lets, ("E_b",))
+    return Function(
+        "_discriminant", "K^2 - 2 H c_b, for numbers of any kind.", parameters, lets, ("E_b",)
+    )
 
 
 def circulation(solution: Solution) -> Function:
     """State which axis is a, or that the rates are constant."""
     lets = select(solution.sequences["decisions"], (ROOT,), (*GIVEN, *ONES))
-    summary = "1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."
+    summary = "1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."
     return Function("_circulation", summary, GIVEN, specialise(lets, ONES), (ROOT,))
 
 
@@ -57,7 +59,7 @@ def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
     wanted = ("kc_next", "s_next", "c_next", "d_next")
     step = select(solution.sequences["landen"], wanted, ("k_next", "kc", "s", "c", "d"))
     lets = (*_signs(solution), *lets, *renamed(step, first))
-    summary = "Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."
+    summary = "Signs, invariants, amplitudes and functions at t = 0; E_b is from `_discriminant`."
     parameters = (*numbers, *NUMBERS)
     results = (*results, *SIGNS)
     return Function("_initial_state", summary, parameters, lets, results, frozenset(numbers))

@@ -190,8 +190,8 @@ def _circular_angles(solution: Solution) -> list[Let]:
 def numbers() -> list[Constant]:
     """Return the depth beyond which functions no longer change, and the least cosine."""
     return [
-        Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is nothing"),
-        Constant("least_c", 1e-45, None, "sech where it is nothing"),
+        Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is 0"),
+        Constant("least_c", 1e-45, None, "stands for sech where that is 0"),
     ]
 
 

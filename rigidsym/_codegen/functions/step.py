@@ -89,9 +89,7 @@ def _start(solution: Solution) -> Function:
     ]
     extended = " ".join((*INERTIA, *SQUARES, *STARTS))
     split = " ".join(("h e_1 e_2 K Lambda_rate X Y", *_PROJECTED))
-    summary = (
-        "Momentum, its projection, frequencies, rate of psi; X and Y at the shortest of times."
-    )
+    summary = "Momentum, its projection, frequencies, rate of psi; X and Y at the shortest time."
     return _function("start", summary, "t epsilon sigma", extended, lets, split.split(), split)
 
 
@@ -115,7 +113,7 @@ def _first(solution: Solution) -> Function:
         ),
     ]
     names = " ".join(("h", "e_1", "e_2", "X", *_PROJECTED))
-    summary = "psi/2 at the shortest time less what grows with it."
+    summary = "psi/2 at the shortest time, without its linear part."
     return _function("first", summary, names, "", lets, ("W_re", "W_im"))
 
 
@@ -136,7 +134,7 @@ def _projected(solution: Solution) -> Function:
 def _last_projected(solution: Solution) -> Function:
     given = ("h", *_PROJECTED, "X", "Y")
     lets = select(solution.sequences["projection"], tuple(_LAST), given)
-    summary = "The same in the last doublings."
+    summary = "The momentum's projection in extended precision, for the last doublings."
     results = tuple(_LAST.values())
     names = " ".join(given), renamed(lets, _LAST)
     return _function("last_projected", summary, "", *names, results, " ".join(results))
@@ -144,13 +142,13 @@ def _last_projected(solution: Solution) -> Function:
 
 def _second_half(solution: Solution) -> Function:
     lets, results = _both_halves(solution, ("w_re", "w_im"))
-    summary = "Half of psi at twice the time, but for what grows with it."
+    summary = "psi/2 at twice the time, without its linear part."
     return _function("second_half", summary, "h X w_re w_im W_re W_im", "", lets, results)
 
 
 def _last_second_half(solution: Solution) -> Function:
     lets, results = _both_halves(solution, tuple(_LAST.values()))
-    summary = "The same in the last doublings."
+    summary = "psi/2 at twice the time from extended numbers, for the last doublings."
     return _function("last_second_half", summary, "W_re W_im", "h X v_re v_im", lets, results)
 
 
@@ -211,7 +209,7 @@ def _front(solution: Solution) -> Function:
         dict(zip(_HALF, (1, 0), strict=True)),
     )
     names = " ".join((*_SHORTEST, *ATTITUDE, "epsilon"))
-    summary = "The quaternion in front of the attitude by psi and the shortest rotation."
+    summary = "The constant left factor of the attitude."
     return _function("front", summary, names, "", lets, _FRONT)
 
 
@@ -237,5 +235,5 @@ def _attitude(solution: Solution) -> Function:
 def _kick(solution: Solution) -> Function:
     """State the torque on the axes of the body as they are given."""
     lets = select(solution.sequences["kick"], TORQUE, KICK)
-    summary = "The torque of what a vector in space exerts, and of what stays in the body."
+    summary = "The torque that a vector in space exerts, and a torque fixed in the body."
     return _function("kick", summary, " ".join(KICK), "", lets, TORQUE)

@@ -50,7 +50,7 @@ def turn(solution: Solution) -> tuple[Function, ...]:
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(
         "_turn_constants",
-        "Constants of sensitivities of the attitude, at t = 0; not at rest.",
+        "Constants of the attitude's sensitivities for a moving body.",
         given,
         tuple(first),
         _KEPT,
@@ -59,7 +59,7 @@ def turn(solution: Solution) -> tuple[Function, ...]:
     results = (*RESULTS, *BY_TIME)
     state = Function(
         "_turn_state",
-        "Changes of the attitude, and of the state with the time.",
+        "Derivatives of the attitude by the inputs, and of the state by the time.",
         (*TIMED, "t", *_KEPT),
         select(solution.sequences["turn"], results, (*TIMED, "t", *_KEPT)),
         results,

@@ -52,7 +52,7 @@ def along(solution: Solution) -> tuple[Function, ...]:
     """State the constants of a motion, and both directions at a time."""
     constants = Function(
         "_along_constants",
-        "Constants of both directions; reach: the p t^2 beyond which phases are known.",
+        "Constants of `_along_state`; phases are known where p t^2 exceeds reach.",
         (*(name for name in GIVEN if name != "E_b"), "reach"),
         tuple(_constants_along(solution)),
         _ALONG_KEPT,
@@ -61,7 +61,7 @@ def along(solution: Solution) -> tuple[Function, ...]:
     )
     state = Function(
         "_along_state",
-        "Changes of the rates where p and r grow alike, and where r does.",
+        "Derivatives of the rates where p and r grow equally, and where r alone grows.",
         (*_ALONG_TIMED, *_ALONG_KEPT),
         tuple(_state_along(solution)),
         ALONG,
@@ -111,7 +111,7 @@ def columns(solution: Solution) -> tuple[Function, ...]:
     """State the constants of a motion, and the columns at a time."""
     constants = Function(
         "_columns_constants",
-        "Constants of sensitivities of the rates, at t = 0.",
+        "Constants of the rates' sensitivities.",
         GIVEN,
         tuple(_constants_of_columns(solution)),
         _KEPT,
@@ -120,7 +120,7 @@ def columns(solution: Solution) -> tuple[Function, ...]:
     )
     state = Function(
         "_columns_state",
-        "Changes of the rates, and integrals of their squares, from functions of the time.",
+        "Derivatives of the rates, and integrals of the squares of rates.",
         (*_TIMED, *_KEPT),
         tuple(_state_of_columns(solution)),
         RESULTS,

@@ -38,14 +38,14 @@ def imaginary() -> tuple[Function, ...]:
     timed = ("w", "p2", "y", "side", "flip", "periods", *_PHASE)
     angles = Function(
         "_imaginary_angles",
-        "Angles of the elapsed time where m > 1/2, at t + t_lo.",
+        "Angles of the elapsed time t + t_lo for m > 1/2.",
         ("t", "t_lo", *flat(_SPLIT), *_BEYOND),
         tuple(_angles()),
         timed,
     )
     state = Function(
         "_imaginary_state",
-        "S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`.",
+        "S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase for m > 1/2.",
         (*timed, "t", *kept),
         tuple(_state()),
         (*ELAPSED, *PASSED),

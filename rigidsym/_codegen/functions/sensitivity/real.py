@@ -46,14 +46,14 @@ def real(solution: Solution) -> tuple[Function, ...]:
     timed = ("sin_v", "cos_v")
     angles = Function(
         "_real_angles",
-        "Angles of the elapsed time where m <= 1/2, at t + t_lo.",
+        "Angles of the elapsed time t + t_lo for m <= 1/2.",
         ("t", "t_lo", *flat(_SPLIT)),
         tuple(_angles()),
         timed,
     )
     state = Function(
         "_real_state",
-        "S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`.",
+        "S_t, C_t, D_t, E_t and D_t F_t for m <= 1/2.",
         (*timed, "t", *kept),
         tuple(_state(solution)),
         (*ELAPSED, *PASSED),

@@ -54,6 +54,8 @@ _OF_STEPS = {
     "ATTITUDE": _CODES["ATTITUDE"]._replace(field="q"),
     "UNPREPARED": Code("body", "torque_free_body_init has not made it"),
 }
+# What functions say of any other number.
+UNKNOWN = "no such code"
 # In the order of their numbers, from 0 on.
 _MOTIONS = (
     *("OK", "NOT_FINITE", "INERTIA", "THIN", "ATTITUDE", "SEPARATRIX", "TIME", "RATES"),
@@ -78,7 +80,7 @@ def filled(text: str, form: str) -> str:
         f"    {prefix}_{name} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
         for number, (name, x) in enumerate(codes.items())
     ]
-    text = text.replace("@codes@", "\n".join(members))
+    text = text.replace("@codes@", "\n".join(members)).replace("@unknown@", UNKNOWN)
     for what, said in texts.items():
         cases = [f'    case {prefix}_{name}: return "{words}";' for name, words in said.items()]
         text = text.replace(f"@{what}s@", "\n".join(cases))

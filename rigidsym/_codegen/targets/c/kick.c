@@ -26,7 +26,7 @@ static double hyperbolic_anomaly(double mean, double e)
     return anomaly;
 }
 
-/* From the mass point to the body, times sqrt(3 mu/r^5). */
+/* The vector from the mass point to the body, times sqrt(3 mu/r^5). */
 static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
 {
     const double e = orbit->eccentricity, a = orbit->semi_major;
@@ -48,7 +48,7 @@ static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
         u[k] = strong * (along * orbit->along[k] + across * orbit->across[k]);
 }
 
-/* Bodies side by side with their states; the lane that a body is in never counts. */
+/* Bodies side by side with their states; results do not depend on the lane. */
 typedef struct {
     size_t count;
     torque_free_body bodies[LANES];

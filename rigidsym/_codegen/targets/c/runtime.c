@@ -17,7 +17,7 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
-/* x 2^n, which `ldexp` says where the power is no double. */
+/* x 2^n, by `ldexp` where 2^n is no normal double. */
 static double scaled_by(double x, int n)
 {
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
@@ -39,13 +39,13 @@ static int all_finite(size_t n, const double *x)
 
 static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
 
-/* c_j - c_k of two different axes, from what each moment is above the next in turn. */
+/* c_j - c_k of two different axes; apart holds the differences of each moment and the next in turn. */
 static double_double difference(const double_double apart[3], int j, int k)
 {
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* The axes by their moments, largest first; equal ones stay in their order. */
+/* Sort the axes by their moments, largest first; equal ones keep their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
@@ -69,7 +69,7 @@ static double side_of(const double_double apart[3], const double_double omega[3]
                        !is_zero(omega[l]), E_2);
 }
 
-/* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
+/* E_b to all digits of a double_double, in exact arithmetic where its terms cancel. */
 static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
 {
     const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
@@ -103,7 +103,7 @@ static void steady_init(torque_free_motion *motion, const double_double omega[3]
         motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
 }
 
-/* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
+/* Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0. */
 static void limit(torque_free_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
@@ -111,7 +111,7 @@ static void limit(torque_free_motion *motion, double rate, double other)
         motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
-/* Return 1 where doubles hold all constants of a motion and its rates, up to their amplitudes. */
+/* Return 1 where no constant of a motion and no rate, up to its amplitude, overflows. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
@@ -120,7 +120,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+/* Copy lane i of the constants of a branch to a motion; return a code. */
 static int take(torque_free_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
     const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
@@ -134,7 +134,7 @@ static int take(torque_free_motion *motion, const lanes *lane, size_t i, const d
     return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* Put into lane i the numbers that a motion's constants are made from. */
+/* Write the numbers that the constants of a motion are computed from to lane i. */
 #define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
 
 static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
@@ -149,7 +149,7 @@ static void put(lanes *lane, size_t i, const torque_free_motion *motion, const d
     lane->unit[i] = motion->unit;
 }
 
-/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+/* Copy a used lane to all that are not used, so that unused lanes raise no exceptions. */
 static void repeat(lanes *lane, const int own[LANES])
 {
     double *row = (double *)lane;
@@ -161,7 +161,7 @@ static void repeat(lanes *lane, const int own[LANES])
             row[k + i] = own[i] ? row[k + i] : row[k + from];
 }
 
-/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+/* Compute the constants of those of n motions that are on one branch, from the lanes of `initial_state`. */
 static void branch_init(const lanes *lane, int branch, size_t n, torque_free_motion *motion, int *code)
 {
     lanes alike = *lane;
@@ -189,7 +189,7 @@ static void branch_init(const lanes *lane, int branch, size_t n, torque_free_mot
             code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
 }
 
-/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+/* Compute the constants of n motions that `begin` wrote to lanes, and their codes; steady ones have theirs. */
 static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *code)
 {
     int own[LANES], count = 0;
@@ -263,7 +263,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
-/* Keep the numbers that sensitivities are made from. */
+/* Copy the numbers that sensitivities are computed from to the motion. */
 static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
                  const double_double omega[3], double_double E_b)
 {
@@ -274,9 +274,9 @@ static void keep(torque_free_motion *motion, const double_double c[3], const dou
     }
 }
 
-/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
-   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
-   the rates before faint ones were taken for zero. */
+/* Set all of a motion but the constants of its branch, and write what these are computed from to lane i.
+   c, apart (differences of each moment and the next in turn), the rates `given` and q are in inner
+   units. */
 static void begin(torque_free_motion *motion, lanes *lane, size_t i, const double_double c[3],
                   const double_double apart[3], const double_double given[3], const double_double q[4],
                   const double_double *known, double unit)
@@ -321,7 +321,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
         steady_init(motion, omega, unit_q);
 }
 
-/* Begin a motion from doubles, or return a code. */
+/* Check doubles and begin a motion with them; return a code. */
 static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
                          const double omega0[3], const double attitude0[4])
 {
@@ -426,7 +426,7 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
     return end(motion, &made, &lane);
 }
 
-/* Times in inner units, and whether all of them are near enough and whether one is zero. */
+/* Scale times to inner units; return 1 if all are within the domain, and set *zero if one is zero. */
 static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
@@ -462,7 +462,7 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+/* Compute n states from the angles, in rows s apart: two on the steady branch, at most six on the
    others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
@@ -504,7 +504,7 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
         hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, @hyperbolic rows of to@);
 }
 
-/* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
+/* Prefetch the cache lines that the next block of rows will be written to. */
 static void fetch(const double *q, const double *omega)
 {
 #ifdef __GNUC__
@@ -517,7 +517,7 @@ static void fetch(const double *q, const double *omega)
 #endif
 }
 
-/* A motion is at its start at t = 0, to the last bit. */
+/* Write the exact initial state of a motion. */
 static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
@@ -526,7 +526,7 @@ static void at_initial_state(const torque_free_motion *motion, double *q, double
         omega[k] = motion->omega0[k];
 }
 
-/* Why a motion has no states at some of these times. */
+/* Return the code for times at which a motion has no states. */
 static int refusal(const torque_free_motion *motion, size_t n, const double *t)
 {
     if (!all_finite(n, t))
@@ -542,7 +542,7 @@ static void no_states(size_t n, double *q, double *omega)
         omega[i] = (double)NAN;
 }
 
-/* The states at n times; times that are too late are refused, or have none where `lenient`. */
+/* Write the states at n times; late times are refused, or have states of NaN where `lenient`. */
 static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -637,8 +637,7 @@ static void grid_angles(const torque_free_motion *motion, double start, double s
     block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
-/* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
-   turned. */
+/* Write n <= BLOCK^2 states from number `first` on: angles are evaluated once in a block, and turned. */
 static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
@@ -670,7 +669,7 @@ static void grid_states_one_by_one(const torque_free_motion *motion, double star
     }
 }
 
-/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
+/* Return the index of the first of n samples, from number `first` on, that is at t = 0; n if there is none. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
     const int stands = is_zero(dd_of(step));
@@ -707,7 +706,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
-/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+/* Prepare the motions of at most as many bodies as there are lanes, with codes; return how many. */
 static size_t several_init(torque_free_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
                            const double *inertia, const double *omega0, const double *attitude0)
 {
@@ -721,7 +720,7 @@ static size_t several_init(torque_free_motion motion[LANES], int code[LANES], la
     return count;
 }
 
-/* The states of one of many bodies; times that are too late have none where `lenient`. */
+/* Write the states of one of many bodies; late times have states of NaN where `lenient`. */
 static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
@@ -778,7 +777,7 @@ const char *torque_free_message(int code)
 {
     switch (code) {
 @messages@
-    default: return "no such code";
+    default: return "@unknown@";
     }
 }
 
@@ -794,6 +793,6 @@ const char *torque_free_rule(int code)
 {
     switch (code) {
 @rules@
-    default: return "no such code";
+    default: return "@unknown@";
     }
 }

@@ -1,4 +1,4 @@
-/* The number of sensitivities computed side by side: each takes some ninety doubles of stack. */
+/* The number of sensitivities computed side by side: each needs about ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
@@ -40,7 +40,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    /* A motion hardly turns over where the time of that is not known. */
+    /* The time at which a motion turns over is known on the hyperbolic branch alone; others hardly do. */
     const int turns_over = motion->branch == 2;
     const double reach = turns_over ? 1.0 : never;
     const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
@@ -61,7 +61,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                        &made->turn);
 }
 
-/* S_t, C_t, D_t, E_t, D_t F_t, what has passed and the turns at n inner times, in rows s apart. */
+/* Write S_t, C_t, D_t, E_t, D_t F_t, the integral over the phase and its turns, in rows s apart. */
 static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
 {
     double in[11 * SENSITIVE], rest[SENSITIVE];
@@ -78,7 +78,7 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* Doubles that a state has in `attitude`, as in `rates`; and in attitude_t, as in rates_t. */
+/* The numbers of doubles of one state in `attitude` and in `rates`, then in attitude_t and in rates_t. */
 static size_t width_of(int asked)
 {
     const size_t first = asked & TORQUE_FREE_BY_ATTITUDE0 ? 9 : 0, second = asked & TORQUE_FREE_BY_OMEGA0 ? 9 : 0;
@@ -87,8 +87,7 @@ static size_t width_of(int asked)
 
 static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
 
-/* Put three columns of a row: the chosen ones by the turn at t = 0, omega0 and the moments are the
-   groups of a row, one after the other. */
+/* Write three columns of each chosen group of a row: by the turn at t = 0, omega0 and the moments. */
 static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
                             size_t i, double by_rate, double by_moment, double again)
 {
@@ -104,8 +103,8 @@ static INLINED void put_row(int asked, double *restrict row, const double turn[3
     }
 }
 
-/* The rows of n states, of turns by omega0 and the moments, 18, and of turns and rates by the time, six;
-   by: those of rates by omega0 and the moments. */
+/* Write the rows of n states.  turned_by: 18 derivatives of the turn by omega0 and the moments, then six
+   of turn and rates by the time; by: 18 derivatives of the rates. */
 static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t n, const double *restrict turned_by,
                              const double *const by[18], double *restrict attitude, double *restrict rates,
                              double *restrict attitude_t, double *restrict rates_t)
@@ -133,7 +132,7 @@ static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t
     }
 }
 
-/* Write the changes of n <= SENSITIVE states, at inner times t. */
+/* Write the derivatives of n <= SENSITIVE states at inner times t. */
 static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
@@ -173,7 +172,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
         put_rows(asked, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
 }
 
-/* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
+/* Write the derivatives of a body at rest, which begins to turn when given rates, or of any body at t = 0. */
 static void plain_sensitivity(const torque_free_motion *motion, double t, int asked, double *restrict attitude,
                               double *restrict rates)
 {
@@ -212,7 +211,7 @@ static void no_changes(size_t n, int asked, double *attitude, double *rates, dou
     no_numbers(width_t(asked) * n, rates_t);
 }
 
-/* Sensitivities of n states, after these; where lenient, times that are too late have none. */
+/* Write n states and their sensitivities; late times have NaN where `lenient`. */
 static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, int asked, double *q,
                             double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
                             int lenient)
@@ -242,7 +241,7 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
         for (size_t k = 0; (made.at_rest || zero) && k < count; k++)
             if (made.at_rest || !(t[i + k] < 0.0 || t[i + k] > 0.0))
                 plain_sensitivity(motion, t[i + k], asked, turns + width * k, changes + width * k);
-        /* While a block is in the cache it is seen whether any number is lost. */
+        /* Look for lost numbers while the block is in the cache. */
         if (near && !any_lost(width * count, turns) && !any_lost(width * count, changes))
             continue;
         for (size_t k = 0; k < count; k++) {

@@ -1,4 +1,5 @@
-/* Numbers from 2^-40 to 2^40 need no scaling: 22nd powers of rates, the last in a series, are held. */
+/* Return the exponent to scale by, 0 from 2^-40 to 2^40: there the highest powers of rates, the 22nd, do
+   not overflow. */
 static double scale(double largest)
 {
     int exponent;
@@ -15,7 +16,7 @@ enum { PREPARED = 0x7f4a7c15 };
 
 @bodies.c@
 
-/* The moments of lane i, the largest first. */
+/* Check moments and write them to lane i, the largest first; return a code. */
 static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
 {
     const double largest = largest_of(inertia), least = fmin(inertia[0], fmin(inertia[1], inertia[2]));
@@ -68,7 +69,7 @@ static void put_body(lanes *x, size_t i, const torque_free_body *body)
     x->epsilon[i] = body->epsilon;
 }
 
-/* The state of a lane as it was given, what its rates are scaled by, and whether nothing turns. */
+/* The given state of a lane, the exponent that scales its rates, and 1 where nothing turns. */
 typedef struct {
     int axis[3], exponent, still;
     double q[4], omega[3];
@@ -118,7 +119,7 @@ static int set_state(lanes *x, size_t i, const int axis[3], const double *q, con
         (other) = (turned) ? first : second;                                                              \
     } while (0)
 
-/* Names for the axes: a is the one of largest moment, or of smallest where K^2 < 2 H c_b. */
+/* Choose the axis a: that of largest moment, or of smallest where K^2 < 2 H c_b. */
 static void circulating(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -139,7 +140,7 @@ static void circulating(size_t n, lanes *x)
     }
 }
 
-/* Put the results at twice the time in the place of their arguments. */
+/* Replace X, Y and W by their values at twice the time. */
 static void advance(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
@@ -152,14 +153,14 @@ static void advance(size_t n, lanes *x)
     }
 }
 
-/* x over the root of a square, as good as rounded once. */
+/* x over the root of a square, with little more error than one rounding. */
 static INLINED double divided(double x, double over, double more)
 {
     const double y = x * over;
     return y + (product_error(x, over, y) + x * more);
 }
 
-/* A quaternion over its length. */
+/* Normalise a quaternion. */
 static INLINED void divide(double *q_0, double *q_a, double *q_b, double *q_d)
 {
     const double_double first = dd_add_xx(two_product(*q_0, *q_0), two_product(*q_a, *q_a));
@@ -179,7 +180,7 @@ static void normalised(size_t n, lanes *x)
         divide(&x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
 }
 
-/* x rounded up or down, each as often as it is near: chance is between -1/2 and 1/2. */
+/* x rounded up or down, to the nearer double more often: chance is between -1/2 and 1/2. */
 static INLINED double dithered(double hi, double lo, double chance)
 {
     const double size = fabs(hi), next = size + size * 1.1102230246251568e-16;
@@ -229,7 +230,7 @@ static void move(size_t n, lanes *x)
     rounded(n, x);
 }
 
-/* Bodies that cannot exist can turn much faster than at the start: then there are no numbers. */
+/* Return 1 where the state is finite: nonphysical bodies can turn much faster than at the start. */
 static int is_held(const lanes *x, size_t i)
 {
     const double sum = x->q_0[i] + x->q_a[i] + x->q_b[i] + x->q_d[i];
@@ -257,7 +258,7 @@ static void get_state(const lanes *x, size_t i, const scaling *of, double *q, do
 
 @step_arithmetic.c@
 
-/* A body without a look at arithmetic, for who has looked. */
+/* Compute the constants of a body, without testing the arithmetic of this build. */
 static int body_init(torque_free_body *body, const double inertia[3])
 {
     lanes x;
@@ -354,7 +355,7 @@ const char *torque_free_step_message(int code)
 {
     switch (code) {
 @messages@
-    default: return "no such code";
+    default: return "@unknown@";
     }
 }
 
@@ -370,6 +371,6 @@ const char *torque_free_step_rule(int code)
 {
     switch (code) {
 @rules@
-    default: return "no such code";
+    default: return "@unknown@";
     }
 }

@@ -1,7 +1,6 @@
-"""Numbers of 31 digits over NumPy arrays, and what else generated lines call.
+"""Double-double arithmetic over NumPy arrays, and other functions that generated lines call.
 
-Every function takes arrays and plain floats; a float is served by Python's own arithmetic, which is
-faster there.
+Functions take arrays or floats; for floats they use Python's own arithmetic, which is faster.
 """
 
 import math
@@ -187,7 +186,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the exponent of x, over a number between 1/2 and 1."""
+    """Return the e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -201,7 +200,7 @@ def _largest(columns):
 
 
 def _taken(columns, axis):
-    """Return the column of an axis, which is the same for all bodies or one for each."""
+    """Select the column of an axis, or for each body the column of its own axis."""
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
@@ -211,7 +210,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Return the columns, in reverse order where `first` holds."""
+    """Reverse the order of the columns where `first` holds."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]

@@ -1,13 +1,22 @@
-"""The hand-written runtime of the NumPy module: which axis is which, scaling, branches and shapes.
+"""Hand-written runtime of the NumPy module: order of axes, scaling, branches and shapes.
 
-Its text stands in the generated module after the pairs and the derived functions; here it is
-importable only as far as linting goes.
+Its text is printed into the generated module, after the derived functions.
 """
 
 import math
 
 import numpy as np
 
+from rigidsym._codegen.targets.numpy.double_double import (
+    _DoubleDouble,
+    _largest,
+    _ldexp,
+    _power,
+    _reversed,
+    _taken,
+    _two_sum,
+    _where,
+)
 from rigidsym._codegen.targets.numpy.stubs import (
     BRANCHES,
     DECISIVE,
@@ -21,15 +30,7 @@ from rigidsym._codegen.targets.numpy.stubs import (
     TOLERATED,
     _circulation,
     _discriminant,
-    _DoubleDouble,
-    _largest,
-    _ldexp,
-    _power,
-    _reversed,
     _steady_constants,
-    _taken,
-    _two_sum,
-    _where,
 )
 
 # --- runtime ---
@@ -40,7 +41,7 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """An input that breaks a rule: its field, the rule, and the first body and time that do.
+    """Invalid input, with the field, the broken rule, and the first body and time that break it.
 
     Bodies are counted through the leading axes.
     """
@@ -54,13 +55,13 @@ class _RefusedError(ValueError):
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
-    """Prepare constants of free motions, for `states`; they share no memory with the caller.
+    """Compute the constants of free motions that `states` takes.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
-    positive where they have to be, or of too different size; with errors="nan" bodies of such
-    numbers are kept, and their states are NaN.
+    shapes broadcast; no memory is shared.  Raises ValueError for wrong shapes and for numbers that
+    are not finite, not positive where they have to be, or of too different size; with errors="nan"
+    bodies of such numbers are kept, and their states are NaN.
     """
     given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
     shape, lenient = _batch(*given), _is_lenient(errors)
@@ -80,7 +81,7 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
 
 @np.errstate(all="ignore")
 def _made(columns, shape, refused):
-    """Prepare motions from inertia, omega0 and attitude0 by columns.
+    """Compute the constants of motions from columns of inertia, omega0 and attitude0.
 
     Columns are arrays (B,), or Python's floats of one body.  Refused bodies are noted in `refused`
     (B,), or raise an error where it is None.  Python raises an ArithmeticError where arrays
@@ -106,7 +107,7 @@ def _made(columns, shape, refused):
 
 
 def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
-    """Prepare one motion whose numbers are known beyond binary64, each the sum of two doubles.
+    """Compute the constants of one motion from double-doubles, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
@@ -131,7 +132,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """Prepare motions from c, given (rates) and q, which are columns of pairs in inner units.
+    """Compute the constants of motions from scaled columns: moments c, rates `given`, attitudes q.
 
     apart: what each moment is above the next in turn.
     """
@@ -169,7 +170,7 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
 
 
 def _rows(columns):
-    """Stack columns side by side, (B, N)."""
+    """Stack N columns of B numbers into an array of shape (B, N)."""
     many = isinstance(columns[0], np.ndarray)
     return np.stack(columns, axis=-1) if many else np.array([columns])
 
@@ -179,7 +180,7 @@ def _pair_rows(columns):
 
 
 def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the group of bodies whose rates are constant."""
+    """Append the group of bodies with constant rates to `made`."""
     rest = _largest([x.hi for x in omega]) == 0
     first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
     values = _steady_constants(first, omega[1], omega[2], *q)
@@ -190,7 +191,7 @@ def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
-    """Add the groups of moving bodies: the circular and the hyperbolic branch."""
+    """Append the groups of the circular and of the hyperbolic branch to `made`."""
     known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for x, axis in zip("abd", axes, strict=True):
         known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
@@ -211,20 +212,20 @@ def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
 
 
 def _limit(made, index, constants, fast):
-    """Bound the times of bodies that cannot exist, which can turn much faster than at t = 0."""
+    """Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0."""
     largest = _largest([constants[name] for name in fast])
     limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
 
 
 def _check_rates(constants, amplitudes, bodies, refused):
-    """Refuse what doubles do not hold, rates up to their amplitudes."""
+    """Refuse bodies whose constants or largest rates overflow binary64."""
     held = _are_finite([*constants.values()]) & (_largest(amplitudes) <= MAX_RATE)
     _refuse("omega0", "rates beyond what binary64 can hold", held, refused, bodies)
 
 
 def _blot_out(made, refused):
-    """Set to NaN all numbers that states of refused bodies are made from."""
+    """Set all constants of refused bodies to NaN."""
     made["q0"][refused] = made["omega0"][refused] = np.nan
     for _, index, constants in made["groups"]:
         for values in constants.values():
@@ -232,13 +233,13 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """Return the constants of an entry by name, from arguments found by name."""
+    """Call the function of a table entry and return its results by name."""
     values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
-    """Return one number as Python's, which is faster than arrays of one."""
+    """Convert an array of one number to a Python float, which is faster to compute with."""
     if isinstance(value, _DoubleDouble):
         return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
@@ -254,7 +255,7 @@ def _filled(constants, size):
 
 
 def states(prepared, t, out=None, errors="raise"):
-    """Return the states (q, omega) at the times t in s.
+    """Return the attitudes q and the body rates omega at the times t in s.
 
     Shapes are (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and (..., N, 3) for t (N,) or,
     with a row for each motion, t (..., N).  q is continuous in the double cover from attitude0 on.
@@ -285,12 +286,12 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """Return the rows of times of some motions; one row serves all."""
+    """Return the rows of t for some bodies; a single row holds for all bodies."""
     return t if len(t) == 1 else t[bodies]
 
 
 def _begin(prepared, t, q, omega):
-    """Set motions to their start at t = 0, to the last bit."""
+    """Write the exact initial states where t = 0."""
     body, zero = np.nonzero(t == 0)
     for name, rows in (("q0", q), ("omega0", omega)):
         if zero.size and len(t) == 1:
@@ -306,7 +307,7 @@ def _is_lenient(errors):
 
 
 def _single(prepared, t, lenient):
-    """Return the state of one body at one time, by Python's floats."""
+    """Compute the state of one body at one time with Python floats."""
     unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
     if not -max_angle <= inner <= max_angle:
@@ -325,7 +326,7 @@ def _single(prepared, t, lenient):
 
 
 def _in_floats(prepared):
-    """Return the constants of one body as Python's floats; kept, since they serve every call."""
+    """Convert the constants of one body to Python floats and cache them in `prepared`."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: value.item() for key, value in constants.items()}
@@ -355,7 +356,7 @@ def _fits(array, shape):
 
 
 def _are_near(prepared, t):
-    """Return True where all times are finite and near enough for all bodies."""
+    """Return True if every time is finite and within the time domain of every body."""
     if not (t.size and prepared["unit"].size):
         return True
     # No array as long as a row is made for this.
@@ -366,7 +367,7 @@ def _are_near(prepared, t):
 
 
 def _refuse_times(prepared, t):
-    """Raise an error for the first time that is not finite or, for the first such body, too far."""
+    """Raise an error that names the first time that is not finite or beyond its body's domain."""
     for body, number in np.argwhere(~np.isfinite(t))[:1]:
         raise _RefusedError("t", _BAD_TIMES, int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
@@ -383,7 +384,7 @@ def _refuse_times(prepared, t):
 
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
-    """Set to NaN the states at times that are not finite or too far."""
+    """Set states to NaN at times that are not finite or beyond their body's domain."""
     step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
@@ -395,7 +396,7 @@ def _erase(prepared, t, q, omega):
 
 @np.errstate(all="ignore")
 def _fill(prepared, name, index, constants, t, q, omega):
-    """Fill the rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Write one group's states to the output in blocks of times, or of bodies for few times."""
     branch = BRANCHES[name]
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
@@ -419,7 +420,7 @@ def _fill(prepared, name, index, constants, t, q, omega):
 
 
 def _write(prepared, branch, body, columns, t, q, omega, some):
-    """Write the states of one body at a block of times, or of some bodies at all times."""
+    """Write the states of one body at a block of times, or of several bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
     axes = prepared["axes"][body]
@@ -435,7 +436,7 @@ def _write(prepared, branch, body, columns, t, q, omega, some):
 
 
 def _check(inertia, omega0, attitude0, refused):
-    """Refuse bodies by their numbers, which are columns."""
+    """Check columns of inertia, omega0 and attitude0, and refuse invalid bodies."""
     rows = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     for name, columns in rows.items():
         _refuse(name, "every number must be finite", _are_finite(columns), refused)
@@ -457,7 +458,7 @@ def _are_finite(columns):
 
 
 def _batch(inertia, omega0, attitude0):
-    """Broadcast the leading shapes."""
+    """Return the shape that the leading axes of all inputs broadcast to."""
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
@@ -473,7 +474,7 @@ def _batch(inertia, omega0, attitude0):
 
 
 def _refuse(field, rule, good, refused, bodies=None):
-    """Note the bodies that are not good, or raise an error with the number of the first."""
+    """Mark the bodies where `good` is False as refused, or raise an error for the first."""
     if good is not True:
         at = np.flatnonzero(np.logical_not(good))
         at = at if bodies is None else bodies[at]
@@ -484,7 +485,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Return the rates and E_b of the motions to follow, and the last inner times.
+    """Replace motions too near the separatrix by limiting motions; return their last times, too.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -521,7 +522,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Return which motions become separatrix or spin, which become spin, and their last times.
+    """Return which motions to replace, which of those by spins, and their last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -553,7 +554,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Divide columns by a power of two that brings the largest into [1, 2); return it, too."""
+    """Scale columns by a power of two so that the largest lies in [1, 2); return both."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -565,7 +566,7 @@ def _scaled(columns):
 
 
 def _differences(apart, axes):
-    """Return c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    """Return c_a - c_b, c_a - c_d and c_b - c_d as double-doubles."""
     found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
         forward = (axes[y] - axes[x]) % 3 == 1
@@ -590,13 +591,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """Return E_b as a pair: where its terms cancel, from integers."""
+    """Return E_b as a double-double, from exact integers where its terms cancel."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -616,7 +617,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """Return E_b of one motion in integer arithmetic, as two doubles."""
+    """Compute E_b of one motion in integer arithmetic; return two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -627,7 +628,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Return Python's integers and the power of two that turns them into x."""
+    """Write the doubles x as integers times one power of two; return both."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))

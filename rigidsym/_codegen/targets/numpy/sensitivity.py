@@ -1,17 +1,17 @@
-"""The hand-written runtime of sensitivities: which axis is which, scaling, blocks and shapes.
+"""Hand-written runtime of sensitivities: order of axes, scaling, blocks and shapes.
 
-Its text stands in the generated module of the theta form, after `runtime`.
+Its text is printed into the generated module of the theta form, after `runtime`.
 """
 
 import math
 
 import numpy as np
 
+from rigidsym._codegen.targets.numpy.double_double import _DoubleDouble
 from rigidsym._codegen.targets.numpy.runtime import (
     _BLOCK,
     _called,
     _differences,
-    _DoubleDouble,
     _of,
     _plain,
     _RefusedError,
@@ -28,7 +28,7 @@ COLUMNS = ("attitude0", "omega0", "inertia", "t")
 
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
-    """Return states at the times t in s, and their changes with the inputs.
+    """Return the states at the times t in s and their derivatives by the inputs.
 
     (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
     `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
@@ -73,7 +73,7 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
 
 
 def _together(shape, ends):
-    """Return zeros of these shapes in one piece of memory.
+    """Allocate arrays of zeros of several shapes in one block of memory.
 
     Allocators keep one piece where they would return several to the system, page by page.
     """
@@ -86,7 +86,7 @@ def _together(shape, ends):
 
 
 def _elapsed(prepared):
-    """Return the constants of sensitivities, by groups of one nome and one order of axes."""
+    """Compute the constants of sensitivities, grouped by nome and order of axes."""
     c, apart, omega, discriminant = prepared["given"]
     axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
     # Where rates are constant, too, a is the axis with p >= r.
@@ -121,7 +121,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """Return the phase at t = 0, and the p t^2 beyond which it is used: where it is known."""
+    """Return the phases at t = 0, and the values of p t^2 beyond which they are used."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -131,7 +131,7 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """Return the indices of some bodies, and their constants by the part that uses them.
+    """Return the indices of a group's bodies, and constants by the part that uses them.
 
     Constants are arrays, or Python's floats of one body.
     """
@@ -148,16 +148,16 @@ def _of_group(name, index, known):
 
 
 def _of_one(made, number):
-    """Return the constants of one body, as Python's floats."""
+    """Return the constants of one body as Python floats."""
     return {
         part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
     }
 
 
 def _fill_sensitivities(prepared, group, t, rows, first_of):
-    """Fill the rows of one group, in blocks: of times, or of bodies where times are few.
+    """Write the sensitivities of one group to the output arrays block by block.
 
-    Whether any number of theirs is lost.
+    Blocks are of times, or of bodies where times are few.  Returns True if any number is lost.
     """
     name, order, index, made = group
     size, lost = t.shape[1], False
@@ -193,9 +193,9 @@ def _fill_sensitivities(prepared, group, t, rows, first_of):
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place, first_of):
-    """Write those of one body at a block of times, or of some bodies at all times.
+    """Write the sensitivities of one body at a block of times, or of several at all times.
 
-    Whether any of them is lost.
+    Returns True if any number is lost.
     """
     unit, moment_unit = units
     known = {"t": unit * t}
@@ -252,13 +252,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """Return the results of a function of the time, by name."""
+    """Call a function of the time and return its results by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """Fill the changes of bodies at rest, which begin to turn as they are given rates."""
+    """Write the sensitivities of bodies at rest, which begin to turn when given rates."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [
@@ -274,14 +274,14 @@ def _at_rest(prepared, t, rows, first_of, at_once):
 
 
 def _unchanged(t, rows, at_once):
-    """Set the changes at t = 0 to those given."""
+    """Write the exact initial derivatives where t = 0."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
         rows[2][some, time], rows[3][some, time] = at_once
 
 
 def _check_held(rows, errors):
-    """Refuse times at which changes have no numbers: where their squares leave binary64."""
+    """Refuse times at which squares of derivatives overflow binary64, or write NaN there."""
     lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows], axis=0)
     if not np.any(lost):
         return

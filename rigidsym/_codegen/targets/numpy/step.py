@@ -1,18 +1,13 @@
-"""The hand-written runtime of the NumPy module of steps: which axis is which, scaling and shapes.
+"""Hand-written runtime of the NumPy module of steps: order of axes, scaling and shapes.
 
-Its text stands in the generated module after the pairs and the derived functions; here it is
-importable only as far as linting goes.
+Its text is printed into the generated module, after the derived functions.
 """
 
 import math
 
 import numpy as np
 
-from rigidsym._codegen.targets.numpy.stubs import (
-    LAST,
-    MAX_STEP,
-    MIN_MOMENT_RATIO,
-    STEPS,
+from rigidsym._codegen.targets.numpy.double_double import (
     _DoubleDouble,
     _largest,
     _ldexp,
@@ -20,6 +15,15 @@ from rigidsym._codegen.targets.numpy.stubs import (
     _product_error,
     _reversed,
     _sqrt,
+    _taken,
+    _two_sum,
+    _where,
+)
+from rigidsym._codegen.targets.numpy.stubs import (
+    LAST,
+    MAX_STEP,
+    MIN_MOMENT_RATIO,
+    STEPS,
     _step_attitude,
     _step_body,
     _step_doubled,
@@ -34,9 +38,6 @@ from rigidsym._codegen.targets.numpy.stubs import (
     _step_shortest,
     _step_shortest_before,
     _step_start,
-    _taken,
-    _two_sum,
-    _where,
 )
 
 # --- runtime ---
@@ -48,7 +49,7 @@ _COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
-    """An input that breaks a rule: its field, the rule, and the first body that does.
+    """Invalid input, with the field, the broken rule, and the first body that breaks it.
 
     Bodies are counted through the leading axes.
     """
@@ -63,10 +64,10 @@ class _RefusedError(ValueError):
 
 @np.errstate(invalid="ignore")
 def prepare(inertia):
-    """Prepare the constants of bodies, for `step`; inertia (B, 3) in kg m^2, positive.
+    """Compute the constants of bodies that `step` takes, from inertia (B, 3) in kg m^2.
 
-    Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
-    are not positive and finite, or of too different size.
+    For one body, (3,), they are Python floats, which `step_one` takes.  Raises ValueError for
+    moments that are not positive and finite, or of too different size.
     """
     inertia = np.asarray(inertia, float)
     if inertia.ndim == 1:
@@ -97,23 +98,24 @@ def prepare(inertia):
 
 
 def _refuse(field, rule, good):
-    """Raise an error for the first body that is not good."""
+    """Raise an error for the first body where `good` is False."""
     if good is not True:
         for body in np.flatnonzero(np.logical_not(good))[:1]:
             raise _RefusedError(field, rule, int(body))
 
 
 def _paired(values):
-    """Make pairs from doubles hi, lo, hi, lo, ..."""
+    """Return double-doubles from a sequence hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
 def step(bodies, q, omega, dt, out):
-    """Move B bodies freely for dt: q (B, 4), omega (B, 3) and dt (B,) or () to out.
+    """Write the states of B free bodies after dt to `out`.
 
-    bodies: of `prepare`, for one body or B of them.  q may have any length but zero, and is
-    returned a unit quaternion; out, a pair of such arrays, may be (q, omega).  Raises ValueError
-    for what is not finite, a zero quaternion, and |omega dt| beyond 2^3 rad.
+    q (B, 4), omega (B, 3), dt (B,) or (); bodies: of `prepare`, for one body or B of them.  q may
+    have any length but zero, and is returned a unit quaternion; out, a pair of such arrays, may be
+    (q, omega).  Raises ValueError for what is not finite, a zero quaternion, and |omega dt| beyond
+    2^3 rad.
     """
     dt = np.broadcast_to(dt, len(q))
     for name, values in (("q", q), ("omega", omega), ("dt", dt[:, None])):
@@ -128,10 +130,10 @@ def step(bodies, q, omega, dt, out):
 
 
 def step_one(body, q, omega, dt):
-    """Step one body of `prepare` in Python's floats: q and omega as lists, with the bits of `step`.
+    """Return the state of one body after dt, as lists computed with Python floats.
 
-    Raises ValueError or ArithmeticError where `step` refuses a body, and for numbers that leave
-    binary64 on the way.
+    It has the bits of `step`; body: of `prepare`.  Raises ValueError or ArithmeticError where
+    `step` refuses a body, and for numbers that overflow on the way.
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
         raise _RefusedError("q", "every number must be finite, and one not zero", 0)
@@ -143,7 +145,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Return the constants of some of the bodies; one body serves all."""
+    """Return the constants of some bodies; those of a single body hold for all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -160,7 +162,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return the attitude and the rates after dt on the axes a, b, d, and these axes.
+    """Return attitudes and rates after dt in the order of the axes a, b, d, and these axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -194,7 +196,7 @@ def _stepped(bodies, q, omega, dt):
 
 
 def _unit(parts):
-    """Divide a quaternion by its length, each number as good as rounded once."""
+    """Normalise a quaternion, with little more error than one rounding in each component."""
     squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
     square = sum(squares, _DoubleDouble(0.0))
     over = 1 / _sqrt(square.hi)
@@ -204,7 +206,7 @@ def _unit(parts):
 
 
 def _rounded_rates(rates, parts):
-    """Round rates up or down at random, each as often as it is near.
+    """Round rates up or down at random, to the nearer double more often (stochastic rounding).
 
     Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
     one way for long.  The attitude's last digits are as good as chance.
@@ -225,7 +227,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """Return the attitude of moving bodies, about as long as q, and the rates as pairs."""
+    """Return attitudes, not normalised, and rates as double-doubles of moving bodies after t."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
