@@ -63,7 +63,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Another convention of the data, and chi2 of the best motion by it."""
+    """Another convention of the data, with chi2 of the motion that fits best under it."""
 
     name: str
     chi2: float
@@ -71,7 +71,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """Verdict on the residuals of a fit.
+    """Verdict on the residuals of a fit, with advice.
 
     scale: the root of chi2 over its degrees of freedom. message: one line on what to do, empty
     where residuals agree with the errors. readings: conventions by which the data fit instead.
@@ -89,7 +89,7 @@ class Agreement:
 
 
 def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> Agreement:
-    """Judge the residuals of a motion by the stated errors.
+    """Judge whether the residuals of a motion are errors of the stated size.
 
     freedom: degrees of freedom of chi2. search: returns the minima of a problem; other conventions
     of the data are tried only where chi2 is too large and residuals are far from small.
@@ -110,15 +110,18 @@ def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> A
         said = f'{named} outliers make chi2: remove them, or use loss="cauchy"'
         return Agreement(Verdict.OUTLIERS, scale, said)
     sizes = _sizes(problem, point)
-    found = list(_readings(problem, chi2, search)) if max(sizes) > _SUSPECT else []
+    found = _readings(problem, chi2, search) if max(sizes) > _SUSPECT else []
     if found:
         least = min(x.chi2 for x in found)
         found = [x for x in found if x.chi2 <= _TIE * (least + freedom)]
         names = "; or ".join(f"{x.name} (chi2 {x.chi2:.6g})" for x in found)
-        return Agreement(
-            Verdict.DISAGREE, scale, f"the data fit when read as {names}", tuple(found)
-        )
-    if max(sizes) > _GROSS or _is_serial(problem, residuals):
+        said = f"the data fit when read as {names}"
+        return Agreement(Verdict.DISAGREE, scale, said, tuple(found))
+    # Unlike errors, residuals that a model lacks are correlated with the next ones.
+    series = [residuals[rows] for rows in problem.rows]
+    tiny = np.finfo(float).tiny
+    serial = [np.sum(x[1:] * x[:-1]) / max(np.sum(x**2), tiny) * np.sqrt(x.size) for x in series]
+    if max(sizes) > _GROSS or max(serial) > _SERIAL:
         said = "no usual reading of the data fits: check units, axes, times, moments, and torques"
         return Agreement(Verdict.DISAGREE, scale, said)
     said = (
@@ -146,9 +149,9 @@ def _outlier_count(problem: Problem, point: Point) -> int:
 
 
 def _sizes(problem: Problem, point: Point) -> list[float]:
-    """Return the sizes of residuals that are too large, set by set.
+    """Return 0, and the relative size of residuals for each set in which they are too large.
 
-    They are relative to those of a motion unrelated to the set; the first is 0.
+    Sizes are relative to the residuals of a motion unrelated to the set.
     """
     seen = point.in_observed_axes(*states(point, problem.since, problem.engine))
     found = [0.0]
@@ -161,18 +164,8 @@ def _sizes(problem: Problem, point: Point) -> list[float]:
     return found
 
 
-def _is_serial(problem: Problem, residuals: np.ndarray) -> bool:
-    """Return whether residuals of a set are correlated with the next ones, unlike errors."""
-    for rows in problem.rows:
-        own = residuals[rows]
-        serial = np.sum(own[1:] * own[:-1]) / max(np.sum(own**2), np.finfo(float).tiny)
-        if serial * np.sqrt(own.size) > _SERIAL:
-            return True
-    return False
-
-
-def _readings(problem: Problem, chi2: float, search: Search) -> Iterator[Reading]:
-    """Yield the conventions by which the data fit, or by which chi2 is far smaller."""
+def _readings(problem: Problem, chi2: float, search: Search) -> list[Reading]:
+    """Return the conventions by which the data fit, or by which chi2 is far smaller."""
     found: dict[str, float] = {}
     for names, posed, point in _minima(problem, search):
         freedom = posed.count - posed.parameters.count
@@ -180,11 +173,11 @@ def _readings(problem: Problem, chi2: float, search: Search) -> Iterator[Reading
         fits = freedom > 0 and chi2_law.sf(least, freedom) > _CHANCE
         if names and (fits or least * _BETTER < chi2):
             found.setdefault(", ".join(names), least)
-    yield from (Reading(name, least) for name, least in found.items())
+    return [Reading(name, least) for name, least in found.items()]
 
 
 def _minima(problem: Problem, search: Search) -> Iterator[tuple[Names, Problem, Point]]:
-    """Yield the names of conventions of all sets, the problem by each, and its best motion.
+    """Yield the names of combined conventions, the problem that they make, and its best motion.
 
     Rates alone are read in each unit; rates beside others by what suits the motion of the others.
     """
@@ -204,7 +197,7 @@ def _minima(problem: Problem, search: Search) -> Iterator[tuple[Names, Problem, 
 
 
 def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield the names of all combinations of conventions, and the sets by them."""
+    """Yield all combinations of conventions: their names, and the sets read by them."""
     kinds = [kind for kind in KINDS if any(one.kind == kind for one in sets)]
     for names in every(*(KINDS[kind].conventions for kind in kinds)):
         chosen = dict(zip(kinds, names, strict=True))
@@ -213,10 +206,10 @@ def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
 
 
 def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield names of conventions of rates, and the sets by them.
+    """Yield conventions of rates that suit a motion: their names, and the sets read by them.
 
-    These are the axes and the unit that suit a motion best, first with errors in the same unit,
-    then with errors as they are.
+    These are the best axes and unit, first with errors in the same unit, then with errors as they
+    are.
     """
     if not rates or not np.isfinite(problem.residuals(point)).all():
         yield (), rates
@@ -243,11 +236,11 @@ def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Nam
 def against_others(
     sets: list[np.ndarray], residuals: np.ndarray, part: np.ndarray
 ) -> list[np.ndarray]:
-    """Return chi2 (N,) by which each observation misses the prediction from all others, by set.
+    """Return for each set the chi2 (N,) of each observation against its prediction from all others.
 
-    sets: indices (N, width) of residuals; part: an orthonormal basis of what parameters move
-    residuals by.  With leverages H = part part^T it is r^T (1 - H)^-1 r, with as many degrees of
-    freedom as the observation has numbers; NaN where the others predict nothing.
+    sets: indices (N, width) of residuals; part: an orthonormal basis of the changes that
+    parameters make to residuals.  With leverages H = part part^T it is r^T (1 - H)^-1 r, with as
+    many degrees of freedom as the observation has numbers; NaN where the others predict nothing.
     """
     listed = []
     for rows in sets:
@@ -262,7 +255,7 @@ def against_others(
 
 
 def outliers(problem: Problem, found: Observability) -> tuple[Place, ...]:
-    """Return the set and the index of each outlier, at 1 % for all observations together.
+    """Return the set and the index of each outlier, at 1 % significance for all observations.
 
     The worst is removed first, and the others are judged again without it.
     """

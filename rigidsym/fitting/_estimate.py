@@ -1,4 +1,4 @@
-"""The fit itself: the motion that observations show, with errors and alternatives."""
+"""Fits of torque-free motions to observations, with errors and alternatives."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -10,7 +10,7 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
-from rigidsym.fitting._minimise import Minimum, checked_loss, minimise
+from rigidsym.fitting._minimise import LOSSES, Minimum, minimise
 from rigidsym.fitting._parameters import IDENTITY, Point, motion, states
 from rigidsym.fitting._problem import Problem, SetsLike, Sigma, observation_sets, posed
 from rigidsym.fitting._report import Fit
@@ -50,7 +50,7 @@ def fit(
     engine: str = "c",
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Fit:
-    """Return the free motion that observations show, its errors, and the alternatives.
+    """Fit a torque-free motion to observations, with its errors and the alternatives.
 
     Parameters
     ----------
@@ -108,7 +108,8 @@ def fit(
     count = inputs.whole("starts", starts, MOST_STARTS)
     limit = None if fastest is None else _positive("fastest", fastest)
     range_ = _positive("delta_chi2", delta_chi2)
-    checked_loss(loss)
+    if loss not in LOSSES:
+        raise InputError("loss", repr(loss), f"must be one of: {', '.join(LOSSES)}")
     size = None if scale is None else _positive("scale", scale)
     again = partial(search, known=known, count=count, fastest=limit, within=range_, loss=loss)
     if guess is None:
@@ -146,7 +147,7 @@ def _positive(name: str, value: float) -> float:
 def started(
     problem: Problem, guess: TorqueFreeMotion, known: np.ndarray | None
 ) -> tuple[Problem, Point]:
-    """Return the problem, and the guess at its epoch.
+    """Return the problem with the guess as a point at its epoch.
 
     The epoch becomes t = 0 if the guess has no state at the epoch.
     """
@@ -160,7 +161,7 @@ def started(
 
 
 def _spin(problem: Problem, best: Minimum, loss: str) -> Minimum | None:
-    """Return the best spin about a principal axis, if errors explain what it leaves; else None.
+    """Return the best spin about a principal axis if it explains the observations, else None.
 
     In this case the observations contain no information on the ratios of inertia: small motions
     that a fit finds beside a spin are those of the errors, and their periods mean nothing.  A spin
@@ -184,7 +185,10 @@ def _spin(problem: Problem, best: Minimum, loss: str) -> Minimum | None:
 
 
 def _pure_spin(axis: int, point: Point, anywhere: bool) -> Point:
-    """Return the spin about a principal axis; where axes are free, it is turned to the rates."""
+    """Return the spin about a principal axis that is nearest to a motion.
+
+    anywhere: turn the axis to the rates.
+    """
     omega = np.where(np.arange(3) == axis, point.omega, 0.0)
     if not anywhere:
         return replace(point, omega=omega)
@@ -198,7 +202,7 @@ def _pure_spin(axis: int, point: Point, anywhere: bool) -> Point:
 
 
 def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
-    """Return the motion of a point and its chi2.
+    """Return the motion of a point with its chi2.
 
     size: the largest moment, where neither the observations nor a prior determine it.
     """
@@ -210,7 +214,7 @@ def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
 
 
 def _from_zero(problem: Problem, point: Point, residuals: np.ndarray) -> TorqueFreeMotion:
-    """Return the motion from t = 0, in as many digits as the observations can resolve.
+    """Return the motion of a point from t = 0, in as many digits as the observations resolve.
 
     Next to a separatrix a state at t = 0 in doubles is another motion at the observations.
     """
@@ -224,19 +228,12 @@ def _from_zero(problem: Problem, point: Point, residuals: np.ndarray) -> TorqueF
     except InputError:
         pass  # doubles do not reach t = 0
     for digits in _DIGITS:
-        if found is not None and _has_residuals(found, problem, point, residuals):
-            break
+        try:
+            missed = problem.state_residuals(point, *found(problem.times)) if found else np.inf
+            if np.max(np.abs(missed - residuals)) < _SLIGHT:
+                break
+        except InputError:
+            pass
         q, omega = amid.precise(-problem.epoch, digits)
         found = amid.replace(omega0=tuple(omega), attitude0=tuple(q))
     return found or amid
-
-
-def _has_residuals(
-    found: TorqueFreeMotion, problem: Problem, point: Point, residuals: np.ndarray
-) -> bool:
-    """Return whether the motion reproduces the residuals of the point."""
-    try:
-        missed = problem.state_residuals(point, *found(problem.times))
-    except InputError:
-        return False
-    return bool(np.max(np.abs(missed - residuals)) < _SLIGHT)

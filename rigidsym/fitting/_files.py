@@ -12,7 +12,7 @@ import numpy as np
 from rigidsym import _inputs as inputs
 from rigidsym._engines import batches
 from rigidsym.errors import InputError
-from rigidsym.fitting._observations import KINDS, Attitudes, Observations, Rates, Units
+from rigidsym.fitting._observations import KINDS, Attitudes, Observations, Rates
 from rigidsym.fitting._published import TOUTATIS_EPOCH, text, toutatis
 from rigidsym.io import _attitude_ephemeris as attitude_ephemeris
 from rigidsym.io import _epochs as epochs
@@ -21,7 +21,7 @@ from rigidsym.io._files import read_text
 
 DAY = 86400.0
 OWN = ("toutatis", "t-handle")
-"Observations that come with the package, by name."
+"Names of the observations that come with the package."
 _OPTIONS = (
     *("inertia", "moments", "moments_sigma", "scale", "loss", "starts", "fastest"),
     "delta_chi2",
@@ -29,13 +29,10 @@ _OPTIONS = (
 _TABLES = {name: kind for name, kind in KINDS.items() if kind.keys}
 _COLUMNS = {name: kind for name, kind in KINDS.items() if kind.columns}
 
-# Lines of a CSV file: their numbers, and their cells by column.
-Rows = list[tuple[int, dict[str, str]]]
-
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """Observations by kind, options of the fit, and the epoch at which times are zero."""
+    """Observations of a file by kind, with the options of the fit and the epoch of t = 0."""
 
     observations: Mapping[str, list[Observations]]
     options: Mapping[str, Any] = field(default_factory=dict)
@@ -47,10 +44,10 @@ class File:
 
 
 def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
-    """Load a file by its suffix, or one of OWN.
+    """Load a file in the format of its suffix, or observations that come with the package.
 
-    sigma: by kind, rad and rad/s, of files that have no errors.  Raises InputError about the first
-    mistake in the file.
+    name: a path, or one of OWN. sigma: standard deviations by kind, rad and rad/s, for files that
+    have no errors.  Raises InputError about the first mistake in the file.
     """
     errors = sigma or {}
     path = Path(name)
@@ -59,33 +56,30 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
         check_sigma((), errors, f"{name} has errors of its own: leave it")
     if name == "toutatis":
         radar = toutatis()
-        return File(
-            {"attitudes": [Attitudes(radar.times, radar.q, radar.sigma)]}, epoch=TOUTATIS_EPOCH
-        )
+        seen: list[Observations] = [Attitudes(radar.times, radar.q, radar.sigma)]
+        return File({"attitudes": seen}, epoch=TOUTATIS_EPOCH)
     if name == "t-handle":
         return parse_csv(text("t-handle.csv"), errors)
+    if ending not in (".toml", ".csv", ".aem"):
+        rule = f"must end in .toml, .csv or .aem, or be one of: {', '.join(OWN)}"
+        raise InputError("observations", name, rule)
+    content = read_text("observations", path)
     if ending == ".toml":
-        return parse_toml(read_text("observations", path))
-    if ending == ".csv":
-        return parse_csv(read_text("observations", path), errors)
-    if ending == ".aem":
-        return parse_message(read_text("observations", path), errors)
-    rule = f"must end in .toml, .csv or .aem, or be one of: {', '.join(OWN)}"
-    raise InputError("observations", name, rule)
+        return parse_toml(content)
+    return (parse_csv if ending == ".csv" else parse_message)(content, errors)
 
 
 def parse_toml(content: str) -> File:
-    """Parse tables [[attitudes]], [[rates]], [[vectors]], and the options of the fit.
+    """Parse the tables [[attitudes]], [[rates]] and [[vectors]], and the options of the fit.
 
-    `degrees`: rates, angles and their errors are in degrees; `days`: times are in days, rates per
-    day.  Times are numbers, or epochs if `epoch` says when they are zero.
+    With `degrees`, rates, angles and their errors are in degrees; with `days`, times are in days
+    and rates per day.  Times are numbers, or epochs if `epoch` gives the epoch of t = 0.
     """
     data = toml_file.parse("observations", content)
     toml_file.check_keys("observations", data, (*_OPTIONS, "epoch", "days", "degrees", *_TABLES))
-    units = Units(
-        DAY if inputs.is_true("days", data.get("days", False)) else 1.0,
-        np.pi / 180 if inputs.is_true("degrees", data.get("degrees", False)) else 1.0,
-    )
+    second = DAY if inputs.is_true("days", data.get("days", False)) else 1.0
+    angle = np.pi / 180 if inputs.is_true("degrees", data.get("degrees", False)) else 1.0
+    units = {"rad": angle, "rad/s": angle / second}
     epoch = data.get("epoch")
     found: dict[str, list[Observations]] = {}
     for name, kind in _TABLES.items():
@@ -96,18 +90,21 @@ def parse_toml(content: str) -> File:
             where = f"{name}[{k}]"
             known = ("times", "sigma", *kind.keys)
             toml_file.check_keys(where, table, known, ("times", "sigma"))
-            times = _times(where, table["times"], epoch, units)
-            found.setdefault(name, []).append(kind.from_table(where, table, times, units))
+            times = _times(where, table["times"], epoch, second)
+            sigma, unit = batches.array(f"{where}.sigma", table["sigma"]), units[kind.unit]
+            # Standard deviations are in the unit, covariances in its square.
+            errors = sigma * (unit if sigma.ndim < 2 else unit**2)
+            found.setdefault(name, []).append(kind.from_table(where, table, times, errors, unit))
     options = {name: data[name] for name in _OPTIONS if name in data}
     if "moments_sigma" in options:
         options["sigma"] = {"moments": options.pop("moments_sigma")}
     return File(found, options, epoch)
 
 
-def _times(where: str, values: Any, epoch: str | None, units: Units) -> np.ndarray:
-    """Return times in s, of numbers or epochs."""
+def _times(where: str, values: Any, epoch: str | None, second: float) -> np.ndarray:
+    """Return times in s that are given as numbers or as epochs."""
     if not isinstance(values, list) or not any(isinstance(x, str) for x in values):
-        return batches.array(f"{where}.times", values) * units.time
+        return batches.array(f"{where}.times", values) * second
     if epoch is None:
         raise InputError("epoch", "missing", f"{where}.times are epochs: say when they are 0")
     zero = epochs.parse("epoch", epoch, "UTC")
@@ -116,7 +113,7 @@ def _times(where: str, values: Any, epoch: str | None, units: Units) -> np.ndarr
 
 
 def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
-    """Parse columns t, q0 ... q3, omega1 ... omega3, and errors sigma_q, sigma_omega, each once.
+    """Parse columns t, q0 ... q3, omega1 ... omega3, and the errors sigma_q and sigma_omega.
 
     Units are s, rad and rad/s.  A line has the cells of attitudes, of rates, or of both; those of
     the other kind are empty. sigma: errors by kind, for kinds without a column of errors.
@@ -127,7 +124,14 @@ def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
         if line.strip() and not line.startswith("#")
     ]
     header = [name.strip() for name in lines[0][1]] if lines else []
-    _check_names(header)
+    values = [name for kind in _COLUMNS.values() for name in kind.columns]
+    known = ("t", *values, *(kind.sigma_column for kind in _COLUMNS.values()))
+    for place, name in enumerate(header):
+        if name not in known:
+            raise InputError("header", name, f"is not one of: {', '.join(known)}")
+        if name in header[:place]:
+            rule = "is the name of two columns: remove or rename one of them"
+            raise InputError("header", name, rule)
     for number, cells in lines[1:]:
         if len(cells) > len(header):
             rule = f"a line has more cells: line {number} has {len(cells)}; name or remove them"
@@ -135,55 +139,32 @@ def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
         if len(cells) < len(header):
             rule = f"must be {len(header)} as in the header: fill in cells, or leave them empty"
             raise InputError(f"line {number}", f"{len(cells)} cells", rule)
-    _check_groups(header)
-    rows: Rows = []
-    for number, cells in lines[1:]:
-        row = {name: cell.strip() for name, cell in zip(header, cells, strict=True)}
-        if not any(row.get(name) for kind in _COLUMNS.values() for name in kind.columns):
-            rule = "has neither an attitude nor rates: fill it in, or remove the line"
-            raise InputError(f"line {number}", ",".join(cells), rule)
-        rows.append((number, row))
-    found = {name: _columns(kind, rows, sigma) for name, kind in _COLUMNS.items()}
-    check_sigma([name for name, (times, *_) in found.items() if len(times)], sigma)
-    return File({name: [_COLUMNS[name](*x)] for name, x in found.items() if len(x[0])})
-
-
-def _check_names(header: list[str]) -> None:
-    """Raise InputError for columns that are unknown or given twice."""
-    kinds = _COLUMNS.values()
-    values = [name for kind in kinds for name in kind.columns]
-    known = ("t", *values, *(kind.sigma_column for kind in kinds))
-    for place, name in enumerate(header):
-        if name not in known:
-            raise InputError("header", name, f"is not one of: {', '.join(known)}")
-        if name in header[:place]:
-            rule = "is the name of two columns: remove or rename one of them"
-            raise InputError("header", name, rule)
-
-
-def _check_groups(header: list[str]) -> None:
-    """Raise InputError for columns that lack others they need."""
     for kind in _COLUMNS.values():
         has = [name for name in (*kind.columns, kind.sigma_column) if name in header]
         for name in ("t", *kind.columns):
             if has and name not in header:
                 raise InputError("header", f"no {name}", f"is needed with {', '.join(has)}")
-
-
-def _columns(
-    kind: type[Observations], rows: Rows, sigma: Mapping[str, float]
-) -> tuple[list[float], list[list[float]], list[float] | float | None]:
-    """Return times, values and errors of the lines that have values of a kind, all or none."""
-    own = kind.sigma_column
-    lines = [(k, row) for k, row in rows if any(row.get(name) for name in kind.columns)]
-    times = [_number(k, row, "t") for k, row in lines]
-    values = [[_number(k, row, name) for name in kind.columns] for k, row in lines]
-    if not lines or own not in lines[0][1]:
-        return times, values, sigma.get(kind.kind)
-    if kind.kind in sigma:
-        rule = f"the file has errors of its own, {own}: give one of the two"
-        raise InputError(f"sigma.{kind.kind}", sigma[kind.kind], rule)
-    return times, values, [_number(k, row, own) for k, row in lines]
+    rows = {k: dict(zip(header, map(str.strip, x), strict=True)) for k, x in lines[1:]}
+    for number, cells in lines[1:]:
+        if not any(rows[number].get(name) for name in values):
+            rule = "has neither an attitude nor rates: fill it in, or remove the line"
+            raise InputError(f"line {number}", ",".join(cells), rule)
+    found: dict[str, tuple[Any, ...]] = {}
+    for name, kind in _COLUMNS.items():
+        own = {k: row for k, row in rows.items() if any(row.get(x) for x in kind.columns)}
+        if not own:
+            continue
+        t = [_number(k, row, "t") for k, row in own.items()]
+        seen = [[_number(k, row, x) for x in kind.columns] for k, row in own.items()]
+        errors: Any = sigma.get(name)
+        if kind.sigma_column in header:
+            if name in sigma:
+                rule = f"the file has errors of its own, {kind.sigma_column}: give one of the two"
+                raise InputError(f"sigma.{name}", errors, rule)
+            errors = [_number(k, row, kind.sigma_column) for k, row in own.items()]
+        found[name] = t, seen, errors
+    check_sigma(found, sigma)
+    return File({name: [_COLUMNS[name](*x)] for name, x in found.items()})
 
 
 def _number(line: int, row: Mapping[str, str], name: str) -> float:
@@ -200,16 +181,16 @@ def _number(line: int, row: Mapping[str, str], name: str) -> float:
 
 
 def check_sigma(kinds: Collection[str], sigma: Mapping[str, float], rule: str = "") -> None:
-    """Raise InputError for errors of kinds that a file does not have, or that have errors there."""
+    """Raise InputError for errors of a kind that is not among those that need them."""
     for kind, value in sigma.items():
         if kind not in kinds:
             raise InputError(f"sigma.{kind}", value, rule or f"the file has no {kind}: leave it")
 
 
 def parse_message(content: str, sigma: Mapping[str, float]) -> File:
-    """Parse the states of a CCSDS attitude ephemeris message, in KVN.
+    """Parse the states of a CCSDS attitude ephemeris message in KVN.
 
-    Times are zero at the first state.  Messages have no errors: sigma gives them.
+    Times are zero at the first state. sigma: errors by kind, which messages do not have.
     """
     found = attitude_ephemeris.read(content)
     kinds = ("attitudes",) if found.rates is None else ("attitudes", "rates")

@@ -1,12 +1,13 @@
-"""Minima of a problem: Levenberg-Marquardt steps for many starts at once, SciPy for single ones."""
+"""Minima of chi2: Levenberg-Marquardt steps for many starts at once, SciPy for single ones."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from typing import Any, Literal
 
 import numpy as np
 from scipy.optimize import least_squares
 
-from rigidsym.errors import InputError
 from rigidsym.fitting._parameters import Point, joined
 from rigidsym.fitting._problem import Problem
 
@@ -24,14 +25,14 @@ _LONGEST = 2.0
 
 def chi2(problem: Problem, point: Point, robust: bool = False) -> np.ndarray:
     """Return chi2 of motions (B,); infinite where there are no states."""
-    parts = [_sum(problem.residuals(some), robust) for some in blocks(problem, point)]
-    return np.concatenate(parts)
+    every = blocks(problem, point)
+    return np.concatenate([_sum(problem.residuals(some), robust) for some in every])
 
 
 def refine(
     problem: Problem, point: Point, rounds: int, robust: bool = False
 ) -> tuple[Point, np.ndarray]:
-    """Return motions (B,) nearer to the minima beside them, and their chi2.
+    """Move motions (B,) towards the nearest minima by some rounds of steps; return them and chi2.
 
     robust: minimise sums of log(1 + r^2), which outliers influence little.
     """
@@ -75,12 +76,17 @@ def _normal(
     if robust:
         weight = 1 / np.sqrt(1 + residuals**2)
         residuals, slopes = weight * residuals, weight[..., None] * slopes
+    return cost, *squared(residuals, slopes)
+
+
+def squared(residuals: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return J^T J (B, p, p) and J^T r (B, p) from residuals r (B, M) and derivatives J."""
     transposed = np.swapaxes(slopes, 1, 2)
-    return cost, transposed @ slopes, (transposed @ residuals[..., None])[..., 0]
+    return transposed @ slopes, (transposed @ residuals[..., None])[..., 0]
 
 
 def _step(matrix: np.ndarray, slope: np.ndarray, damping: np.ndarray) -> np.ndarray:
-    """Return steps (B, p), shortened where they are long."""
+    """Return damped Gauss-Newton steps (B, p), shortened where they are long."""
     own = np.einsum("bii->bi", matrix)
     floor = _SMALL * np.max(own, axis=-1, keepdims=True) + np.finfo(float).tiny
     scale = np.sqrt(np.maximum(own, floor))
@@ -99,10 +105,10 @@ def _sum(residuals: np.ndarray, robust: bool) -> np.ndarray:
     return np.where(np.isfinite(found), found, np.inf)
 
 
-def blocks(problem: Problem, point: Point) -> list[Point]:
-    """Return motions (B,) in groups whose states with sensitivities fit into memory."""
+def blocks(problem: Problem, point: Point) -> Iterator[Point]:
+    """Yield motions (B,) in groups whose states with sensitivities fit into memory."""
     size = max(1, _BLOCK // problem.times.size)
-    return [point[k : k + size] for k in range(0, point.count, size)]
+    return (point[k : k + size] for k in range(0, point.count, size))
 
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy", "arctan")
@@ -119,9 +125,9 @@ _NOT_FINITE = "the motion has no states at the times of observation"
 
 @dataclass(frozen=True, slots=True)
 class Minimum:
-    """A minimum, or where the search for it ended.
+    """A minimum, or the point at which the search for it ended.
 
-    cost: SciPy's, twice; it is chi2 for the linear loss.
+    cost: twice the cost of SciPy, which is chi2 for the linear loss.
     """
 
     point: Point
@@ -130,112 +136,74 @@ class Minimum:
     reason: str
 
 
-def checked_loss(loss: str) -> str:
-    """Return the name of a loss; raise InputError for others."""
-    if loss not in LOSSES:
-        raise InputError("loss", repr(loss), f"must be one of: {', '.join(LOSSES)}")
-    return loss
-
-
 def minimise(
     problem: Problem, start: Point, loss: str = "linear", within: np.ndarray | None = None
 ) -> Minimum:
-    """Return the minimum beside a start.
+    """Return the minimum nearest to a start.
 
-    loss: SciPy's name of a function of the squares; with those that are not linear outliers count
-    less, from one standard deviation on. within: columns (p, k) of the parameters that may move;
-    all of them by default.
+    loss: one of `LOSSES`; with those that are not linear outliers count less, from one standard
+    deviation on. within: columns (p, k) of the parameters that may move; all of them by default.
     """
-    start = problem.parameters.inner(start)
-    basis = np.eye(problem.parameters.count) if within is None else within
-    evaluated = _Evaluated(problem, start, basis)
-    if not np.isfinite(evaluated(np.zeros(basis.shape[1]))[0]).all():
+    parameters = problem.parameters
+    start = parameters.inner(start)
+    basis = np.eye(parameters.count) if within is None else within
+
+    @lru_cache(1)
+    @np.errstate(all="ignore")
+    def evaluated(z: bytes) -> tuple[np.ndarray, np.ndarray]:
+        x = basis @ np.frombuffer(z)
+        point = parameters.moved(start, x)
+        residuals, slopes = problem.linearised(point, parameters.derivatives(point, x))
+        return residuals, slopes @ basis
+
+    origin = np.zeros(basis.shape[1])
+    residuals, slopes = evaluated(origin.tobytes())
+    if not np.isfinite(residuals).all():
         return Minimum(start, np.inf, False, _NOT_FINITE)
+    # MINPACK's first step may go as far as 100 scales move the residuals linearly, which has to be
+    # as far as their own size.
+    sizes = np.linalg.norm(slopes, axis=0)
+    far = max(1.0, float(np.linalg.norm(residuals)) / _FIRST_STEP)
+    scale = far / np.where(sizes > 0, sizes, 1.0)
+
+    def solved(method: Literal["lm", "trf"]) -> Any:
+        """Return SciPy's result; None where it reaches motions that have no states."""
+
+        def part(k: int, may_be_infinite: bool, z: np.ndarray) -> np.ndarray:
+            found = evaluated(z.tobytes())[k]
+            if not (may_be_infinite or np.isfinite(found).all()):
+                raise _NotFiniteError
+            return found
+
+        try:
+            return least_squares(
+                partial(part, 0, method == "trf"),
+                origin,
+                jac=partial(part, 1, False),
+                method=method,
+                x_scale=scale if method == "lm" else "jac",
+                loss=loss,
+                max_nfev=_MOST_STEPS,
+                **_TOLERANCES,
+            )
+        except _NotFiniteError:
+            return None
+
     # MINPACK is faster, but has no losses, needs as many residuals as parameters, and does not step
     # back from where there are no states, as the trust region does.
     plain = loss == "linear" and problem.count >= basis.shape[1]
-    found = _solved(evaluated, "lm", loss) if plain else None
-    found = found or _solved(evaluated, "trf", loss)
+    found = (solved("lm") if plain else None) or solved("trf")
     if found is None:
         return Minimum(start, np.inf, False, _NOT_FINITE)
-    point = problem.parameters.moved(start, basis @ found.x)
-    natural = problem.parameters.natural_sizes(point, problem.span) @ basis
-    still = found.status > 0 or _decrease(found.fun, found.jac * natural) < _FALL
+    point = parameters.moved(start, basis @ found.x)
+    natural = parameters.natural_sizes(point, problem.span) @ basis
+    # The possible decrease of chi2 by one more Gauss-Newton step.  Directions whose errors are
+    # beyond the natural sizes are left out, because valleys of chi2 are curved there.
+    left, sizes, _ = np.linalg.svd(found.jac * natural, full_matrices=False)
+    fall = float(np.sum((found.fun @ left[:, sizes > 1]) ** 2))
+    still = found.status > 0 or fall < _FALL
     return Minimum(point, 2 * float(found.cost), still, "a minimum" if still else _NO_MINIMUM)
-
-
-@dataclass(slots=True)
-class _Evaluated:
-    """Residuals and their derivatives, cached for the last point."""
-
-    problem: Problem
-    start: Point
-    basis: np.ndarray
-    at: bytes = b""
-    found: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
-
-    @np.errstate(all="ignore")
-    def __call__(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        if z.tobytes() != self.at:
-            x = self.basis @ z
-            point = self.problem.parameters.moved(self.start, x)
-            own = self.problem.parameters.derivatives(point, x)
-            residuals, slopes = self.problem.linearised(point, own)
-            self.at, self.found = z.tobytes(), (residuals, slopes @ self.basis)
-        return self.found
-
-    @property
-    def scale(self) -> np.ndarray:
-        """Return the scale of the parameters at the start.
-
-        MINPACK's first step may go as far as 100 scales move the residuals linearly, which has to
-        be as far as their own size.
-        """
-        residuals, slopes = self(np.zeros(self.basis.shape[1]))
-        sizes = np.linalg.norm(slopes, axis=0)
-        far = max(1.0, float(np.linalg.norm(residuals)) / _FIRST_STEP)
-        return far / np.where(sizes > 0, sizes, 1.0)
-
-
-def _solved(evaluated: _Evaluated, method: Literal["lm", "trf"], loss: str) -> Any:
-    """Return SciPy's result; None where it reaches motions that have no states."""
-
-    def residuals(z: np.ndarray) -> np.ndarray:
-        found, _ = evaluated(z)
-        if method == "lm" and not np.isfinite(found).all():
-            raise _NotFiniteError
-        return found
-
-    def slopes(z: np.ndarray) -> np.ndarray:
-        _, found = evaluated(z)
-        if not np.isfinite(found).all():
-            raise _NotFiniteError
-        return found
-
-    try:
-        return least_squares(
-            residuals,
-            np.zeros(evaluated.basis.shape[1]),
-            jac=slopes,
-            method=method,
-            x_scale=evaluated.scale if method == "lm" else "jac",
-            loss=loss,
-            max_nfev=_MOST_STEPS,
-            **_TOLERANCES,
-        )
-    except _NotFiniteError:
-        return None
 
 
 class _NotFiniteError(ArithmeticError):
     """A motion that has no states."""
-
-
-def _decrease(residuals: np.ndarray, slopes: np.ndarray) -> float:
-    """Return the decrease of chi2 by one more Gauss-Newton step, in observable directions.
-
-    slopes (M, k): by parameters in their natural sizes.  Directions whose errors are beyond those
-    sizes are left out, because valleys of chi2 are curved there.
-    """
-    left, sizes, _ = np.linalg.svd(slopes, full_matrices=False)
-    return float(np.sum((residuals @ left[:, sizes > 1]) ** 2))

@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import chi2 as chi2_law
 
-from rigidsym.fitting._minimise import blocks
-from rigidsym.fitting._observability import Errors, Quantities
-from rigidsym.fitting._parameters import Point
+from rigidsym.fitting._minimise import blocks, squared
+from rigidsym.fitting._observability import Errors
+from rigidsym.fitting._parameters import Point, sensitivities, states
 from rigidsym.fitting._problem import Problem
+from rigidsym.quaternions import conjugate, inverse_left_jacobian, product, rotation_vectors
 
 LEVEL = 0.95
 _MOST_STEPS = 40
@@ -35,12 +36,10 @@ _DIRECTIONS = 64
 # the largest.
 _RANK, _PART = 1e-11, 0.5
 
-Ends = tuple[np.ndarray, ...]
-
 
 @dataclass(frozen=True, slots=True)
 class Nonlinearity:
-    """Comparison of a covariance with the likelihood.
+    """Comparison of the covariance of a fit with the likelihood.
 
     ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
     standard deviation; NaN where there is none. beyond: share of directions in which the covariance
@@ -78,70 +77,119 @@ NONE = Nonlinearity(np.empty((0, 2)), 0.0, 0.0, (), ())
 "The nonlinearity of a fit without errors, and of a spin."
 
 
-@dataclass(frozen=True, slots=True)
-class Likelihood:
-    """Function chi2 of motions less that of the best.
+NAMES = (
+    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
+    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
+)
 
-    offset (M,): subtracted from all residuals first.
+
+@dataclass(frozen=True, slots=True)
+class Quantities:
+    """Quantities of motions near the best point, as users see them, and chi2 of the motions.
+
+    These are a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where they
+    are estimated, the turn of the axes, rad.  Without a prior the scale of the moments is
+    unobservable: their unit is then the largest moment of the best point. offset: subtracted from
+    all residuals (M,).
     """
 
-    quantities: Quantities
+    problem: Problem
+    best: Point
     offset: np.ndarray
 
     @property
-    def problem(self) -> Problem:
-        """Return the observations and parameters."""
-        return self.quantities.problem
+    def names(self) -> tuple[str, ...]:
+        """Return the k names of the quantities."""
+        return NAMES if self.problem.parameters.axes else NAMES[:9]
 
-    @property
-    def best(self) -> Point:
-        """Return the point at which chi2 is least."""
-        return self.problem.parameters.inner(self.quantities.best)
+    def rows(self, point: Point, own: np.ndarray) -> np.ndarray:
+        """Return the derivatives (..., k, p) of the quantities by the parameters at points.
+
+        own (..., 12, p): see `Parameters.derivatives` and `Parameters.linear_derivatives`.  The
+        turns are those at the points themselves.
+        """
+        _, _, since = sensitivities(point, self._zero, self.problem.engine)
+        found = own.copy()
+        found[..., :6, :] = since[..., 0, :, :] @ own[..., :9, :]
+        if self.problem.prior is None:
+            largest, unit = self._unit(point)
+            share = (point.moments / point.moments[..., [largest]])[..., None]
+            alone = own[..., [6 + largest], :]
+            found[..., 6:9, :] = unit[..., None] * (own[..., 6:9, :] - share * alone)
+        return found[..., : len(self.names), :]
+
+    def apart(self, points: Point) -> np.ndarray:
+        """Return the differences (B, k) of the quantities of motions (B,) from those of `best`."""
+        q, omega = states(points, self._zero, self.problem.engine)
+        best_q, best_omega = states(self.best, self._zero, self.problem.engine)
+        moments = points.moments
+        if self.problem.prior is None:
+            moments = self._unit(points)[1] * moments
+        parts = [
+            rotation_vectors(product(q[:, 0], conjugate(best_q[0]))),
+            omega[:, 0] - best_omega[0],
+            moments - self.best.moments,
+            rotation_vectors(product(points.mount, conjugate(self.best.mount))),
+        ]
+        return np.hstack(parts)[:, : len(self.names)]
 
     def rise(self, points: Point) -> np.ndarray:
         """Return chi2 of motions (B,) less that of the best; NaN where there are no states."""
-        every = [points, self.quantities.best.repeated()]
         *found, least = (
             np.sum((self.problem.residuals(some) - self.offset) ** 2, axis=-1)
-            for one in every
+            for one in (points, self.best.repeated())
             for some in blocks(self.problem, one)
         )
         return np.concatenate(found) - least
 
-    def normal(self, points: Point) -> Ends:
+    def normal(self, points: Point) -> tuple[np.ndarray, ...]:
         """Return the normal equations and the quantities at motions (B,).
 
-        These are chi2 (B,), half its first and second derivatives (B, p) and (B, p, p), and the
-        quantities (B, k) with their derivatives (B, k, p).
+        These are chi2 (B,), half its second and first derivatives (B, p, p) and (B, p), and the
+        quantities (B, k) as `apart` returns them, with their derivatives (B, k, p).
         """
         found = []
         for some in blocks(self.problem, points):
             own = self.problem.parameters.derivatives(some)
             residuals, slopes = self.problem.linearised(some, own)
             residuals = residuals - self.offset
-            transposed = np.swapaxes(slopes, 1, 2)
-            slope = (transposed @ residuals[..., None])[..., 0]
-            chi2 = np.sum(residuals**2, axis=-1)
-            found.append((chi2, slope, transposed @ slopes, *self.quantities.near(some, own)))
+            apart, rows = self.apart(some), self.rows(some, own)
+            for first in (0, 9)[: 1 + self.problem.parameters.axes]:
+                turn = slice(first, first + 3)
+                rows[:, turn] = inverse_left_jacobian(apart[:, turn]) @ rows[:, turn]
+            found.append((np.sum(residuals**2, axis=-1), *squared(residuals, slopes), apart, rows))
         return tuple(np.concatenate(x) for x in zip(*found, strict=True))
 
+    def _unit(self, point: Point) -> tuple[int, np.ndarray]:
+        """Return the index of the moment that is the unit, and factors (..., 1) to its value."""
+        largest = int(np.argmax(self.best.moments))
+        return largest, self.best.moments[largest] / point.moments[..., [largest]]
 
-def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> np.ndarray:
-    """Return the ends (n, 2) of the intervals of quantities `which` (n,), less their estimates.
+    @property
+    def _zero(self) -> np.ndarray:
+        """Return t = 0 as a time since the epoch, (1,), s."""
+        return np.array([-self.problem.epoch])
+
+
+def profile(quantities: Quantities, which: np.ndarray, level: float = LEVEL) -> np.ndarray:
+    """Return the ends (n, 2) of profile-likelihood intervals, less the estimates.
+
+    which (n,): indices of the quantities. level: the chance that an interval holds the truth.
 
     An end is infinite where no level of chi2 bounds the quantity.
     """
-    parameters, best = likelihood.problem.parameters, likelihood.best
+    problem, parameters = quantities.problem, quantities.problem.parameters
+    best = parameters.inner(quantities.best)
     quantity, sign = np.repeat(which, 2), np.tile([-1.0, 1.0], len(which))
-    floor = np.diag(1 / parameters.natural_sizes(best, likelihood.problem.span) ** 2)
-    state = tuple(np.repeat(x, len(sign), axis=0) for x in likelihood.normal(best.repeated()))
+    floor = np.diag(1 / parameters.natural_sizes(best, problem.span) ** 2)
+    state = tuple(np.repeat(x, len(sign), axis=0) for x in quantities.normal(best.repeated()))
     level = state[0] + chi2_law.ppf(level, 1)
     points = best.repeated(len(sign))
     longest = np.full(len(sign), _LONGEST)
     ends = np.inf * sign
     going = np.arange(len(sign))
     for _ in range(_MOST_STEPS):
-        cost, slope, matrix, apart, rows = (x[going] for x in state)
+        cost, matrix, slope, apart, rows = (x[going] for x in state)
         every = np.arange(len(going)), quantity[going]
         left = level[going] - cost
         step, gain, reach = _step(left, slope, matrix + floor, sign[going, None] * rows[every])
@@ -157,7 +205,7 @@ def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> 
         size = np.sqrt(_product(step, matrix + floor))
         step *= np.minimum(1, longest[going] / size)[:, None]
         tried = parameters.moved(points[going], step)
-        new = likelihood.normal(tried)
+        new = quantities.normal(tried)
         rise = 2 * np.sum(slope * step, axis=-1) + _product(step, matrix)
         good = new[0] - cost - rise < _BEYOND + np.abs(rise) / 2
         for x in new[1:]:
@@ -172,10 +220,10 @@ def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> 
 def _step(
     left: np.ndarray, slope: np.ndarray, metric: np.ndarray, ways: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the steps (B, p) to the ends of linearised problems, with gains and half widths.
+    """Return the steps (B, p) to the ends of linearised intervals, with gains and half widths.
 
-    Gains (B,) are of quantities that change along `ways` (B, p).  The step is the largest w.d with
-    2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
+    Gains (B,) are those of quantities that change along `ways` (B, p).  The step d has the largest
+    w.d with 2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
     """
     both = np.linalg.solve(metric, np.stack([slope, ways], axis=-1))
     back, along = both[..., 0], both[..., 1]
@@ -191,7 +239,7 @@ def _product(step: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 
 def nonlinearity(
-    likelihood: Likelihood, here: Errors, covariance: np.ndarray, ends: np.ndarray
+    quantities: Quantities, here: Errors, covariance: np.ndarray, ends: np.ndarray
 ) -> Nonlinearity:
     """Compare a covariance (k, k) with the likelihood.
 
@@ -200,7 +248,7 @@ def nonlinearity(
     the truths.  There the Mahalanobis distance of the quantities and chi2 are compared with their
     linear predictions.
     """
-    quantities, names = likelihood.quantities, likelihood.quantities.names
+    names = quantities.names
     sigma = np.sqrt(np.diag(covariance))
     determined: np.ndarray = ~np.isnan(ends[:, 0])
     ratios = np.full(ends.shape, np.nan)
@@ -214,26 +262,23 @@ def nonlinearity(
     z = np.random.default_rng(0).normal(size=(_DIRECTIONS, count))
     square = float(chi2_law.ppf(LEVEL, count))
     z *= np.sqrt(square) / np.linalg.norm(z, axis=1)[:, None]
-    parameters, best = likelihood.problem.parameters, quantities.best
+    parameters, best = quantities.problem.parameters, quantities.best
     points = parameters.stepped(best.repeated(_DIRECTIONS), z @ here.determined.T)
     linear = z @ (quantities.rows(best, parameters.linear_derivatives(best)) @ here.determined).T
-    axes = _axes(covariance, determined)
+    # Combinations of the quantities that are independent and of unit variance.
+    scale = sigma[determined]
+    sizes, vectors = np.linalg.eigh(
+        covariance[np.ix_(determined, determined)] / np.outer(scale, scale)
+    )
+    kept = sizes > _RANK * np.max(sizes)
+    axes = vectors[:, kept] / np.sqrt(sizes[kept]) / scale[:, None]
     said, true = ((x[:, determined] @ axes) ** 2 for x in (linear, quantities.apart(points)))
     excess = np.nan_to_num(true - said, nan=np.inf)
     beyond = float(np.mean(~(np.sum(excess, axis=1) <= _APART * square)))
-    off = float(np.mean(~(np.abs(likelihood.rise(points) - square) <= _APART * square)))
+    off = float(np.mean(~(np.abs(quantities.rise(points) - square) <= _APART * square)))
     joint: tuple[str, ...] = ()
     if beyond > _MANY:
-        worst = axes[:, np.argmax(np.median(excess, axis=0))] * sigma[determined]
+        worst = axes[:, np.argmax(np.median(excess, axis=0))] * scale
         part = np.abs(worst) >= _PART * np.max(np.abs(worst))
         joint = tuple(np.array(names)[determined][part].tolist())
     return Nonlinearity(ratios, beyond, off, single, joint)
-
-
-def _axes(covariance: np.ndarray, determined: np.ndarray) -> np.ndarray:
-    """Return columns (n, r) that make quantities (..., n) independent and of unit variance."""
-    own = covariance[np.ix_(determined, determined)]
-    sigma = np.sqrt(np.diag(own))
-    sizes, vectors = np.linalg.eigh(own / np.outer(sigma, sigma))
-    kept = sizes > _RANK * np.max(sizes)
-    return vectors[:, kept] / np.sqrt(sizes[kept]) / sigma[:, None]

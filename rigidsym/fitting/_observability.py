@@ -22,9 +22,8 @@ from itertools import pairwise
 import numpy as np
 
 from rigidsym.fitting._minimise import blocks
-from rigidsym.fitting._parameters import Point, sensitivities, states
+from rigidsym.fitting._parameters import Point
 from rigidsym.fitting._problem import Problem
-from rigidsym.quaternions import conjugate, inverse_left_jacobian, product, rotation_vectors
 
 # Least singular value of an observable direction.
 _DETERMINED = 1.0
@@ -42,7 +41,7 @@ Rows = Callable[[Point], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Linear errors at a point, of p parameters.
+    """Linear errors of p parameters at a point.
 
     determined (p, a): independent errors of unit size in observable directions; undetermined (p,
     b): null directions, at their natural size; null (b, p): their unit directions, in units of the
@@ -79,14 +78,14 @@ class Errors:
         )
 
     def widest(self, rows: np.ndarray) -> np.ndarray:
-        """Return covariances (..., k, k) of rows (..., k, p) with null directions included."""
+        """Return covariances (..., k, k) of rows (..., k, p), null directions counted as errors."""
         both = rows @ np.hstack([self.determined, self.undetermined])
         return both @ np.swapaxes(both, -2, -1)
 
 
 @dataclass(frozen=True)
 class Observability:
-    """Errors at a minimum, residuals (M,) and their derivatives (M, p)."""
+    """Linear errors at a minimum, with the residuals (M,) and their derivatives (M, p)."""
 
     problem: Problem
     here: Errors
@@ -95,12 +94,12 @@ class Observability:
 
     @cached_property
     def basis(self) -> np.ndarray:
-        """Return an orthonormal basis (M, a) of the changes of residuals by the parameters."""
+        """Return an orthonormal basis (M, a) of the changes that parameters make to residuals."""
         return self.slopes @ self.here.determined
 
     @cached_property
     def displaced(self) -> tuple[Errors, ...]:
-        """Return the errors at all displaced parameters that have states; see the module."""
+        """Return the errors at all displaced parameters; the module describes the displacements."""
         errors, sides = self.here.determined.T, (1.0, -1.0)
         ways = np.array([side * one for side in sides for one in errors])
         ways = ways.reshape(-1, errors.shape[1])
@@ -116,11 +115,11 @@ class Observability:
                     zeros.append((a + one / (one - other) * (b - a)) * way)
         return tuple(one for one, _ in (*found, *self._at(zeros)) if one)
 
-    def _at(self, steps: list[np.ndarray]) -> "Iterator[tuple[Errors | None, float]]":
-        """Yield the errors some steps of the parameters away, and the signed volume of derivatives.
+    def _at(self, steps: list[np.ndarray]) -> Iterator[tuple[Errors | None, float]]:
+        """Yield the errors after each step of the parameters, and the signed volume of derivatives.
 
         The volume is spanned by the changes of residuals by one error each way, projected onto
-        these changes at the minimum.  None and NaN where there are no states.
+        these changes at the minimum.  Without states, the errors are None and the volume is NaN.
         """
         if not steps:
             return
@@ -146,20 +145,29 @@ class Observability:
         return right[sizes > _MOSTLY]
 
     def covariance(self, rows: Rows) -> np.ndarray:
-        """Return the covariance (k, k) of quantities; `rows` gives their derivatives at a point."""
+        """Return the covariance (k, k) of quantities.
+
+        rows: returns the derivatives (k, p) of the quantities at a point.
+        """
         found = self.here.covariance(rows(self.here.point))
         there = (one.variance(rows(one.point)) for one in self.displaced)
         return _widened(found, there)
 
     def widest(self, rows: Rows) -> np.ndarray:
-        """Return covariances (..., k, k) of rows (..., k, p) with null directions included."""
+        """Return covariances (..., k, k) of quantities that count null directions as errors.
+
+        rows: returns the derivatives (..., k, p) of the quantities at a point.
+        """
         found = self.here.widest(rows(self.here.point))
         there = (one.widest(rows(one.point)) for one in self.displaced)
         return _widened(found, (np.einsum("...ii->...i", x) for x in there))
 
 
 def observability(problem: Problem, point: Point) -> Observability:
-    """Return the observability at a minimum; all is null where the motion has no states."""
+    """Return the observability at a minimum.
+
+    All directions are null directions where the motion has no states.
+    """
     residuals, slopes = problem.linearised(point, problem.parameters.linear_derivatives(point))
     if not np.isfinite(residuals).all() or not np.isfinite(slopes).all():
         slopes = np.zeros_like(slopes)
@@ -181,7 +189,7 @@ def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
 
 
 def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
-    """Return covariances (..., k, k) with variances (..., k) raised to those that are much larger.
+    """Raise variances of covariances (..., k, k) to other variances (..., k) that are much larger.
 
     The addition is independent, so that no combination of quantities has a smaller variance.
     """
@@ -198,14 +206,14 @@ def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndar
 
 
 def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
-    """Make variances infinite in place, and their covariances NaN."""
+    """Make some variances of a covariance infinite, and their covariances NaN, in place."""
     covariance[lost] = np.nan
     covariance[:, lost] = np.nan
     covariance[lost, lost] = np.inf
 
 
 def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """Return which errors (12,) are exceeded by second-order errors of the axes.
+    """Return True for each error (12,) that the second-order errors of the axes exceed.
 
     sigma: of turn, rates, moments and axes; omega (3,): rates.  A turn theta of the principal axes
     changes rates along them by theta x omega, which linear errors contain, and by theta x (theta x
@@ -219,76 +227,3 @@ def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
     others = np.sum(axes**2) - axes**2
     rates = (axes * (axes @ speed - axes * speed) + others * speed) / 2
     return np.concatenate([turns, rates, np.zeros(3), turns]) > _BENT * sigma
-
-
-NAMES = (
-    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
-    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
-)
-
-
-@dataclass(frozen=True, slots=True)
-class Quantities:
-    """Quantities of motions near the best point, as users see them.
-
-    These are a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where they
-    are estimated, the turn of the axes, rad.  Without a prior the scale of the moments is
-    unobservable: their unit is then the largest moment of the best point.
-    """
-
-    problem: Problem
-    best: Point
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Return the names of the quantities, k of them."""
-        return NAMES if self.problem.parameters.axes else NAMES[:9]
-
-    def rows(self, point: Point, own: np.ndarray) -> np.ndarray:
-        """Return the derivatives (..., k, p) by the parameters, at points.
-
-        own (..., 12, p): see `Parameters.derivatives` and `Parameters.linear_derivatives`.  The
-        turns are those at the points themselves.
-        """
-        _, _, since = sensitivities(point, self._zero, self.problem.engine)
-        found = own.copy()
-        found[..., :6, :] = since[..., 0, :, :] @ own[..., :9, :]
-        if self.problem.prior is None:
-            largest, unit = self._unit(point)
-            share = (point.moments / point.moments[..., [largest]])[..., None]
-            alone = own[..., [6 + largest], :]
-            found[..., 6:9, :] = unit[..., None] * (own[..., 6:9, :] - share * alone)
-        return found[..., : len(self.names), :]
-
-    def apart(self, points: Point) -> np.ndarray:
-        """Return the differences (B, k) of the quantities of motions (B,) from those of `best`."""
-        q, omega = states(points, self._zero, self.problem.engine)
-        best_q, best_omega = states(self.best, self._zero, self.problem.engine)
-        moments = points.moments
-        if self.problem.prior is None:
-            moments = self._unit(points)[1] * moments
-        parts = [
-            rotation_vectors(product(q[:, 0], conjugate(best_q[0]))),
-            omega[:, 0] - best_omega[0],
-            moments - self.best.moments,
-            rotation_vectors(product(points.mount, conjugate(self.best.mount))),
-        ]
-        return np.hstack(parts)[:, : len(self.names)]
-
-    def near(self, points: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return `apart` and its derivatives (B, k, p) by the parameters, at motions (B,)."""
-        apart, rows = self.apart(points), self.rows(points, own)
-        for first in (0, 9)[: 1 + self.problem.parameters.axes]:
-            turn = slice(first, first + 3)
-            rows[:, turn] = inverse_left_jacobian(apart[:, turn]) @ rows[:, turn]
-        return apart, rows
-
-    def _unit(self, point: Point) -> tuple[int, np.ndarray]:
-        """Return the index of the moment that is the unit, and factors (..., 1) to its value."""
-        largest = int(np.argmax(self.best.moments))
-        return largest, self.best.moments[largest] / point.moments[..., [largest]]
-
-    @property
-    def _zero(self) -> np.ndarray:
-        """Return t = 0 as a time since the epoch, (1,), s."""
-        return np.array([-self.problem.epoch])

@@ -10,20 +10,21 @@ vector along inertial axes, and by its rates.  Leading shapes are those of many 
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
 
 from rigidsym._engines import batches
 from rigidsym.errors import InputError
-from rigidsym.fitting._rotations import euler_313, inverse_right_jacobian
 from rigidsym.quaternions import (
     conjugate,
     cross_matrices,
+    inverse_left_jacobian,
     matrices,
     of_rotation_vectors,
     product,
@@ -42,22 +43,11 @@ _SYMMETRY = 1e-9
 _PLAIN, _LARGEST = 1.0, 2.0
 
 Model = Callable[[np.ndarray, np.ndarray], np.ndarray]
+# Times (N,), s, and rates (N, 3), rad/s along the axes of the body.
+RateSeries = list[tuple[np.ndarray, np.ndarray]]
 
 
-@dataclass(frozen=True, slots=True)
-class Units:
-    """Units of a file: a time in s, an angle in rad."""
-
-    time: float = 1.0
-    angle: float = 1.0
-
-    @property
-    def rate(self) -> float:
-        """Return the unit of rates, rad/s."""
-        return self.angle / self.time
-
-
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Observations(ABC):
     """Values (N, ...) observed at increasing times (N,), s, with errors as for `whitening`.
 
@@ -71,6 +61,8 @@ class Observations(ABC):
     "Can be given as an array with `times` and `sigma`."
     tells_attitude: ClassVar[bool] = False
     "Determines the attitude of a motion; see `davenport`."
+    unit: ClassVar[str] = ""
+    "Unit of the values and errors in TOML files."
     conventions: ClassVar[tuple[str, ...]] = ("",)
     "Conventions in which values may be written, the expected one first; see `by_convention`."
     columns: ClassVar[tuple[str, ...]] = ()
@@ -87,13 +79,10 @@ class Observations(ABC):
     weights: np.ndarray = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        self._keep("t", _times(f"{self.kind}.times", self.times))
-        self._keep("seen", self._read(batches.array(self.kind, self.values)))
+        vars(self)["t"] = _times(f"{self.kind}.times", self.times)
+        vars(self)["seen"] = self._read(batches.array(self.kind, self.values))
         weights = whitening(f"sigma.{self.kind}", self.sigma, self.count, self.width)
-        self._keep("weights", weights)
-
-    def _keep(self, name: str, value: object) -> None:
-        object.__setattr__(self, name, value)
+        vars(self)["weights"] = weights
 
     @property
     def count(self) -> int:
@@ -122,9 +111,9 @@ class Observations(ABC):
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
         """Return derivatives (..., N, width, 6) of residuals by a turn and by rates."""
 
-    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Yield times (N,), s, and rates (N, 3), rad/s in body axes, that the values contain."""
-        yield from ()
+    def rate_series(self) -> RateSeries:
+        """Return the series of body rates that the values contain."""
+        return []
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
         """Return Davenport's matrices (B, 4, 4) of motions with attitudes q (B, N, 4).
@@ -140,9 +129,12 @@ class Observations(ABC):
 
     @classmethod
     def from_table(
-        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Return the observations of a TOML table with `keys`; raise InputError."""
+        """Return the observations of a TOML table with `keys`; raise InputError.
+
+        sigma: the errors, converted already. unit: of the values, in rad or rad/s.
+        """
         raise NotImplementedError
 
     def whitened(self, rows: np.ndarray) -> np.ndarray:
@@ -156,8 +148,7 @@ class Observations(ABC):
     def changed(self, **fields: object) -> Self:
         """Return a copy with other values of some fields, as they are kept."""
         found = copy(self)
-        for name, value in fields.items():
-            found._keep(name, value)
+        vars(found).update(fields)
         return found
 
     def scaled(self, factor: float) -> Self:
@@ -179,7 +170,7 @@ class Observations(ABC):
         return np.sum(self.weights**2, axis=(-2, -1)) / self.weights.shape[-1]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Attitudes(Observations):
     """Attitudes as quaternions, body to inertial.
 
@@ -207,6 +198,7 @@ class Attitudes(Observations):
     columns: ClassVar[tuple[str, ...]] = ("q0", "q1", "q2", "q3")
     sigma_column: ClassVar[str] = "sigma_q"
     keys: ClassVar[tuple[str, ...]] = ("q", "euler_313")
+    unit: ClassVar[str] = "rad"
     width: ClassVar[int] = 3
     # The mean square angle of random rotations.
     unrelated: ClassVar[float] = np.pi**2 / 3 + 2
@@ -215,29 +207,28 @@ class Attitudes(Observations):
         return _unit(self.kind, self._rows(values, 4))
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
+        """Return the rotation vectors from the observed to the computed attitudes."""
         return rotation_vectors(product(conjugate(self.seen), q))
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """See `Observations`; R_seen^T exp(eta) R = R_seen^T R exp(R^T eta)."""
+        """Return the derivatives, from R_seen^T exp(eta) R = R_seen^T R exp(R^T eta)."""
         found = np.zeros((*residuals.shape, 6))
-        transposed = np.swapaxes(matrices(q), -2, -1)
-        found[..., :3] = inverse_right_jacobian(residuals) @ transposed
+        found[..., :3] = np.swapaxes(matrices(q) @ inverse_left_jacobian(residuals), -2, -1)
         return found
 
-    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Yield mean rates between attitudes far enough apart that errors count little.
+    def rate_series(self) -> RateSeries:
+        """Return mean rates between attitudes far enough apart that errors count little.
 
-        Nothing where neighbours are so far apart that whole turns may lie between them.
+        There are none where whole turns may lie between neighbours.
         """
         if self.count < 2 or np.max(self._turns(1)[1]) > _PLAIN:
-            return
+            return []
         stride = 1
         while 2 * stride < self.count and np.max(self._turns(2 * stride)[1]) < _LARGEST:
             stride *= 2
         turns, _ = self._turns(stride)
         gaps = self.t[stride:] - self.t[:-stride]
-        yield self.t[:-stride] + gaps / 2, turns / gaps[:, None]
+        return [(self.t[:-stride] + gaps / 2, turns / gaps[:, None])]
 
     def _turns(self, stride: int) -> tuple[np.ndarray, np.ndarray]:
         """Return rotation vectors between attitudes, in body axes, and their lengths."""
@@ -245,33 +236,33 @@ class Attitudes(Observations):
         return turns, np.linalg.norm(turns, axis=-1)
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
+        """Return Davenport's matrices (B, 4, 4) from products of quaternions."""
         between = product(self.seen, conjugate(q))
         return np.einsum("n,bni,bnj->bij", 2 * self._sizes(), between, between)
 
     def by_convention(self, name: str) -> Self:
-        """See `Observations`."""
+        """Return the attitudes with the scalar moved, the quaternions conjugated, or both."""
         q = np.roll(self.seen, 1, axis=-1) if "last" in name else self.seen
         return self.changed(seen=conjugate(q) if "inertial" in name else q)
 
     @classmethod
     def from_table(
-        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
         """Read quaternions `q`, or 3-1-3 angles `euler_313` in degrees, R = Rz(a) Rx(b) Rz(c)."""
-        errors = _errors(where, table, units.angle)
         if ("q" in table) == ("euler_313" in table):
             raise InputError(where, sorted(table), "must have q or euler_313, and not both")
         if "q" in table:
-            return cls(times, batches.array(f"{where}.q", table["q"]), errors)
+            return cls(times, batches.array(f"{where}.q", table["q"]), sigma)
         angles = batches.array(f"{where}.euler_313", table["euler_313"])
         if angles.ndim != 2 or angles.shape[1] != 3:
             rule = "must have three angles in each row"
             raise InputError(f"{where}.euler_313", f"an array of shape {angles.shape}", rule)
-        return cls(times, euler_313(np.deg2rad(angles)), errors)
+        q = Rotation.from_euler("ZXZ", angles, degrees=True).as_quat(scalar_first=True)
+        return cls(times, q, sigma)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Rates(Observations):
     """Rates along the axes of the body, as a gyroscope measures them.
 
@@ -290,6 +281,7 @@ class Rates(Observations):
     columns: ClassVar[tuple[str, ...]] = ("omega1", "omega2", "omega3")
     sigma_column: ClassVar[str] = "sigma_omega"
     keys: ClassVar[tuple[str, ...]] = ("omega",)
+    unit: ClassVar[str] = "rad/s"
     width: ClassVar[int] = 3
 
     @property
@@ -301,30 +293,27 @@ class Rates(Observations):
         return self._rows(values, 3)
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
+        """Return the computed less the observed rates."""
         return omega - self.seen
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
-        found = np.zeros((*residuals.shape, 6))
-        found[..., 3:] = np.eye(3)
-        return found
+        """Return the derivatives: zero by a turn, the identity by the rates."""
+        return np.broadcast_to(np.eye(3, 6, 3), (*residuals.shape, 6))
 
-    def rate_series(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Yield the rates themselves."""
-        yield self.t, self.seen
+    def rate_series(self) -> RateSeries:
+        """Return the observed rates as one series."""
+        return [(self.t, self.seen)]
 
     @classmethod
     def from_table(
-        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
         """Read rates `omega`."""
-        errors = _errors(where, table, units.rate)
         rates = batches.array(f"{where}.omega", _needed(where, table, "omega"))
-        return cls(times, rates * units.rate, errors)
+        return cls(times, rates * unit, sigma)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Directions(Observations):
     """Directions of something whose direction is known in other axes.
 
@@ -350,6 +339,7 @@ class Directions(Observations):
     tells_attitude: ClassVar[bool] = True
     conventions: ClassVar[tuple[str, ...]] = ("", "known and seen exchanged")
     keys: ClassVar[tuple[str, ...]] = ("seen", "known", "seen_in")
+    unit: ClassVar[str] = "rad"
     width: ClassVar[int] = 2
     # The mean square angle between random directions.
     unrelated: ClassVar[float] = np.pi**2 / 2 - 2
@@ -358,15 +348,19 @@ class Directions(Observations):
     tangents: np.ndarray = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        super(Directions, self).__post_init__()
+        super().__post_init__()
         if self.seen_in not in ("body", "space"):
             raise InputError("vectors.seen_in", repr(self.seen_in), "must be 'body' or 'space'")
         known = batches.array("vectors.known", self.known)
         if known.shape not in ((3,), (self.count, 3)):
             rule = f"must have the shape (3,) or ({self.count}, 3)"
             raise InputError("vectors.known", f"an array of shape {known.shape}", rule)
-        self._keep("known", _unit("vectors.known", known))
-        self._keep("tangents", _tangents(self.seen))
+        # Two unit vectors across each observed direction, right-handed with it.
+        least = np.eye(3)[np.argmin(np.abs(self.seen), axis=-1)]
+        first = np.cross(least, self.seen)
+        first /= np.linalg.norm(first, axis=-1, keepdims=True)
+        tangents = np.stack([first, np.cross(self.seen, first)], axis=-2)
+        vars(self).update(known=_unit("vectors.known", known), tangents=tangents)
 
     def _read(self, values: np.ndarray) -> np.ndarray:
         return _unit(self.kind, self._rows(values, 3))
@@ -380,7 +374,7 @@ class Directions(Observations):
         return rotated(conjugate(q) if self.seen_in == "body" else q, known)
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
+        """Return the arcs from the observed to the computed directions."""
         there = self._computed(q)
         angle, sine = self._apart(there)
         return (angle / sine)[..., None] * (self.tangents @ there[..., None])[..., 0]
@@ -393,7 +387,7 @@ class Directions(Observations):
         return np.where(tiny, 1.0, angle), np.where(tiny, 1.0, sine)
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """See `Observations`; a turn eta moves R^T v by R^T (v x eta), and R b by eta x R b."""
+        """Return the derivatives: a turn eta moves R^T v by R^T (v x eta), R b by eta x R b."""
         there = self._computed(q)
         angle, sine = self._apart(there)
         if self.seen_in == "body":
@@ -412,7 +406,7 @@ class Directions(Observations):
         return found
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
-        """See `Observations`: v . A u of a quaternion A, of v in space and u turned there by q."""
+        """Return Davenport's matrices (B, 4, 4) from pairs of directions in space."""
         known = np.broadcast_to(np.asarray(self.known), self.seen.shape)
         space, body = (known, self.seen) if self.seen_in == "body" else (self.seen, known)
         turned = rotated(q, body)
@@ -426,20 +420,19 @@ class Directions(Observations):
         return np.einsum("n,bnij->bij", self._sizes(), found)
 
     def by_convention(self, name: str) -> Self:
-        """See `Observations`."""
+        """Return the directions with the roles of body and space exchanged."""
         return self.changed(seen_in="space" if self.seen_in == "body" else "body") if name else self
 
     @classmethod
     def from_table(
-        cls, where: str, table: Mapping[str, Any], times: np.ndarray, units: Units
+        cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Read directions `seen`, what is `known` of them, and where they are seen."""
-        errors = _errors(where, table, units.angle)
+        """Read observed directions `seen`, known directions `known`, and the axes `seen_in`."""
         seen, known = (_needed(where, table, key) for key in ("seen", "known"))
-        return cls(times, seen, errors, known, table.get("seen_in", "body"))
+        return cls(times, seen, sigma, known, table.get("seen_in", "body"))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Modelled(Observations):
     """Values that a function of yours computes from states, such as light curves or ranges.
 
@@ -491,21 +484,20 @@ class Modelled(Observations):
         return found
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """See `Observations`."""
+        """Return the modelled less the observed values."""
         return self._modelled(q, omega) - self.seen
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """See `Observations`; the user's, or central differences of the model."""
+        """Return the derivatives by the user's jacobian, or central differences of the model."""
         if self.jacobian is not None:
             return np.asarray(self.jacobian(q, omega), float)
         size = _DIFFERENCE * max(float(np.nanmax(np.abs(omega), initial=0.0)), 1e-30)
         columns = []
-        for axis in np.eye(3):
-            turn = of_rotation_vectors(_DIFFERENCE * axis)
+        for turn in of_rotation_vectors(_DIFFERENCE * np.eye(3)):
             ahead, behind = (self._modelled(product(x, q), omega) for x in (turn, conjugate(turn)))
             columns.append((ahead - behind) / (2 * _DIFFERENCE))
-        for axis in np.eye(3):
-            ahead, behind = (self._modelled(q, omega + x * size * axis) for x in (1, -1))
+        for step in size * np.eye(3):
+            ahead, behind = (self._modelled(q, omega + x) for x in (step, -step))
             columns.append((ahead - behind) / (2 * size))
         return np.stack(columns, axis=-1)
 
@@ -517,7 +509,7 @@ KINDS: Mapping[str, type[Observations]] = {
 
 
 def middle(sets: Iterable[Observations]) -> float:
-    """Return the middle between the first and the last time of all sets, s."""
+    """Return the middle of the time span of all observations, s."""
     times = np.concatenate([one.t for one in sets])
     return float(np.min(times) / 2 + np.max(times) / 2)
 
@@ -560,12 +552,6 @@ def _indexed(field: str, place: np.ndarray) -> str:
     return f"{field}[{place[0]}]" if place.size else field
 
 
-def _errors(where: str, table: Mapping[str, Any], unit: float) -> np.ndarray:
-    """Return the errors of a table: deviations in the unit, covariances in its square."""
-    sigma = batches.array(f"{where}.sigma", table["sigma"])
-    return sigma * (unit if sigma.ndim < 2 else unit**2)
-
-
 def _needed(where: str, table: Mapping[str, Any], key: str) -> Any:
     if key not in table:
         raise InputError(f"{where}.{key}", "missing", "is needed")
@@ -594,11 +580,3 @@ def _unit(name: str, rows: np.ndarray) -> np.ndarray:
         raise InputError(_indexed(name, place), rows[tuple(place)].tolist(), "must not be zero")
     scaled = rows / most
     return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-
-
-def _tangents(directions: np.ndarray) -> np.ndarray:
-    """Return two unit vectors (N, 2, 3) across each direction, right-handed with it."""
-    least = np.eye(3)[np.argmin(np.abs(directions), axis=-1)]
-    first = np.cross(least, directions)
-    first /= np.linalg.norm(first, axis=-1, keepdims=True)
-    return np.stack([first, np.cross(directions, first)], axis=-2)

@@ -11,7 +11,6 @@ from functools import cached_property
 
 import numpy as np
 
-from rigidsym.fitting._rotations import left_jacobian
 from rigidsym.motion import TorqueFreeMotion, propagate
 from rigidsym.quaternions import (
     conjugate,
@@ -29,11 +28,13 @@ _SHAPES = np.array([[1.0, 1.0], [-1.0, 1.0], [0.0, -2.0]]) / np.sqrt([2.0, 6.0])
 _THINNEST = 1e-9
 # The least second moment of a start, because steps of logarithms hardly leave flat bodies.
 _INNER = 1e-6
+# Squares of angles below which series of three terms are right to rounding.
+_SMALL = 1e-2
 
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One motion, or many with leading shapes, at which the parameters are zero.
+    """A motion, or an array of motions, from which parameters are counted.
 
     attitude (..., 4) and omega (..., 3) at the epoch, moments (..., 3), along the principal axes;
     mount (..., 4): the rotation from the principal axes to the observed axes of the body, along
@@ -59,11 +60,11 @@ class Point:
         return self.attitude, self.omega, self.moments, self.mount
 
     def repeated(self, count: int = 1) -> "Point":
-        """Return one motion as many equal ones, (B,)."""
+        """Return `count` copies of one motion, (count,)."""
         return Point(*(np.tile(x, (count, 1)) for x in self.parts))
 
     def in_observed_axes(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return states (..., N, 4), (..., N, 3) of the principal axes for the observed axes."""
+        """Turn states (..., N, 4), (..., N, 3) from the principal axes to the observed axes."""
         if np.all(self.mount == IDENTITY):
             return q, omega
         mount = self.mount[..., None, :]
@@ -71,13 +72,13 @@ class Point:
 
 
 def joined(points: Iterable[Point]) -> Point:
-    """Return points (B,) one after the other."""
+    """Concatenate points (B,)."""
     return Point(*(np.concatenate(x) for x in zip(*(p.parts for p in points), strict=True)))
 
 
 @dataclass(frozen=True)
 class Parameters:
-    """Choice of parameters.
+    """Choice of the parameters of a fit.
 
     A rotation vector and rates are always parameters; two of the shape, the scale of the moments,
     and a turn of the principal axes in the body where they are wanted.
@@ -113,7 +114,7 @@ class Parameters:
         return found
 
     def moved(self, point: Point, x: np.ndarray) -> Point:
-        """Return the point at parameters x (..., count)."""
+        """Return the point that parameters x (..., count) lead to."""
         found = replace(
             point,
             attitude=product(of_rotation_vectors(x[..., :3]), point.attitude),
@@ -129,10 +130,10 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """Return the points at parameters x (..., count) as `linear_derivatives` counts them.
+        """Return the points that parameters x (..., count) of `linear_derivatives` lead to.
 
-        From one point or from as many.  Shapes are steps of the moments, at most to where bodies
-        cease to exist.
+        They start from one point or from as many.  Shapes are steps of the moments, at most to
+        where bodies cease to exist.
         """
         level = np.array(x)
         level[..., self._places("shape") + self._places("scale")] = 0.0
@@ -145,7 +146,7 @@ class Parameters:
         return replace(self.moved(point, level), moments=moments)
 
     def inner(self, point: Point) -> Point:
-        """Return the point, or one beside it from which its shape can move."""
+        """Return the point, with the moments of a flat body moved until its shape can change."""
         if not self.shape:
             return point
         own, total = _second_moments(point.moments)
@@ -155,7 +156,7 @@ class Parameters:
         return replace(point, moments=np.where(thin, moved, point.moments))
 
     def derivatives(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
-        """Return derivatives (..., 12, count) of (eta0, omega0, moments) and the turn of the axes.
+        """Return derivatives (..., 12, count) of turn, rates, moments and axes by the parameters.
 
         They are at a point; or, for one motion, where x (count,) has moved to that point.
         """
@@ -163,7 +164,10 @@ class Parameters:
         found[..., :3, :3] = np.eye(3) if x is None else left_jacobian(x[:3])
         found[..., 3:6, 3:6] = np.eye(3)
         if self.shape:
-            found[..., 6:9, self._places("shape")] = _reshaped_derivative(point.moments)
+            own, total = _second_moments(point.moments)
+            mixed = own[..., :, None] * own[..., None, :] / total[..., None]
+            reshaped = -(own[..., :, None] * np.eye(3) - mixed) @ _SHAPES
+            found[..., 6:9, self._places("shape")] = reshaped
         if self.scale:
             found[..., 6:9, self._places("scale")] = point.moments[..., None]
         if self.axes:
@@ -172,7 +176,7 @@ class Parameters:
         return found
 
     def linear_derivatives(self, point: Point) -> np.ndarray:
-        """Return the rows of `derivatives` by the parameters in which errors are expressed.
+        """Return the derivatives (..., 12, count) by the parameters in which errors are expressed.
 
         Shapes are two directions of the moments across their scale, of the size of the moments:
         unlike logarithms they do not end at flat bodies.
@@ -185,10 +189,28 @@ class Parameters:
         return found
 
 
+def left_jacobian(vector: np.ndarray) -> np.ndarray:
+    """Return J (3, 3) with exp(vector + d) = exp(J d) exp(vector), to first order in d.
+
+    Source: Chirikjian, Stochastic Models, Information Theory, and Lie Groups 2 (2012), section
+    10.3.
+    """
+    square = float(vector @ vector)
+    turn = cross_matrices(vector)
+    if square < _SMALL:
+        versine = 1 / 2 - square / 24 + square**2 / 720
+        defect = 1 / 6 - square / 120 + square**2 / 5040
+    else:
+        angle = np.sqrt(square)
+        versine = (1 - np.cos(angle)) / square
+        defect = (angle - np.sin(angle)) / (angle * square)
+    return np.eye(3) + versine * turn + defect * turn @ turn
+
+
 def observed_derivatives(
     point: Point, q: np.ndarray, omega: np.ndarray, sensitivity: np.ndarray, own: np.ndarray
 ) -> np.ndarray:
-    """Return derivatives (..., N, 6, p) of turn and rates of the observed axes by the parameters.
+    """Return derivatives (..., N, 6, p) of turn and rates by the parameters, for the observed axes.
 
     q, omega: states (..., N, 4), (..., N, 3) of the observed axes; sensitivity (..., N, 6, 9): of
     the principal axes; own (..., 12, p): see `Parameters.derivatives`.
@@ -204,7 +226,7 @@ def observed_derivatives(
 
 
 def _second_moments(moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a (..., 3) and their sum (..., 1)."""
+    """Return the second moments of the mass (..., 3), and their sum (..., 1)."""
     total = np.sum(moments, axis=-1, keepdims=True) / 2
     return np.maximum(total - moments, _THINNEST * total), total
 
@@ -218,20 +240,13 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
     return total * (1 - share / np.sum(share, axis=-1, keepdims=True))
 
 
-def _reshaped_derivative(moments: np.ndarray) -> np.ndarray:
-    """Return the derivative (..., 3, 2) of `_reshaped` by x at zero."""
-    own, total = _second_moments(moments)
-    mixed = own[..., :, None] * own[..., None, :] / total[..., None]
-    return -(own[..., :, None] * np.eye(3) - mixed) @ _SHAPES
-
-
 def motion(point: Point) -> TorqueFreeMotion:
-    """Return the motion of one point, of its principal axes."""
+    """Return the motion that one point describes, of the principal axes."""
     return TorqueFreeMotion(point.moments.tolist(), point.omega.tolist(), point.attitude.tolist())
 
 
 def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return q (..., N, 4), omega (..., N, 3) of the principal axes; NaN where there are none."""
+    """Return states (..., N, 4), (..., N, 3) of the principal axes; NaN where there are none."""
     found = propagate(
         point.moments, point.omega, times, point.attitude, engine=engine, errors="nan"
     )
@@ -241,7 +256,7 @@ def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np
 def sensitivities(
     point: Point, times: np.ndarray, engine: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return states, and derivatives of turn and rates by state and moments, (..., N, 6, 9)."""
+    """Return states, and derivatives (..., N, 6, 9) of turn and rates by state and moments."""
     q, omega, found = propagate(
         point.moments,
         point.omega,

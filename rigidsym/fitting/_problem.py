@@ -1,4 +1,4 @@
-"""The problem of a fit: from the user's arguments to whitened residuals and their derivatives."""
+"""Least-squares problem of a fit: observations, parameters, residuals and their derivatives."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ SetsLike = Observations | Sequence[Observations] | ArrayLike | None
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """A prior on the moments: their means (3,) and the matrix (3, 3) that whitens their errors."""
+    """A prior on the moments: means (3,) and the matrix (3, 3) that whitens their errors."""
 
     moments: np.ndarray
     weights: np.ndarray
@@ -37,7 +37,7 @@ class Prior:
 
 @dataclass(frozen=True)
 class Problem:
-    """Least squares: observations, parameters, and residuals, one for each number observed.
+    """A least-squares problem with one residual for each observed number.
 
     Parameters are those of the state at `epoch`, s.  It lies amid the observations, because next to
     a separatrix errors grow by exp(rate time) both ways, beyond the precision of doubles.
@@ -51,27 +51,27 @@ class Problem:
 
     @cached_property
     def times(self) -> np.ndarray:
-        """Return all times of observation, each once, (N,), s."""
+        """Return the distinct times of observation (N,), s."""
         return np.unique(np.concatenate([one.t for one in self.sets]))
 
     @cached_property
     def indices(self) -> list[np.ndarray]:
-        """Return the indices of the times of each set in `times`."""
+        """Return for each set the indices of its times in `times`."""
         return [np.searchsorted(self.times, one.t) for one in self.sets]
 
     @cached_property
     def since(self) -> np.ndarray:
-        """Return the times, (N,), since the epoch, s."""
+        """Return the times (N,) since the epoch, s."""
         return self.times - self.epoch
 
     @property
     def span(self) -> float:
-        """Return the time from the first to the last, and to the epoch if that is farther, s."""
+        """Return the span of the observations, or their distance from the epoch if larger, s."""
         return float(max(np.ptp(self.times), np.max(np.abs(self.since))))
 
     @cached_property
     def rows(self) -> list[np.ndarray]:
-        """Return the indices (N, width) of the residuals of each set."""
+        """Return for each set the indices (N, width) of its residuals."""
         sizes = [one.count * one.width for one in self.sets]
         ends = np.cumsum([0, *sizes])
         return [
@@ -130,9 +130,9 @@ def _flat(rows: np.ndarray) -> np.ndarray:
 def observation_sets(
     times: ArrayLike | None, by_kind: Mapping[str, SetsLike], sigma: Sigma
 ) -> tuple[Observations, ...]:
-    """Return all sets, in the order of their kinds; arrays take `times` and `sigma`.
+    """Return all sets of observations, with arrays turned into sets by `times` and `sigma`.
 
-    Raises InputError.
+    They have the order of their kinds.  Raises InputError.
     """
     asked = {kind: value for kind, value in by_kind.items() if value is not None}
     if isinstance(sigma, Mapping):
@@ -181,7 +181,7 @@ def posed(
     sigma: Sigma,
     engine: str,
 ) -> tuple[Problem, np.ndarray | None]:
-    """Return the problem, and the moments (3,) that are known, guessed, or have a prior.
+    """Return the problem of a fit, and the moments (3,) that are known, guessed, or have a prior.
 
     Raises InputError.
     """

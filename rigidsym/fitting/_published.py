@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from importlib import resources
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from rigidsym.errors import InputError
-from rigidsym.fitting._rotations import euler_313
 from rigidsym.io import _epochs as epochs
 
 TOUTATIS_EPOCH = "1992-12-02T00:00:00"
@@ -34,12 +34,12 @@ class RadarObservations:
 
 
 def text(name: str) -> str:
-    """Return the text of a file of observations that comes with the package."""
+    """Return the text of a data file of the package."""
     return resources.files("rigidsym.fitting").joinpath("data", name).read_text("utf-8")
 
 
 def toutatis(years: Collection[int] = (1992,)) -> RadarObservations:
-    """Return radar's attitudes and spin vectors of (4179) Toutatis in some years.
+    """Return the radar observations of (4179) Toutatis of some years.
 
     Source: Takahashi, Busch and Scheeres, The Astronomical Journal 146:95 (2013), table 3; see the
     head of data/toutatis.csv on its transcription.  Each year is a motion of its own, because tidal
@@ -76,7 +76,7 @@ def toutatis(years: Collection[int] = (1992,)) -> RadarObservations:
     return RadarObservations(
         tuple(row["date"] for row in rows),
         np.array([tick / epochs.SECOND for tick in ticks]),
-        euler_313(np.deg2rad(angles)),
+        Rotation.from_euler("ZXZ", angles, degrees=True).as_quat(scalar_first=True),
         np.deg2rad(rates) / 86400,
         np.deg2rad(np.where(late, _LATE, _EARLY)),
     )

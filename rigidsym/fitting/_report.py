@@ -1,6 +1,8 @@
-"""The fit as users see it: tables, JSON of the schema rigidsym.fit/1, files, and pictures."""
+"""Reports of a fit: tables, JSON of the schema rigidsym.fit/1, files, and pictures."""
 
 import json
+import math
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,8 +28,7 @@ _FIRST = 3
 # Times in the case file.
 _SAMPLES = 401
 
-Rows = list[tuple[str, ...]]
-Table = tuple[str, tuple[str, ...], Rows]
+Table = tuple[str, tuple[str, ...], Sequence[tuple[str, ...]]]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -36,7 +37,7 @@ class Fit(Estimate):
 
     @property
     def title(self) -> str:
-        """Return one line: goodness of fit, what is observable, and the alternatives."""
+        """Return one line with the goodness of fit, warnings, and the number of alternatives."""
         said = [f"chi2 {self.chi2:.6g} of {self.degrees_of_freedom} degrees of freedom"]
         if not self.converged:
             said.append(f"NOT CONVERGED: {self.reason}")
@@ -58,20 +59,9 @@ class Fit(Estimate):
         return f"rigidsym fit: {'; '.join(said)}"
 
     def tables(self) -> list[Table]:
-        """Return the tables of the report: a title, columns and rows each."""
-        motions = ("", "chi2", "mode", "rotation", "precession", "moments")
-        observations = ("kind", "number", "chi2", "root mean square", "outliers")
-        return [
-            ("motion", ("", "best"), self._motion_rows()),
-            ("parameters at t = 0", _COLUMNS, self._parameter_rows()),
-            ("motions by chi2", motions, self._minimum_rows()),
-            ("observations", observations, self._observation_rows()),
-            ("correlations", ("", *self.names), self._correlation_rows()),
-        ]
-
-    def _motion_rows(self) -> Rows:
+        """Return the tables of the report, each with a title, columns and rows."""
         scale = "given" if self.scaled else "not observable: the largest is 1"
-        return [
+        motion = [
             ("regime", str(self.motion.regime)),
             ("mode", str(self.mode or "none")),
             ("rotation period", _duration(self.periods.rotation)),
@@ -81,21 +71,17 @@ class Fit(Estimate):
             ("loss", self.loss),
             ("search", self.reason),
         ]
-
-    def _parameter_rows(self) -> Rows:
         point = self.motion.exact
         values = [*np.zeros(3), *point["omega0"], *point["inertia"], *np.zeros(3)]
         unit = dict(_UNITS) if self.scaled else {**_UNITS, "moment": "the largest"}
         ends = self.intervals() - np.array(values, float)[: len(self.names), None]
-        rows = [
+        attitude = ", ".join(f"{float(x):.9g}" for x in point["attitude0"])
+        parameters = [("attitude0", f"[{attitude}]", "", "", "")]
+        parameters += [
             (name, f"{float(value):.9g}", _deviation(s), _interval(*end), unit[name.split()[0]])
             for name, value, s, end in zip(self.names, values, self.sigma, ends, strict=False)
         ]
-        attitude = ", ".join(f"{float(x):.9g}" for x in point["attitude0"])
-        return [("attitude0", f"[{attitude}]", "", "", ""), *rows]
-
-    def _minimum_rows(self) -> Rows:
-        return [
+        minima = [
             (
                 str(k or "best"),
                 f"{one.chi2:.6g}",
@@ -106,29 +92,29 @@ class Fit(Estimate):
             )
             for k, one in enumerate((self, *self.alternatives))
         ]
-
-    def _observation_rows(self) -> Rows:
-        rows = []
+        observations = []
         for k, (one, found) in enumerate(zip(self.problem.sets, self.residuals, strict=True)):
             named = [f"{index} (t = {one.t[index]:.9g} s)" for index in self._outliers_of(k)]
-            size = f"{np.sqrt(np.mean(found**2)):.3g}"
-            chi2 = f"{np.sum(found**2):.6g}"
-            rows.append((one.kind, str(one.count), chi2, size, ", ".join(named) or "none"))
-        return rows
+            size, chi2 = f"{np.sqrt(np.mean(found**2)):.3g}", f"{np.sum(found**2):.6g}"
+            observations.append((one.kind, str(one.count), chi2, size, ", ".join(named) or "none"))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            correlations = self.covariance / np.outer(self.sigma, self.sigma)
+        correlations[~np.isfinite(self.sigma) | (self.sigma == 0)] = np.nan
+        named = zip(self.names, correlations, strict=True)
+        listed = [(name, *("" if np.isnan(x) else f"{x:.2f}" for x in row)) for name, row in named]
+        by_chi2 = ("", "chi2", "mode", "rotation", "precession", "moments")
+        by_set = ("kind", "number", "chi2", "root mean square", "outliers")
+        return [
+            ("motion", ("", "best"), motion),
+            ("parameters at t = 0", _COLUMNS, parameters),
+            ("motions by chi2", by_chi2, minima),
+            ("observations", by_set, observations),
+            ("correlations", ("", *self.names), listed),
+        ]
 
     def _outliers_of(self, place: int) -> list[int]:
         """Return the indices of the outliers of a set."""
         return [index for other, index in self.outliers if other == place]
-
-    def _correlation_rows(self) -> Rows:
-        """Return correlations; empty for quantities that are fixed or not observable."""
-        with np.errstate(invalid="ignore", divide="ignore"):
-            found = self.covariance / np.outer(self.sigma, self.sigma)
-        found[~np.isfinite(self.sigma) | (self.sigma == 0)] = np.nan
-        return [
-            (name, *("" if np.isnan(x) else f"{x:.2f}" for x in row))
-            for name, row in zip(self.names, found, strict=True)
-        ]
 
     def to_json(self) -> str:
         """Return JSON of the schema rigidsym.fit/1.
@@ -141,10 +127,10 @@ class Fit(Estimate):
             "schema": SCHEMA,
             "converged": self.converged,
             "reason": self.reason,
-            "chi2": _finite(self.chi2),
+            "chi2": self.chi2,
             "degrees_of_freedom": self.degrees_of_freedom,
             "probability": self.probability,
-            "agreement": {**asdict(self.agreement), "scale": _finite(self.agreement.scale)},
+            "agreement": asdict(self.agreement),
             "nonlinearity": {
                 "flagged": self.nonlinearity.flagged,
                 "message": self.nonlinearity.message,
@@ -152,30 +138,30 @@ class Fit(Estimate):
             },
             "spin": self.spinning,
             "scale_known": self.scaled,
-            "names": list(self.names),
-            "covariance": _matrix(self.covariance),
-            "intervals": _matrix(self.intervals()),
-            "unobservable": list(self.unobservable),
-            "parameters": list(self.problem.parameters.names),
-            "null_directions": _matrix(self.null_directions),
+            "names": self.names,
+            "covariance": self.covariance,
+            "intervals": self.intervals(),
+            "unobservable": self.unobservable,
+            "parameters": self.problem.parameters.names,
+            "null_directions": self.null_directions,
             "best": _minimum(self),
             "delta_chi2": self.delta_chi2,
             "alternatives": [_minimum(one) for one in self.alternatives],
             "observations": [
                 {
                     "kind": one.kind,
-                    "times": one.t.tolist(),
-                    "residuals": _matrix(self.residuals[k]),
-                    "against_others": [_finite(x) for x in self.against_others[k].tolist()],
+                    "times": one.t,
+                    "residuals": self.residuals[k],
+                    "against_others": self.against_others[k],
                     "outliers": self._outliers_of(k),
                 }
                 for k, one in enumerate(self.problem.sets)
             ],
         }
-        return json.dumps(data, indent=1) + "\n"
+        return json.dumps(_plain(data), indent=1) + "\n"
 
     def case(self) -> str:
-        """Return a case file of the motion over the times observed, for `rigidsym propagate`."""
+        """Return a case file for `rigidsym propagate` with the motion and the times observed."""
         lines = []
         for name, values in self.motion.exact.items():
             texts = ", ".join(repr(inputs.exact_text(x)) for x in values)
@@ -188,16 +174,11 @@ class Fit(Estimate):
         """Plot the residuals, in units of their errors (needs matplotlib)."""
         from rigidsym.view._plots.motion import Residuals, residuals
 
-        whole = zip(self.problem.sets, self.residuals, strict=True)
-        return residuals(
-            [
-                Residuals(x.kind, x.t, found, self._outliers_of(k))
-                for k, (x, found) in enumerate(whole)
-            ]
-        )
+        every = enumerate(zip(self.problem.sets, self.residuals, strict=True))
+        return residuals([Residuals(x.kind, x.t, r, self._outliers_of(k)) for k, (x, r) in every])
 
     def write(self, directory: Path) -> list[Path]:
-        """Write fit.json, motion.toml, fit.html, and pictures.
+        """Write fit.json, motion.toml, fit.html and the pictures to a directory.
 
         Parameters
         ----------
@@ -209,28 +190,23 @@ class Fit(Estimate):
         list of Path
             The files.
         """
-        pictures = self._pictures()
-        drawn = [(title, files["svg"].decode()) for title, files in pictures.values()]
+        from rigidsym.view._plots.figure import rendered
+
+        pictures = {"residuals": ("Residuals", rendered(self.plot()))}
+        if any(self.motion.exact["omega0"]):
+            drawn = self.motion.plot(np.linspace(*self.problem.times[[0, -1]], 801))
+            pictures["motion"] = ("The motion", rendered(drawn))
+        shown = [(title, files["svg"].decode()) for title, files in pictures.values()]
         return [
             write_text(directory / "fit.json", self.to_json()),
             write_text(directory / "motion.toml", self.case()),
-            write_text(directory / "fit.html", fit_page(self.title, self.tables(), drawn)),
+            write_text(directory / "fit.html", fit_page(self.title, self.tables(), shown)),
             *(
                 write_bytes(directory / f"{name}.{suffix}", data)
                 for name, (_, files) in pictures.items()
                 for suffix, data in files.items()
             ),
         ]
-
-    def _pictures(self) -> dict[str, tuple[str, dict[str, bytes]]]:
-        """Return titles, and files by suffix, of pictures by name."""
-        from rigidsym.view._plots.figure import rendered
-
-        drawn = {"residuals": ("Residuals", self.plot())}
-        if any(self.motion.exact["omega0"]):
-            ends = self.problem.times[[0, -1]]
-            drawn["motion"] = ("The motion", self.motion.plot(np.linspace(*ends, 801)))
-        return {name: (title, rendered(figure)) for name, (title, figure) in drawn.items()}
 
     def __repr__(self) -> str:
         return "\n\n".join([self.title, *(columns(*one) for one in self.tables()[:_FIRST])])
@@ -248,14 +224,14 @@ def _deviation(sigma: float) -> str:
 
 
 def _interval(lower: float, upper: float) -> str:
-    """Return the ends relative to the estimate; empty where there is no interval."""
+    """Return both ends of an interval as text; an empty text where there is no interval."""
     if np.isnan(lower) or lower == upper or (np.isinf(lower) and np.isinf(upper)):
         return ""
     return ", ".join("no end" if np.isinf(x) else f"{x:+.2g}" for x in (lower, upper))
 
 
 def _duration(seconds: float | None) -> str:
-    """Return a duration in days, hours or seconds, by its size."""
+    """Return a duration as text in days, hours or seconds, whichever suits its size."""
     if seconds is None:
         return "none"
     if seconds >= _DAY:
@@ -266,17 +242,20 @@ def _duration(seconds: float | None) -> str:
 def _minimum(one: Alternative) -> dict[str, Any]:
     return {
         **{name: [float(x) for x in values] for name, values in one.motion.exact.items()},
-        "mount": one.mount.tolist(),
-        "chi2": _finite(one.chi2),
+        "mount": one.mount,
+        "chi2": one.chi2,
         "mode": one.mode and str(one.mode),
-        "rotation_period": _finite(one.periods.rotation),
-        "precession_period": _finite(one.periods.precession),
+        "rotation_period": one.periods.rotation,
+        "precession_period": one.periods.precession,
     }
 
 
-def _matrix(values: np.ndarray) -> list[list[float | None]]:
-    return [[_finite(x) for x in row] for row in values.tolist()]
-
-
-def _finite(value: float | None) -> float | None:
-    return value if value is not None and np.isfinite(value) else None
+def _plain(value: Any) -> Any:
+    """Replace arrays and tuples by lists, and numbers that are not finite by None."""
+    if isinstance(value, dict):
+        return {key: _plain(x) for key, x in value.items()}
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(x) for x in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,21 +14,17 @@ from rigidsym.fitting._agreement import Agreement, Search, against_others, agree
 from rigidsym.fitting._nonlinearity import (
     LEVEL,
     NONE,
-    Likelihood,
     Nonlinearity,
+    Quantities,
     nonlinearity,
     profile,
 )
-from rigidsym.fitting._observability import Observability, Quantities, is_bent, lose, observability
+from rigidsym.fitting._observability import Observability, is_bent, lose, observability
 from rigidsym.fitting._parameters import Point, motion, observed_derivatives, sensitivities, states
 from rigidsym.fitting._problem import Problem
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import matrices
 from rigidsym.solution._polhode import Mode
-
-if TYPE_CHECKING:
-    from rigidsym.motion import TorqueFreeMotion
-    from rigidsym.solution._polhode import Mode
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +44,8 @@ class Periods:
     precession: float | None
 
 
-def periods(motion: "TorqueFreeMotion") -> Periods:
-    """Return the periods of a motion.
+def periods(motion: TorqueFreeMotion) -> Periods:
+    """Return the periods of rotation and precession of a motion.
 
     Constant rates have one period, that of the turn, which is returned as the precession.
 
@@ -120,7 +115,7 @@ class Alternative:
         return self.point.mount
 
     @property
-    def mode(self) -> "Mode | None":
+    def mode(self) -> Mode | None:
         """Return the mode; see `TorqueFreeMotion.mode`."""
         return self.motion.mode
 
@@ -172,7 +167,9 @@ class Estimate(Alternative):
 
     @cached_property
     def _quantities(self) -> Quantities:
-        return Quantities(self.problem, self.point)
+        # Away from a minimum of chi2 the observations are replaced by their computed values.
+        least = self.converged and self.loss == "linear"
+        return Quantities(self.problem, self.point, self.observability.residuals * (not least))
 
     @cached_property
     def periods_sigma(self) -> Periods:
@@ -250,7 +247,7 @@ class Estimate(Alternative):
         ends = wide[:, None] * np.array([-1.0, 1.0])
         determined = np.flatnonzero(self._determined)
         if determined.size and not self.spinning:
-            ends[determined] = profile(self._likelihood, determined, level)
+            ends[determined] = profile(self._quantities, determined, level)
         return ends
 
     @property
@@ -258,20 +255,13 @@ class Estimate(Alternative):
         """Return which of the quantities have standard deviations and are not fixed."""
         return np.isfinite(self.sigma) & (self.sigma > 0)
 
-    @property
-    def _likelihood(self) -> Likelihood:
-        residuals = self.observability.residuals
-        # Away from a minimum of chi2 the observations are replaced by their computed values.
-        least = self.converged and self.loss == "linear"
-        return Likelihood(self._quantities, residuals * (not least))
-
     @cached_property
     def nonlinearity(self) -> Nonlinearity:
         """Return how far the covariance can be trusted; see `Nonlinearity`."""
         if self.spinning or not self._determined.any():
             return NONE
         ends = np.where(self._determined[:, None], self._ends(LEVEL), np.nan)
-        return nonlinearity(self._likelihood, self.observability.here, self.covariance, ends)
+        return nonlinearity(self._quantities, self.observability.here, self.covariance, ends)
 
     @property
     def unobservable(self) -> tuple[str, ...]:

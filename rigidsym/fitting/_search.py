@@ -1,4 +1,4 @@
-"""Search for all minima: starts in batch, refined in batch, the best of them by SciPy."""
+"""Search for all minima of chi2: starts refined in batch, and the best of them by SciPy."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -38,9 +38,10 @@ def search(
     loss: str,
     progress: Progress = lambda done, total: None,
 ) -> list[Minimum]:
-    """Return distinct minima by cost, those within `within` of the best; at least one.
+    """Return distinct minima in the order of cost, at least one.
 
     count: of starts. fastest: the largest rate, rad/s; derived from the observations where None.
+    within: the largest cost above the best.
     """
     robust = loss != "linear"
     stages = list(_stages(problem, count, fastest))
@@ -69,7 +70,7 @@ def search(
 
 
 def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Minimum]:
-    """Return the distinct minima by cost, within a range of the best; never none."""
+    """Return the distinct minima among some within a range of the best, in the order of cost."""
     order = sorted(found, key=lambda one: (not one.converged, one.cost))
     best, *others = order
     near = [x for x in others if x.converged and x.cost <= best.cost + within]
@@ -81,7 +82,7 @@ def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Mini
 def _best(
     problem: Problem, points: Point, cost: np.ndarray, count: int
 ) -> tuple[Point, np.ndarray]:
-    """Return the best motions, each once, and their costs."""
+    """Return the `count` best distinct motions, and their costs."""
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]
     if not order.size:
@@ -99,7 +100,7 @@ def _best(
 
 
 def _different(problem: Problem, points: Point) -> list[int]:
-    """Return the indices of motions (B,) whose rates at the times differ from those before."""
+    """Return the indices of motions (B,) whose rates differ from those of all earlier motions."""
     _, omega = points.in_observed_axes(*states(points, problem.since, problem.engine))
     rates = omega.reshape(points.count, -1)
     kept: list[int] = []
@@ -111,7 +112,7 @@ def _different(problem: Problem, points: Point) -> list[int]:
 
 
 def _stages(problem: Problem, count: int, fastest: float | None) -> Iterator[Problem]:
-    """Yield problems, from an arc in which starts resolve the periods to all observations."""
+    """Yield problems from a short arc, in which starts resolve the periods, to all observations."""
     limit = fastest_rate(problem.sets) if fastest is None else fastest
     length = np.sqrt(count / 6) * np.pi / max(limit, 1e-300)
     first = problem.times[0]
@@ -130,7 +131,7 @@ def _within(problem: Problem, begin: float, length: float) -> np.ndarray:
 
 
 def _some(problem: Problem, begin: float, length: float, most: int) -> Problem:
-    """Return the problem of the observations in an arc, at most so many of each set."""
+    """Return the problem of an arc of time, with at most `most` observations of each set."""
     sets = []
     for one in problem.sets:
         index = np.flatnonzero((one.t >= begin) & (one.t <= begin + length))

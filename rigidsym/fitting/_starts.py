@@ -1,5 +1,12 @@
 """Starts of a search: rates, moments and axes from each kind of observations, and then attitudes.
 
+Attitudes give symmetric tops.  A symmetric top has R(t) = A Rz(W t) Ry(theta) Rz(psi(t)) P, where P
+takes the symmetry axis to z.  At a precession rate W the axis describes a cone: a linear regression
+gives A and theta.  The angle psi remains, and a rotation rate w fits if psi - w t is nearly
+constant.  By the momentum, moments across and along the axis have the ratio 1 + w / (W cos theta):
+above 1 for long-axis modes, from 1/2 to 1 for short-axis modes; no body has less.  Source:
+Samarasinha and A'Hearn, Icarus 93 (1991), 194-225.
+
 The attitude is determined last, in closed form, for many motions at once.  A motion with the
 identity for its attitude at the epoch is right up to one rotation A on the left; A as a quaternion
 is the eigenvector of the largest eigenvalue of Davenport's matrix (Davenport, 1968; Markley, J.
@@ -7,7 +14,7 @@ Astronautical Sciences 55, 2007).
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.stats import qmc
@@ -15,9 +22,8 @@ from scipy.stats import qmc
 from rigidsym.fitting._observations import Attitudes, Observations
 from rigidsym.fitting._parameters import IDENTITY, Parameters, Point, joined, states
 from rigidsym.fitting._problem import Problem
-from rigidsym.fitting._symmetric_tops import tops
 from rigidsym.motion import propagate
-from rigidsym.quaternions import conjugate, matrices, rotated
+from rigidsym.quaternions import conjugate, matrices, of_rotation_vectors, rotated
 
 # From the axes of a body to axes with the first, second and third as z.
 _FRAMES = np.array([[0.5, -0.5, -0.5, -0.5], [0.5, 0.5, 0.5, 0.5], [1.0, 0.0, 0.0, 0.0]])
@@ -27,10 +33,12 @@ _MARGIN = 1.5
 _STEP = np.pi / 2
 # The fewest attitudes that tops are fitted to, and the fewest rates of their grid.
 _FEWEST = 8
+# The least ratio of moments, below 1/2 because of noise; ratios are then kept between the others.
+_LEAST, _FLAT, _NEEDLE = 0.4, 0.52, 50.0
 
 
 def starts(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
-    """Return about `count` motions from which to look for minima.
+    """Return about `count` motions from which a search for minima starts.
 
     known (3,): moments, where they are known or guessed. fastest: the largest rate, rad/s.
     """
@@ -43,8 +51,8 @@ def starts(problem: Problem, known: np.ndarray | None, count: int, fastest: floa
 def fastest_rate(sets: tuple[Observations, ...]) -> float:
     """Return the largest rate to search, rad/s.
 
-    It follows from the rates among the observations, or from attitudes so close that the turns
-    between them are unambiguous; else it is half a turn between observations.
+    It follows from observed rates, or from attitudes so close that the turns between them are
+    unambiguous; else it is half a turn between observations.
     """
     series = [x for one in sets for _, x in one.rate_series()]
     fastest = max((np.max(np.linalg.norm(x, axis=-1), initial=0.0) for x in series), default=0.0)
@@ -55,8 +63,13 @@ def fastest_rate(sets: tuple[Observations, ...]) -> float:
 
 
 def _from_rates(problem: Problem, known: np.ndarray | None) -> Iterator[Point]:
-    """Yield motions with the first, a middle and the last rates of each series, for many bodies."""
-    moments, mount = _bodies(problem.parameters, known)
+    """Yield motions of many bodies with the first, a middle and the last rates of each series."""
+    # Bodies of all shapes, or the known one, with principal axes in all directions.
+    shares = (np.array([(i, j, 9 - i - j) for i in range(10) for j in range(10 - i)]) + 1 / 3) / 10
+    moments = 1 - shares if known is None else np.asarray(known, float)[None]
+    mounts = conjugate(_sphere()) if problem.parameters.axes else IDENTITY[None]
+    mount = np.tile(mounts, (len(moments), 1))
+    moments = np.repeat(moments, len(mounts), axis=0)
     for times, rates in (series for one in problem.sets for series in one.rate_series()):
         for k in sorted({0, len(times) // 2, len(times) - 1}):
             every = np.broadcast_to(rates[k], moments.shape)
@@ -66,7 +79,7 @@ def _from_rates(problem: Problem, known: np.ndarray | None) -> Iterator[Point]:
 def _from_tops(
     problem: Problem, known: np.ndarray | None, count: int, fastest: float
 ) -> Iterator[Point]:
-    """Yield the best symmetric tops of a grid, from each set of attitudes."""
+    """Yield the symmetric tops of a grid that fit each set of attitudes best."""
     frames = _sphere() if problem.parameters.axes else _FRAMES
     for one in problem.sets:
         if not isinstance(one, Attitudes) or one.count < _FEWEST:
@@ -94,8 +107,88 @@ def _from_tops(
         yield _at(problem, at, found.omega[best], moments, mount)
 
 
+@dataclass(frozen=True, slots=True)
+class Tops:
+    """B symmetric tops that have been fitted to attitudes.
+
+    omega (B, 3): rates along the observed axes. axis (B,): index of the frame that has the symmetry
+    axis for its z. ratio (B,): moment across over moment along the axis. misfit (B,).
+    """
+
+    omega: np.ndarray
+    axis: np.ndarray
+    ratio: np.ndarray
+    misfit: np.ndarray
+
+
+def tops(q: np.ndarray, t: np.ndarray, at: float, frames: np.ndarray, rates: np.ndarray) -> Tops:
+    """Fit all symmetric tops of a grid to attitudes q (N, 4) at times t (N,).
+
+    Tops that no body can be are left out. at: the time of the rates. frames (F, 4): quaternions
+    from the observed axes to axes with the symmetry axis as z. rates (G,): of precession, and both
+    ways of rotation, rad/s, positive.
+    """
+    seen = matrices(q) @ np.swapaxes(matrices(frames), -2, -1)[:, None]
+    turn, tilt, cone = _cones(seen[..., 2], t - at, rates)
+    angles = _angles(seen, turn, tilt, t - at, rates)
+    both = np.concatenate([-rates[::-1], rates])
+    waves = np.exp(1j * angles) @ np.exp(-1j * np.outer(t - at, both)) / t.size
+    shape = waves.shape
+    misfit = cone[..., None] + 2 * (1 - np.abs(waves))
+    with np.errstate(divide="ignore"):
+        ratio = 1 + both / (rates[:, None] * np.cos(tilt)[..., None])
+    good = (ratio > _LEAST) & np.isfinite(misfit)
+    # Along the axes of the frame, W along the momentum plus w along z.
+    psi = np.angle(waves)
+    across, along = np.sin(tilt)[..., None], np.cos(tilt)[..., None] + np.zeros_like(psi)
+    momentum = np.stack([-across * np.cos(psi), across * np.sin(psi), along], axis=-1)
+    omega = rates[:, None, None] * momentum
+    omega[..., 2] += both
+    omega = np.einsum("fji,fgwj->fgwi", matrices(frames), omega)
+    axis = np.broadcast_to(np.arange(shape[0])[:, None, None], shape)
+    return Tops(omega[good], axis[good], np.clip(ratio[good], _FLAT, _NEEDLE), misfit[good])
+
+
+def _cones(
+    axes: np.ndarray, t: np.ndarray, rates: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Fit a cone of each precession rate to symmetry axes (F, N, 3) in space.
+
+    Return A (F, G, 3, 3), theta (F, G) and the misfits (F, G).
+    """
+    phase = rates[:, None] * t
+    waves = np.stack([np.ones_like(phase), np.cos(phase), np.sin(phase)], axis=-1)
+    inverse = np.linalg.pinv(waves)
+    columns = np.einsum("gkn,fni->fgik", inverse, axes)
+    left = axes[:, None] - np.einsum("fgik,gnk->fgni", columns, waves)
+    centre, one, other = np.moveaxis(columns, -1, 0)
+    x, z = _unit(one), _unit(np.cross(one, other))
+    tilt = np.arctan2(
+        (np.linalg.norm(one, axis=-1) + np.linalg.norm(other, axis=-1)) / 2,
+        np.sum(centre * z, axis=-1),
+    )
+    turn = np.stack([x, np.cross(z, x), z], axis=-1)
+    return turn, tilt, np.mean(np.sum(left**2, axis=-1), axis=-1)
+
+
+def _unit(vectors: np.ndarray) -> np.ndarray:
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+def _angles(
+    seen: np.ndarray, turn: np.ndarray, tilt: np.ndarray, t: np.ndarray, rates: np.ndarray
+) -> np.ndarray:
+    """Return psi (F, G, N), the remaining turn about z."""
+    about_z = matrices(of_rotation_vectors(np.multiply.outer(np.outer(rates, t), np.eye(3)[2])))
+    about_y = matrices(of_rotation_vectors(np.multiply.outer(tilt, np.eye(3)[1])))
+    before = turn[:, :, None] @ about_z @ about_y[:, :, None]
+    left = np.swapaxes(before, -2, -1) @ seen[:, None]
+    return np.arctan2(left[..., 1, 0] - left[..., 0, 1], left[..., 0, 0] + left[..., 1, 1])
+
+
 def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
-    """Return motions of Sobol's sequence over rates, shapes, axes and, if unknown, attitudes."""
+    """Return motions drawn by Sobol's sequence from all rates, shapes, axes and attitudes."""
     size = 1 << (count - 1).bit_length()
     cube = qmc.Sobol(12, scramble=False).random(size)
     omega = _ball(cube[:, :3]) * fastest
@@ -115,28 +208,23 @@ def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, faste
 def _at(
     problem: Problem, time: float, rates: np.ndarray, moments: np.ndarray, mount: np.ndarray
 ) -> Point:
-    """Return motions that have rates (B, 3), along the observed axes, at a time, s."""
+    """Return the motions that have given rates (B, 3) at a time.
+
+    time: s. rates: along the observed axes, rad/s.
+    """
     own = rotated(conjugate(mount), rates)
     since = np.array([problem.epoch - time])
     _, omega = propagate(moments, own, since, errors="nan", engine=problem.engine)
     return Point(np.broadcast_to(IDENTITY, (len(own), 4)), omega[:, 0], moments, mount)
 
 
-def _bodies(parameters: Parameters, known: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
-    """Return moments (S, 3) and mounts (S, 4) of bodies of all shapes, or of the known one."""
-    shares = (np.array([(i, j, 9 - i - j) for i in range(10) for j in range(10 - i)]) + 1 / 3) / 10
-    moments = 1 - shares if known is None else np.asarray(known, float)[None]
-    mounts = conjugate(_sphere()) if parameters.axes else IDENTITY[None]
-    return np.repeat(moments, len(mounts), axis=0), np.tile(mounts, (len(moments), 1))
-
-
 def _sphere(count: int = 24) -> np.ndarray:
-    """Return quaternions (count, 4) spread evenly over all rotations."""
+    """Return quaternions (count, 4) that are spread evenly over all rotations."""
     return _quaternions(qmc.Sobol(3, scramble=False).random(32)[1 : count + 1])
 
 
 def _ball(cube: np.ndarray) -> np.ndarray:
-    """Return vectors (B, 3) spread evenly in the unit ball, from a cube's points."""
+    """Map points of the unit cube to vectors (B, 3) spread evenly in the unit ball."""
     height, angle = 2 * cube[:, 0] - 1, 2 * np.pi * cube[:, 1]
     across = np.sqrt(1 - height**2)
     directions = np.stack([across * np.cos(angle), across * np.sin(angle), height], axis=-1)
@@ -144,8 +232,9 @@ def _ball(cube: np.ndarray) -> np.ndarray:
 
 
 def _quaternions(cube: np.ndarray) -> np.ndarray:
-    """Return rotations (B, 4) spread evenly, from a cube's points (Shoemake, Graphics Gems III,
-    1992).
+    """Map points of the unit cube to rotations (B, 4) spread evenly.
+
+    Source: Shoemake, Graphics Gems III (1992).
     """
     a, b = np.sqrt(1 - cube[:, 0]), np.sqrt(cube[:, 0])
     one, other = 2 * np.pi * cube[:, 1], 2 * np.pi * cube[:, 2]
@@ -154,7 +243,7 @@ def _quaternions(cube: np.ndarray) -> np.ndarray:
 
 
 def aligned(problem: Problem, point: Point) -> Point:
-    """Return the motions (B,) turned as a whole so that they agree best with the observations."""
+    """Turn each motion (B,) as a whole so that it agrees best with the observations."""
     telling = [
         (one, at)
         for one, at in zip(problem.sets, problem.indices, strict=True)

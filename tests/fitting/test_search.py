@@ -6,8 +6,7 @@ from simulated import TUMBLING, attitudes, fitted, rates, told
 
 import rigidsym
 from rigidsym.fitting import Directions, Rates
-from rigidsym.fitting._starts import _FRAMES
-from rigidsym.fitting._symmetric_tops import tops
+from rigidsym.fitting._starts import _FRAMES, tops
 from rigidsym.quaternions import conjugate, rotated
 
 SIGMA = 0.02
