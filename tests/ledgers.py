@@ -4,8 +4,11 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+import pytest
+
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.kernel import Context, Fact, Ledger
+from rigidsym.proof.checker import Refused, check
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, replay
 
 
 def prove(ledger: Ledger, fact: Fact) -> Fact:
@@ -28,23 +31,42 @@ def unchecked(contexts: Iterable[Context], facts: Iterable[Fact]) -> str:
     ).to_text()
 
 
+GONE = object()
+
+
+def tampered(text: str, path: str, value: Any) -> str:
+    """The ledger with the entry at this path replaced, removed (GONE) or appended (+)."""
+    data = place = json.loads(text)
+    *outer, last = [int(key) if key.isdigit() else key for key in path.split("/")]
+    for key in outer:
+        place = place[key]
+    if value is GONE:
+        del place[last]
+    elif last == "+":
+        place.append(place[value])
+    else:
+        assert not isinstance(last, str) or place.get(last, GONE) != value
+        place[last] = value
+    return written(data)
+
+
+def both_refuse(text: str, match: str | None = None) -> str:
+    """Assert that kernel and checker refuse a ledger in one plain line; return the checker's."""
+    with pytest.raises(KernelError, match=match) as first:
+        replay(text)
+    with pytest.raises(Refused, match=match) as second:
+        check(text)
+    for refusal in (first, second):
+        assert str(refusal.value).isascii()
+        assert str(refusal.value).isprintable()
+    return str(second.value)
+
+
 # No names of contexts and quantities: D is d/dt, and the rest are other letters or none.
 NO_NAMES = [
-    *(
-        "",
-        " ",
-        "x ",
-        "x y",
-        "x-y",
-        "1x",
-        "x#",
-        "x\n",
-        "\x1b[2Kx",
-        "x\u200b",
-        "\u202ex",
-        "\U0001d431",
-    ),
-    *("\u0445", "\uff58", "\ufb01", "x\u0301", "if", "True", "lambda", "D", "\u00b2", "x\u0661"),
+    *("", " ", "x ", "x y", "x-y", "1x", "x#", "x\n", "\x1b[2Kx", "x\u200b", "\u202ex"),
+    *("\U0001d431", "\u0445", "\uff58", "\ufb01", "x\u0301", "if", "True", "lambda", "D"),
+    *("\u00b2", "x\u0661"),
 ]
 # What the grammar of `rigidsym.proof.kernel._language` refuses, though Python, or one of two
 # readers, may take it for x, a number or a name; x is a name wherever these are read.
@@ -52,25 +74,27 @@ NOT_EXPRESSIONS = [
     *("x # **2 + 5", "x #", "\U0001d431", "\uff58", "\u0445", "x\u0661", "\u0661", "1_000", "0x10"),
     *("0b1", "0o7", "00", "01", "1.", "1e1", "1j", "1x", "x**True", "x**-1", "x**+1", "x**1_0"),
     *("x**x", "x**(2)", "x**2**3", "x**1.0", "+x", "x + +x", "x//1", "x***2", "x* *2", "x/ /2"),
+    *(" x", "x ", "\tx", "x\t+ x", "(x\n+ x)", "x\\\n+ x", "x\r", "x\x0c", "x\x00", "x\u00a0"),
+    *("x;", "D(x,)", "D(x, x)", "D()", "(D)(x)", "(D(x)", "D(x))", "D(*x)", "D(x=x)", "D(x)(x)"),
+    *("x(x)", "(x, x)", "(x,)", "x, x", "()", "", " ", "x y", "1 0", "x 1", "(x)(x)", "x(", "True"),
+    *("if", "lambda", "None", "not x", "x if x else x", "x and x", "x is x", "[x]", "{x}", "x.x"),
+    *("x[0]", "'x'", "x!", "x == x", "x := x", "(x := x)", "x @ x", "x % x", "x ^ x", "x | x"),
+    *("~x", "$x", "x +", "x.real", "1.0", "x < x", "lambda: x", "x()", "x**1.5", "2**10**9"),
     *(
-        " x",
-        "x ",
-        "\tx",
-        "x\t+ x",
-        "(x\n+ x)",
-        "x\\\n+ x",
-        "x\r",
-        "x\x0c",
-        "x\x00",
-        "x\u00a0",
-        "x;",
+        "x**(1 + 1)",
+        "\x00",
+        "\ud800",
+        "1" * 5000,
+        "(" * 1000,
+        "-" * 100_000 + "x",
+        "x" + "+x" * 100_000,
     ),
-    *("D(x,)", "D(x, x)", "D()", "(D)(x)", "(D(x)", "D(x))", "D(*x)", "D(x=x)", "D(x)(x)", "x(x)"),
-    *("(x, x)", "(x,)", "x, x", "()", "", " ", "x y", "1 0", "x 1", "(x)(x)", "x(", "True", "if"),
-    *("lambda", "None", "not x", "x if x else x", "x and x", "x is x", "[x]", "{x}", "x.x", "x[0]"),
-    *("'x'", "x!", "x == x", "x := x", "(x := x)", "x @ x", "x % x", "x ^ x", "x | x", "~x", "$x"),
     *("(" * 51 + "x" + ")" * 51, "-" * 51 + "x", "-(" * 26 + "x" + ")" * 26, "9" * 1001),
     "x" + " + x" * 5000,
+]
+# What the grammar takes, and what has no meaning where x is a quantity without a value.
+MEANINGLESS = [
+    *("abs(x)", "D", "unknown", "1/0", "1/(x - x)", "x/(x - 1)", "0**0", "x**0"),
 ]
 # What both readers take, up to the limits.
 EXPRESSIONS = [

@@ -5,7 +5,15 @@ from dataclasses import replace
 from random import Random
 
 import pytest
-from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, unchecked, written
+from ledgers import (
+    EXPRESSIONS,
+    MEANINGLESS,
+    NO_NAMES,
+    NOT_EXPRESSIONS,
+    both_refuse,
+    unchecked,
+    written,
+)
 
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.checker._language import Forms
@@ -21,11 +29,7 @@ def accepted(contexts, facts) -> None:
 def refused(contexts, facts) -> None:
     """The last fact is refused by both, and what comes before it by neither."""
     accepted(contexts, facts[:-1])
-    text = unchecked(contexts, facts)
-    with pytest.raises(KernelError, match=facts[-1].id):
-        replay(text)
-    with pytest.raises(Refused, match=facts[-1].id):
-        check(text)
+    both_refuse(unchecked(contexts, facts), facts[-1].id)
 
 
 # Signs.
@@ -90,11 +94,7 @@ def test_a_definition_cannot_rename_what_is_no_name(name):
     """With 1 for the text "-1", the sign of -1 would be seen in its definition."""
     names = ("w", "x", "fi")
     context = Context("c", names, dict.fromkeys(names, "1"), definitions={name: "1"})
-    text = unchecked([context], [])
-    with pytest.raises(KernelError):
-        replay(text)
-    with pytest.raises(Refused):
-        check(text)
+    both_refuse(unchecked([context], []))
 
 
 def test_a_sign_needs_its_equation():
@@ -137,9 +137,15 @@ def test_both_read_an_expression(text):
     accepted([PLAIN], [read(text)])
 
 
-@pytest.mark.parametrize("text", NOT_EXPRESSIONS, ids=lambda text: ascii(text[:16]))
+@pytest.mark.parametrize(
+    "text", [*NOT_EXPRESSIONS, *MEANINGLESS], ids=lambda text: ascii(text[:16])
+)
 def test_neither_reads_anything_else(text):
+    """Python's parser drops comments, folds letters and takes 1_000; readers of a ledger do not."""
     refused([PLAIN], [read(text)])
+    if text in NOT_EXPRESSIONS:
+        with pytest.raises(KernelError, match=r"not an expression|not a text|no meaning"):
+            PLAIN.open().read(text)
 
 
 TOKENS = ["x", "y", "D", "if", "2", "0", "10", "1_0", *"+-*/(),", "**", " ", "  ", "#", "."]
@@ -184,16 +190,6 @@ def test_both_read_random_texts_in_the_same_way():
     assert forms == [by_the_other(text) for text in texts]
 
 
-def both_refuse(text: str) -> None:
-    with pytest.raises(KernelError) as first:
-        replay(text)
-    with pytest.raises(Refused) as second:
-        check(text)
-    for refusal in (first, second):
-        assert str(refusal.value).isascii()
-        assert str(refusal.value).isprintable()
-
-
 @pytest.mark.parametrize(
     ("field", "name"),
     [
@@ -234,9 +230,7 @@ def test_a_moving_context_is_inhabited_by_a_motion(nonnegative, rates, inhabited
     if inhabited:
         accepted([moving], [])
     else:
-        for decide, refusal in ((replay, KernelError), (check, Refused)):
-            with pytest.raises(refusal, match="context c"):
-                decide(unchecked([moving], []))
+        both_refuse(unchecked([moving], []), "context c")
         still = replace(moving, relations=("x",), rates={"x": "x*y"})
         accepted([still], [])
 
@@ -338,24 +332,10 @@ FREE = Context("free", ("x", "r"), {"x": "3", "r": "4"}, ("r",))
 BOOK = {"reference": "a book"}
 ASSUMED = Fact("e", "free", "equal", ("r",), ("x",), "assumption", Grade.ASSUMED, certificate=BOOK)
 BRIDGE = Fact("m", "free", "model", (), ("rooted",), "model", Grade.ASSUMED, ("e",))
-THERE = Fact(
-    "s",
-    "rooted",
-    "nonnegative",
-    ("r*x",),
-    ("r**2",),
-    "identity",
-    certificate={"cofactors": [["-r"]]},
-)
-HERE = replace(
-    THERE,
-    id="h",
-    context="free",
-    rule="transfer",
-    grade=Grade.ASSUMED,
-    premises=("s", "m"),
-    certificate={},
-)
+THERE = Fact("s", "rooted", "nonnegative", ("r*x",), ("r**2",), "identity")
+THERE = replace(THERE, certificate={"cofactors": [["-r"]]})
+CARRIED = {"id": "h", "context": "free", "rule": "transfer", "premises": ("s", "m")}
+HERE = replace(THERE, grade=Grade.ASSUMED, certificate={}, **CARRIED)
 BOTH = [ROOTED, FREE]
 
 
@@ -409,32 +389,16 @@ def test_a_premise_from_another_context():
 
 
 @pytest.mark.parametrize(
-    "premise",
+    ("kind", "lhs", "rhs", "rule", "certificate"),
     [
-        Fact("e", "free", "root", ("r",), ("r**2",), "identity", certificate={"cofactors": [[]]}),
-        Fact(
-            "e",
-            "free",
-            "nonnegative",
-            ("2*r - r",),
-            ("r",),
-            "identity",
-            certificate={"cofactors": [[]]},
-        ),
-        Fact(
-            "e",
-            "free",
-            "unequal",
-            ("r",),
-            ("x",),
-            "counterexample",
-            certificate={"point": {"x": "3", "r": "4"}},
-        ),
+        ("root", "r", "r**2", "identity", {"cofactors": [[]]}),
+        ("nonnegative", "2*r - r", "r", "identity", {"cofactors": [[]]}),
+        ("unequal", "r", "x", "counterexample", {"point": {"x": "3", "r": "4"}}),
     ],
-    ids=lambda premise: premise.kind,
 )
-def test_a_premise_that_is_no_equation(premise):
+def test_a_premise_that_is_no_equation(kind, lhs, rhs, rule, certificate):
     contexts = [ROOTED, replace(FREE, nonnegative=("r",))]
+    premise = Fact("e", "free", kind, (lhs,), (rhs,), rule, certificate=certificate)
     refused(contexts, [premise, replace(BRIDGE, grade=Grade.PROVED)])
 
 
@@ -499,28 +463,14 @@ def test_a_partition():
     "fact",
     [
         split("zero", "plus"),  # x >= 0 is not seen
-        split("zero", "minus"),
-        split("plus", "minus"),
-        split("zero"),
-        split(),
-        split("plus", "zero", "minus"),
-        split("zero", "minus", "plus"),
-        split("zero", "plus", "plus"),
-        split("zero", "plus", "minus", "minus"),
-        split("whole", "plus", "minus"),
-        split("zero", "plus", "nowhere"),
-        replace(SPLIT, rhs=("zero", "plus")),
-        replace(SPLIT, rhs=("zero", "plus", "minus", "plus")),
-        replace(SPLIT, rhs=("zero", "minus", "plus")),
-        replace(SPLIT, rhs=()),
-        replace(SPLIT, rhs=("whole",)),
-        replace(SPLIT, lhs=()),
-        replace(SPLIT, lhs=("y",)),
-        replace(SPLIT, lhs=("w",)),
-        replace(SPLIT, lhs=("-x",)),
-        replace(SPLIT, lhs=("x", "x")),
-        replace(SPLIT, certificate={}),
-        replace(SPLIT, certificate={"cases": "zero plus minus"}),
+        *(split("zero", "minus"), split("plus", "minus"), split("zero"), split()),
+        *(split("plus", "zero", "minus"), split("zero", "minus", "plus")),
+        *(split("zero", "plus", "plus"), split("zero", "plus", "minus", "minus")),
+        *(split("whole", "plus", "minus"), split("zero", "plus", "nowhere")),
+        *(replace(SPLIT, rhs=rhs) for rhs in ((), ("whole",), ("zero", "plus"))),
+        *(replace(SPLIT, rhs=(*rhs, "plus")) for rhs in (CASES, ("zero", "minus"))),
+        *(replace(SPLIT, lhs=lhs) for lhs in ((), ("y",), ("w",), ("-x",), ("x", "x"))),
+        *(replace(SPLIT, certificate=x) for x in ({}, {"cases": "zero plus minus"})),
         replace(SPLIT, certificate={"cases": None}),
         replace(SPLIT, context="zero"),
         replace(SPLIT, kind="model"),
@@ -594,11 +544,7 @@ def test_two_cases_where_the_sign_is_visible():
 def test_what_moves_through_zero_has_no_cases():
     moving = replace(WHOLE, rates={"x": "y"})
     for case in (replace(ZERO, rates=moving.rates), replace(ZERO, rates={"x": "?"})):
-        text = unchecked([replace(moving, rates=case.rates), case], [])
-        with pytest.raises(KernelError):
-            replay(text)
-        with pytest.raises(Refused):
-            check(text)
+        both_refuse(unchecked([replace(moving, rates=case.rates), case], []))
 
 
 FINER = [
@@ -691,10 +637,7 @@ def test_both_refuse_a_tampered_fact(fact, change):
     (entry,) = (entry for entry in data["facts"] if entry["id"] == fact)
     assert {**entry, **change} != entry
     entry |= change
-    with pytest.raises(KernelError):
-        replay(written(data))
-    with pytest.raises(Refused):
-        check(written(data))
+    both_refuse(written(data))
 
 
 def _dropped():
@@ -711,15 +654,4 @@ IDLE = {(0, "units", 0)}
 def test_both_refuse_a_dropped_hypothesis(k, field, place):
     data = json.loads(HONEST)
     del data["contexts"][k][field][place]
-    with pytest.raises(KernelError):
-        replay(written(data))
-    with pytest.raises(Refused):
-        check(written(data))
-
-
-@pytest.mark.parametrize("end", [0, 1, 100, len(HONEST) // 2, -1, -2, -100])
-def test_both_refuse_a_cut_off_file(end):
-    with pytest.raises(KernelError):
-        replay(HONEST[:end])
-    with pytest.raises(Refused):
-        check(HONEST[:end])
+    both_refuse(written(data))
