@@ -1,16 +1,19 @@
 """Every coefficient, sign, index and exponent counts: changed, it changes a verdict."""
 
+import json
 from dataclasses import asdict, replace
-from importlib import import_module
-from itertools import groupby
+from itertools import groupby, takewhile
 
 import pytest
 from house import imports
 from misprints import misprints
 
-from derivations import CHAPTERS, printed
+from derivations import printed
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.kernel import KernelError, Ledger
+from rigidsym.proof.algebra._mutants import PRINTED
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
+from rigidsym.proof.kernel._ledger import _frozen
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper._answers import Answers, asked, question
 from rigidsym.proof.paper._printed import PrintError
@@ -27,11 +30,12 @@ PLACES = ("latex", "repair")
 
 @pytest.fixture(scope="module")
 def forward():
-    """The ledger as it is before the print is opened, and the same as data."""
-    builder = LedgerBuilder()
-    for name in CHAPTERS[: CHAPTERS.index("printed")]:
-        import_module(f"derivations.{name}").derive(builder)
-    ledger = builder.ledger
+    """The sealed ledger as it is before the print is opened, and the same as data."""
+    data, ledger = json.loads(ledger_text()), Ledger()
+    for entry in takewhile(lambda entry: "printed" not in entry["name"], data["contexts"]):
+        ledger.open(Context(**_frozen(entry)))
+    for entry in takewhile(lambda entry: PRINTED not in entry["id"], data["facts"]):
+        ledger.facts[entry["id"]] = Fact(**_frozen(entry))
     return ledger, _data(ledger, Ledger())
 
 

@@ -10,8 +10,8 @@ import pytest
 import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
-from rigidsym.proof.algebra._enclosures import encloses
-from rigidsym.proof.kernel import replay
+from rigidsym.proof.kernel import Context
+from rigidsym.proof.kernel._ledger import _frozen
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
 from rigidsym.proof.paper._answers import Answers, question
 from rigidsym.proof.paper._table import counted, details, row
@@ -208,19 +208,14 @@ NO_SMALL_REPAIR = {
 MISPRINTS = [v for v in RULED.values() if v.ruling == Ruling.MISPRINT]
 
 
-@pytest.fixture(scope="module")
-def sealed():
-    return replay(json.dumps(LEDGER, indent=1, ensure_ascii=False) + "\n", encloses)
-
-
 @pytest.mark.parametrize("verdict", MISPRINTS, ids=lambda v: v.equation.number)
-def test_the_search_finds_the_repair_that_is_printed(verdict, sealed):
+def test_the_search_finds_the_repair_that_is_printed(verdict):
     number = verdict.equation.number
     assert bool(verdict.repairs) != (number in NO_SMALL_REPAIR)
     for line, left, place in PRINTED:
         if line == number and (line, place) != ("36", "lhs"):
             context, mended = _repair(verdict.equation, left, place)
-            ring = sealed.rings[context]
+            ring = Context(**_frozen(CONTEXTS[context])).open()
             found = [r.partition(" = ")[2] for r in verdict.repairs]
             assert any(_same(ring, mended, text) for text in found)
 

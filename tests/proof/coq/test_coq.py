@@ -1,15 +1,22 @@
-"""The export to Coq: what it writes, and that Coq takes what is true and nothing else."""
+"""The export to Coq, and that Coq accepts true statements and theorems, and refuses false ones."""
 
+import json
+import re
 import shutil
 import subprocess
 from dataclasses import replace
+from importlib import resources
+from pathlib import Path
 
 import pytest
-from ledgers import prove, unchecked
+from document_texts import words
+from ledgers import prove, unchecked, written
 
 from rigidsym._cli import main
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof._coq import export
-from rigidsym.proof.kernel import Context, Fact, Grade, Ledger
+from rigidsym.proof.algebra._enclosures import encloses
+from rigidsym.proof.kernel import Context, Fact, Grade, Ledger, replay
 
 PLANE = Context(
     name="plane",
@@ -44,8 +51,12 @@ FACTS = (
     Fact("plane.radius", "plane", "root", ("r",), ("x**2 + y**2",), "identity"),
     Fact("plane.sign", "plane", "nonnegative", ("t*r",), ("2*x**2 + 2*y**2",), "identity"),
 )
-DOES_COQ = shutil.which("coqc") is not None and shutil.which("coq_makefile") is not None
-WHY = "Coq is not here (Debian: apt-get install coq libcoq-coquelicot)"
+# The contexts of the sealed ledger that theorems in plain words rest on.
+CONTEXTS = ("regular", "attitude")
+NEEDS_COQ = pytest.mark.skipif(
+    not all(map(shutil.which, ("make", "coqc", "coq_makefile"))),
+    reason="Coq is not here (Debian: apt-get install coq libcoq-coquelicot)",
+)
 
 
 @pytest.fixture(scope="module")
@@ -149,36 +160,51 @@ def test_without_coq_one_line_says_so(ledger, tmp_path, capsys, monkeypatch):
     assert (into / "contexts" / "plane.v").is_file()
 
 
-def compiled(directory, *names):
-    """Coq's word on files, in this order; the first that it refuses."""
-    for name in names:
-        done = subprocess.run(
-            ["coqc", "-w", "none", "-Q", ".", "Rigidsym", name],
-            cwd=directory, capture_output=True, text=True, check=False,
-        )  # fmt: skip
+def coqc(folder: Path, *files: str) -> str:
+    """Let Coq compile files in this order; return the first that it refuses, or ""."""
+    for file in files:
+        command = ["coqc", "-w", "none", "-Q", str(folder), "Rigidsym", file]
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if done.returncode:
-            return name
-    return None
+            assert done.returncode == 1
+            assert "Error" in done.stderr
+            return file
+    return ""
+
+
+def write(files, folder: Path) -> None:
+    for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text)
+
+
+@pytest.fixture(scope="session")
+def prelude(once):
+    """A folder with the prelude, compiled once for all tests."""
+
+    def make(folder: Path) -> None:
+        write({"prelude.v": export(Ledger()).files["prelude.v"]}, folder)
+        assert coqc(folder, "prelude.v") == ""
+
+    return once("coq_prelude", make)
 
 
 @pytest.fixture(scope="module")
-def exported(ledger, tmp_path_factory):
-    """The files, with the prelude compiled."""
-    directory = tmp_path_factory.mktemp("coq")
-    for name, text in export(ledger).files.items():
-        (directory / name).parent.mkdir(exist_ok=True)
-        (directory / name).write_text(text)
-    assert compiled(directory, "prelude.v") is None
-    return directory
+def exported(ledger, prelude, tmp_path_factory):
+    """The exported files, with the prelude compiled."""
+    folder = tmp_path_factory.mktemp("coq")
+    files = {k: text for k, text in export(ledger).files.items() if k != "prelude.v"}
+    write(files, folder)
+    return shutil.copytree(prelude, folder, dirs_exist_ok=True)
 
 
-@pytest.mark.skipif(not DOES_COQ, reason=WHY)
+@NEEDS_COQ
 def test_coq_accepts_all_of_it(exported):
     order = ("plane", "circle", "zero", "positive", "negative", "numbers")
-    assert compiled(exported, *(f"contexts/{name}.v" for name in order)) is None
+    assert coqc(exported, *(f"contexts/{name}.v" for name in order)) == ""
 
 
-@pytest.mark.skipif(not DOES_COQ, reason=WHY)
+@NEEDS_COQ
 @pytest.mark.parametrize(
     ("stated", "claimed"),
     [
@@ -196,4 +222,96 @@ def test_coq_refuses_what_is_false(exported, stated, claimed):
     false = text.replace(*stated)
     false = false.replace(*claimed) if claimed[0] else false
     (exported / "contexts" / "false.v").write_text(false)
-    assert compiled(exported, "contexts/false.v") == "contexts/false.v"
+    assert coqc(exported, "contexts/false.v") == "contexts/false.v"
+
+
+# Theorems in plain words.
+
+
+@pytest.fixture(scope="module")
+def files():
+    """The export of two contexts of the sealed ledger."""
+    data = json.loads(ledger_text())
+    data["contexts"] = [one for one in data["contexts"] if one["name"] in CONTEXTS]
+    data["facts"] = [fact for fact in data["facts"] if fact["context"] in CONTEXTS]
+    return export(replay(written(data), encloses)).files
+
+
+def in_plain_words(files):
+    return [name for name in files if name.startswith("theorems/")]
+
+
+def listed(text):
+    """The theorems of which Coq is asked what they rest on."""
+    return re.findall(r"@(\w+)", text)
+
+
+def test_theorems_on_other_contexts_are_left_out(files):
+    assert "theorems/separatrix.v" in files
+    assert "theorems/published.v" not in files
+    assert "assumptions/published.v" not in files
+
+
+def test_nothing_is_admitted(files):
+    for name in ("prelude.v", *in_plain_words(files)):
+        assert not re.search(r"\b(Admitted|admit|Axiom|Axioms|Parameter|Conjecture)\b", files[name])
+
+
+def test_of_each_theorem_it_is_asked_what_it_rests_on(files):
+    stated = [
+        name
+        for file in in_plain_words(files)
+        for name in re.findall(r"^ *Theorem (\w+)", files[file], re.MULTILINE)
+    ]
+    asked = listed(files["assumptions/plain.v"])
+    assert set(stated) - set(asked) == {"pulled_back_motion"}
+
+
+@pytest.fixture(scope="module")
+def compiled(once, files, prelude):
+    """The folder of theorems that Coq has accepted, and its output in `said`."""
+
+    def make(folder: Path) -> None:
+        write({name: text for name, text in files.items() if name != "prelude.v"}, folder)
+        shutil.copytree(prelude, folder, dirs_exist_ok=True)
+        done = subprocess.run(
+            ["make", "-j2", "plain"], cwd=folder, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        (folder / "said").write_text(done.stdout)
+
+    return once("coq_plain", make)
+
+
+@NEEDS_COQ
+def test_the_axioms_are_those_of_the_page(compiled):
+    said = (compiled / "said").read_text()
+    assert said.count("Axioms:") == 1
+    axioms = set(re.findall(r"^\w+\.(\w+)\s*:", said.split("Axioms:")[1], re.MULTILINE))
+    assert axioms == {
+        "sig_not_dec", "sig_forall_dec", "classic", "functional_extensionality_dep",
+    }  # fmt: skip
+    assert all(f"`{axiom}`" in words("trust.md") for axiom in axioms)
+
+
+@pytest.mark.parametrize("file", ["plain", "published"])
+def test_the_page_names_each_theorem(file):
+    text = resources.files("rigidsym.proof._coq").joinpath("assumptions", f"{file}.v").read_text()
+    assert [name for name in listed(text) if f"`{name}`" not in words("trust.md")] == []
+
+
+@NEEDS_COQ
+@pytest.mark.parametrize(
+    ("theorem", "stated", "claimed"),
+    [
+        ("steady", "v_b / w * sin (w * t / 2)", "v_b / w * sin (w * t)"),
+        ("symmetric", "let n := h * (1 - c_a / c) * v_a", "let n := h * (c_a / c - 1) * v_a"),
+        ("symmetric", "(1 - c_a / c) * (sigma * v_a)) * t", "(1 - c_a / c) * v_a) * t"),
+        ("separatrix", "K / c_b * t - 2 * rho", "K / c_b * t + 2 * rho"),
+    ],
+)
+def test_coq_refuses_a_false_motion(compiled, tmp_path, theorem, stated, claimed):
+    text = (compiled / "theorems" / f"{theorem}.v").read_text()
+    assert stated in text
+    (tmp_path / "false.v").write_text(text.replace(stated, claimed))
+    assert coqc(compiled, str(tmp_path / "false.v"))
