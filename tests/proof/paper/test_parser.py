@@ -69,19 +69,9 @@ def test_the_papers_vocabulary(latex, expected):
 @pytest.mark.parametrize(
     "latex",
     [
-        r"a=b)",
-        r"a=(b",
-        r"a=b}",
-        r"\frac{a}",
-        r"a=",
-        r"a^",
-        r"\begin{pmatrix}a&b\\c\end{pmatrix}",
-        r"[a,b",
-        r"\lambda=1",
-        r"a=b@c",
-        r"a+",
-        r"\sqrt",
-        r"S_i=\pm",
+        *(r"a=b)", r"a=(b", r"a=b}", r"\frac{a}", r"a=", r"a^"),
+        *(r"\begin{pmatrix}a&b\\c\end{pmatrix}", r"[a,b", r"\lambda=1", r"a=b@c", r"a+", r"\sqrt"),
+        *(r"S_i=\pm",),
     ],
 )
 def test_what_is_left_over_or_missing_is_an_error(latex):
