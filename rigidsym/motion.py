@@ -875,30 +875,22 @@ def propagate(
     >>> q.shape, omega.shape
     ((2, 3, 4), (2, 3, 3))
     """
-    lenient = engines.is_lenient(errors)
-    given = {
-        "inertia": batches.array("inertia", inertia, lenient),
-        "omega0": batches.array("omega0", omega0, lenient),
-        "attitude0": batches.array("attitude0", attitude0, lenient),
-    }
-    if inputs.is_true("degrees", degrees):
-        given["omega0"] = np.deg2rad(given["omega0"])
-    moments = batches.possible(given["inertia"], allow_nonphysical, lenient)
-    chosen, times = engines.engine(engine), batches.array("t", t, lenient)
+    lenient, chosen = engines.is_lenient(errors), engines.engine(engine)
+    batch = batches.batch(inertia, omega0, attitude0, t, lenient, degrees, allow_nonphysical)
     with_sensitivity = inputs.is_true("sensitivity", sensitivity)
     if with_sensitivity and out is not None:
         raise InputError("out", "given", "sensitivities have arrays of their own")
     if not with_sensitivity and columns is not None:
         raise InputError("columns", repr(columns), "are of sensitivities: set sensitivity=True")
     try:
-        bodies = moments, given["omega0"], given["attitude0"]
         if not with_sensitivity:
-            return chosen.propagate(*bodies, times, out, errors)
+            return chosen.batch_states(batch, lenient, out)
         names = engines.columns(columns)
-        found = chosen.propagate_sensitivities(*bodies, times, errors, names)
+        found = chosen.batch_sensitivities(batch, lenient, names)
         return found[0], found[1], Sensitivity(*found[2:], names)
     except EngineError as error:
-        raise batches.input_error(error, given | {"t": times, "engine": engine}) from None
+        given = {**batch.bodies, "t": batch.t, "engine": engine}
+        raise batches.input_error(error, given) from None
 
 
 def _floats(

@@ -93,13 +93,6 @@ def is_lenient(errors: str) -> bool:
     return errors == "nan"
 
 
-def count(value: int) -> int:
-    """Return the number of samples of a grid; raise InputError where it is negative."""
-    if value < 0:
-        raise InputError("count", value, "must not be negative")
-    return value
-
-
 def in_one_piece(array: np.ndarray) -> np.ndarray:
     """Return the array, or a copy that is contiguous and aligned as C needs it."""
     whole = array.flags.c_contiguous and array.flags.aligned
@@ -185,8 +178,10 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
     return found
 
 
-def sensitivity_shapes(columns: tuple[str, ...]) -> tuple[tuple[int, ...], ...]:
-    """Return the last axes of states and of their derivatives by these columns."""
+def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
+    """Return the last axes of states and of their derivatives by columns; of states for None."""
+    if columns is None:
+        return (4,), (3,)
     by_t = (3 if "t" in columns else 0,)
     by_inputs = (3, 3 * (len(columns) - ("t" in columns)))
     return (4,), (3,), by_inputs, by_inputs, by_t, by_t
@@ -194,7 +189,7 @@ def sensitivity_shapes(columns: tuple[str, ...]) -> tuple[tuple[int, ...], ...]:
 
 def sensitivities(shape: tuple[int, ...], columns: tuple[str, ...] = COLUMNS) -> Sensitivities:
     """Make arrays for states of this shape and their derivatives."""
-    count, ends = math.prod(shape), sensitivity_shapes(columns)
+    count, ends = math.prod(shape), shapes(columns)
     block, begin, derivatives = _memory(count * sum(map(math.prod, ends[2:]))), 0, []
     for last in ends[2:]:
         size = count * math.prod(last)

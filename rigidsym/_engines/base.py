@@ -3,13 +3,16 @@
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
 from rigidsym._engines import arrays
 from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
 from rigidsym.errors import EngineError
+
+if TYPE_CHECKING:
+    from rigidsym._engines.exact_inputs import ExactInputs
 
 # The constants of one motion, in a form that only their engine reads.
 Prepared: TypeAlias = Any
@@ -36,22 +39,6 @@ class Engine(ABC):
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """Return the constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
 
-    @abstractmethod
-    def prepare_from_double_doubles(
-        self,
-        inertia: ArrayLike,
-        differences: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
-        discriminant: ArrayLike,
-        unit: float,
-    ) -> Prepared:
-        """Return the constants of one motion from sums of two doubles.
-
-        They are (3, 2) thrice, (4, 2) and (2,), scaled as torque_free.h says, rates times `unit`
-        rad/s; discriminant is K^2 - 2 H c_b.
-        """
-
     def prepare_exactly(
         self,
         inertia: Sequence[Fraction],
@@ -62,13 +49,27 @@ class Engine(ABC):
         # Here, because doubles need nothing of it.
         from rigidsym._engines.exact_inputs import exact_inputs
 
-        return self.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
+        return self._prepare_pairs(exact_inputs(inertia, omega0, attitude0))
+
+    @abstractmethod
+    def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
+        """Return the constants of one motion from numbers that are sums of two doubles."""
 
     @abstractmethod
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """Return q and omega: (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
+
+    @abstractmethod
+    def sensitivities(
+        self,
+        prepared: Prepared,
+        t: ArrayLike,
+        errors: str = "raise",
+        columns: Iterable[str] | None = None,
+    ) -> Sensitivities:
+        """Return states at times and their derivatives, by some of `arrays.COLUMNS` or by all."""
 
     @abstractmethod
     def grid(
@@ -94,24 +95,8 @@ class Engine(ABC):
         (B, N) a row for each; a scalar t has no N.  Errors have the index of the body, counted
         through all leading axes.
         """
-        batch, lenient = arrays.batch(inertia, omega0, attitude0, t), arrays.is_lenient(errors)
-        states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
-        self._fill_states(batch, states, lenient)
-        return states
-
-    @abstractmethod
-    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
-        """Write the states of all bodies of a batch."""
-
-    @abstractmethod
-    def sensitivities(
-        self,
-        prepared: Prepared,
-        t: ArrayLike,
-        errors: str = "raise",
-        columns: Iterable[str] | None = None,
-    ) -> Sensitivities:
-        """Return states at times and their derivatives, by some of `arrays.COLUMNS` or by all."""
+        batch = arrays.batch(inertia, omega0, attitude0, t)
+        return self.batch_states(batch, arrays.is_lenient(errors), out)
 
     def propagate_sensitivities(
         self,
@@ -123,18 +108,33 @@ class Engine(ABC):
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
         """Return states of many bodies, as `propagate` does, and their derivatives."""
+        batch, names = arrays.batch(inertia, omega0, attitude0, t), arrays.columns(columns)
+        return self.batch_sensitivities(batch, arrays.is_lenient(errors), names)
+
+    def batch_states(self, batch: Batch, lenient: bool, out: Outputs = None) -> States:
+        """Return the states of a batch; `lenient` stands for errors="nan"."""
+        states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
+        self._fill(batch, states, lenient, None)
+        return states
+
+    def batch_sensitivities(
+        self, batch: Batch, lenient: bool, columns: tuple[str, ...]
+    ) -> Sensitivities:
+        """Return the states of a batch and their derivatives."""
         self._check_has_sensitivities()
-        batch, lenient = arrays.batch(inertia, omega0, attitude0, t), arrays.is_lenient(errors)
-        chosen = arrays.columns(columns)
-        found = arrays.sensitivities(batch.shape, chosen)
-        self._fill_sensitivities(batch, found, chosen, lenient)
+        found = arrays.sensitivities(batch.shape, columns)
+        self._fill(batch, found, lenient, columns)
         return found
 
     @abstractmethod
-    def _fill_sensitivities(
-        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
+    def _fill(
+        self,
+        batch: Batch,
+        found: States | Sensitivities,
+        lenient: bool,
+        columns: tuple[str, ...] | None,
     ) -> None:
-        """Write the states and their derivatives of all bodies of a batch."""
+        """Write the states of a batch and, unless `columns` is None, their derivatives."""
 
     def _check_has_sensitivities(self) -> None:
         if not self.has_sensitivities:

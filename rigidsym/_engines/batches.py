@@ -38,6 +38,27 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     return doubles
 
 
+def batch(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    attitude0: ArrayLike,
+    t: ArrayLike,
+    lenient: bool,
+    degrees: bool,
+    allow_nonphysical: bool,
+) -> arrays.Batch:
+    """Return bodies and times as arrays that broadcast; rates may be in degrees.
+
+    Raises InputError for the first number that is refused, unless `lenient`, and for shapes.
+    """
+    moments, rates = array("inertia", inertia, lenient), array("omega0", omega0, lenient)
+    attitudes = array("attitude0", attitude0, lenient)
+    if inputs.is_true("degrees", degrees):
+        rates = np.deg2rad(rates)
+    moments = possible(moments, allow_nonphysical, lenient)
+    return arrays.batch(moments, rates, attitudes, array("t", t, lenient))
+
+
 def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
     """Return times as a float or an array (N,); raise InputError as `array` does."""
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))

@@ -5,8 +5,8 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from ctypes import addressof, c_double
 from dataclasses import dataclass
-from functools import cache, partial
-from typing import Any
+from functools import cache
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,9 @@ from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
 from rigidsym._engines.base import Engine
 from rigidsym._engines.library import Library
 from rigidsym.errors import EngineError
+
+if TYPE_CHECKING:
+    from rigidsym._engines.exact_inputs import ExactInputs
 
 # Doubles in memory of the caller, which nothing writes to after the motion is prepared.
 Prepared = ctypes.Array[c_double]
@@ -27,25 +30,30 @@ PREPARATION, _SENSITIVITY = 256, 8
 
 
 @dataclass(frozen=True, slots=True)
-class _Columns:
-    """Columns of sensitivities as C takes them, and the layout of one time with all its arrays."""
+class _Layout:
+    """States alone, or with columns of sensitivities: as C takes them, and as they lie in memory.
 
-    flags: int
+    flags: arguments of C before the outputs; cost: of a time, in plain states; shapes and sizes: of
+    each array at one time; offsets: in bytes, where a time and all arrays follow each other.
+    """
+
+    flags: tuple[int, ...]
+    cost: int
     shapes: tuple[tuple[int, ...], ...]
-    # The doubles of each array in a state.
     sizes: tuple[int, ...]
-    # Memory for a time before all arrays, one after the other, and their offsets in bytes.
-    numbers: type[ctypes.Array[c_double]]
     offsets: tuple[int, ...]
+    memory: type[ctypes.Array[c_double]]
 
 
 @cache
-def _columns(names: tuple[str, ...]) -> _Columns:
-    shapes = arrays.sensitivity_shapes(names)
+def _layout(names: tuple[str, ...] | None) -> _Layout:
+    """Return the layout of states with the columns of these names; of states alone for None."""
+    shapes = arrays.shapes(names)
     sizes = tuple(map(math.prod, shapes))
     offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
-    flags = sum(1 << arrays.COLUMNS.index(name) for name in names)
-    return _Columns(flags, shapes, sizes, c_double * (1 + sum(sizes)), offsets)
+    flags = () if names is None else (sum(1 << arrays.COLUMNS.index(name) for name in names),)
+    cost = _SENSITIVITY if flags else 1
+    return _Layout(flags, cost, shapes, sizes, offsets, c_double * (1 + sum(sizes)))
 
 
 class CEngine(Engine):
@@ -66,174 +74,55 @@ class CEngine(Engine):
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
-        given = _one_body({"inertia": inertia, "omega0": omega0, "attitude0": attitude0}, ())
-        return self._prepared(self.library.motion_init, given)
+        given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
+        return self._prepared(self.library.motion_init, given, ())
 
-    def prepare_from_double_doubles(
-        self,
-        inertia: ArrayLike,
-        differences: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
-        discriminant: ArrayLike,
-        unit: float,
-    ) -> Prepared:
-        """See `Engine`."""
-        named = {"inertia": inertia, "differences": differences, "omega0": omega0}
-        named |= {"attitude0": attitude0, "discriminant": discriminant}
+    def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
+        *pairs, unit = given
         init = self.library.motion_init_double_doubles
-        return self._prepared(init, _one_body(named, (2,)), unit)
-
-    def blank(self) -> Prepared:
-        """Return memory for a prepared motion."""
-        return self._prepared_type()
+        return self._prepared(init, dict(zip(given._fields, pairs, strict=False)), (2,), unit)
 
     def _prepared(
-        self, init: Callable[..., int], given: Mapping[str, np.ndarray], *unit: float
+        self,
+        init: Callable[..., int],
+        given: Mapping[str, ArrayLike],
+        tail: tuple[int, ...],
+        *unit: float,
     ) -> Prepared:
-        prepared = self.blank()
-        code = init(prepared, *(array.ctypes.data for array in given.values()), *unit)
+        """Return a motion by a function of C; arrays are (3, *tail) or (4, *tail)."""
+        bodies = {}
+        for name, value in given.items():
+            array = np.asarray(value, float)
+            shape = (arrays.SIZES[name], *tail) if name in arrays.SIZES else tail
+            if array.shape != shape:
+                raise EngineError(name, f"shape {array.shape}: one body's must be {shape}")
+            bodies[name] = arrays.in_one_piece(array)
+        prepared = self._prepared_type()
+        code = init(prepared, *(array.ctypes.data for array in bodies.values()), *unit)
         if not code:
             return prepared
-        infinite = [name for name, array in given.items() if not np.all(np.isfinite(array))]
+        infinite = [name for name, array in bodies.items() if not np.all(np.isfinite(array))]
         if code == self.library.NOT_FINITE and infinite:
             raise EngineError(infinite[0], "every number must be finite")
         field, rule = self.library.field(code).decode(), self.library.rule(code).decode()
         raise EngineError(field or "engine", rule)
 
-    def _refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
-        """Return the error of a code for these times, with the index of the first it is for."""
-        last, flat = self.library.last_time(prepared), t.reshape(-1)
-        infinite, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
-        if infinite.size:
-            return EngineError("t", arrays.BAD_TIMES, time=int(infinite[0]))
-        rule = self.library.rule(code).decode()
-        if code == self.library.SEPARATRIX:
-            rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
-        return EngineError("t", rule, time=int(late[0]) if late.size else None)
-
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """See `Engine`."""
-        if arrays.is_lenient(errors):
-            return self._lenient_states(prepared, arrays.times(t), out)
-        if out is None and isinstance(t, float):
+        lenient = errors != "raise" and arrays.is_lenient(errors)
+        if out is None and isinstance(t, float) and not lenient:
             # NumPy's types do not know that arrays of ctypes are buffers.
             state: Any = _State()
             address = addressof(state)
             if code := self._state_at(prepared, t, address, address + _OMEGA):
-                raise self._refused_times(code, prepared, np.array(t))
+                raise self._refused(code, prepared, np.array(t))
             return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
-        t = arrays.times(t)
-        q, omega = arrays.outputs(out, t.shape, t)
-        addresses = t.ctypes.data, q.ctypes.data, omega.ctypes.data
-
-        def piece(begin: int, end: int) -> int:
-            rows = _rows_from(begin, addresses, (1, 4, 3))
-            return self.library.states_at(prepared, end - begin, *rows)
-
-        if code := max(_shared(piece, t.size)):
-            raise self._refused_times(code, prepared, t)
-        return q, omega
-
-    def _lenient_states(self, prepared: Prepared, t: np.ndarray, out: Outputs) -> States:
-        """Return states, of NaN at times that are refused."""
-        q, omega = arrays.outputs(out, t.shape, t)
-        near = self._are_near(prepared, t)
-        self.states(prepared, np.where(near, t, 0.0), (q, omega))
-        q[~near] = omega[~near] = np.nan
-        return q, omega
-
-    def _are_near(self, prepared: Prepared, t: np.ndarray) -> np.ndarray:
-        """Return which times are finite and not too late."""
-        return np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
-
-    def grid(
-        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
-    ) -> States:
-        """See `Engine`."""
-        q, omega = arrays.outputs(out, (arrays.count(count),))
-        addresses = q.ctypes.data, omega.ctypes.data
-
-        def piece(begin: int, end: int) -> int:
-            rows = _rows_from(begin, addresses, (4, 3))
-            return self.library.states_on_grid(prepared, start, step, begin, end - begin, *rows)
-
-        if code := max(_shared(piece, count)):
-            last, first = self.library.last_time(prepared), 0
-            if abs(start) <= last:
-                far = (math.copysign(last, step) - start) / step if math.isfinite(step) else 0.0
-                first = 1 + math.floor(far)
-            refused = self._refused_times(code, prepared, np.array(start + first * step))
-            raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
-        return q, omega
-
-    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
-        t, bodies = batch.times, self._rows(batch)
-        count, times = batch.number, t.shape[1]
-        if lenient or count >= threads.threads(count * (times + PREPARATION)):
-            function = self.library.propagate
-            self._fill(function, (), bodies, t, states, lenient, times, self.states)
-            return
-        # Few bodies at many times: threads share the times.
-        q, omega = (x.reshape(count, times, x.shape[-1]) for x in states)
-        for k in range(count):
-            self._alone(k, bodies, t, partial(self.states, out=(q[k], omega[k])))
-
-    def _rows(self, batch: Batch) -> list[np.ndarray]:
-        """Return inertia, omega0 and attitude0 of a batch, a row for each body."""
-        return [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
-
-    def _fill(
-        self,
-        function: Callable[..., int],
-        flags: tuple[int, ...],
-        bodies: Sequence[np.ndarray],
-        t: np.ndarray,
-        found: Sequence[np.ndarray],
-        lenient: bool,
-        cost: int,
-        compute: Callable[[Prepared, np.ndarray], object],
-    ) -> None:
-        """Fill arrays by a function of C for many bodies; threads share the bodies.
-
-        flags: arguments before the outputs.  cost: that of a body after preparing it, in states.
-        compute: does the same for one prepared motion, and finds the time that is refused.
-        """
-        count, times = len(bodies[0]), t.shape[1]
-        own = times if len(t) > 1 else 0
-        codes = np.empty(count if lenient else 0, np.intc)
-        addresses = [x.ctypes.data for x in (*bodies, t, *found)]
-        sizes = 3, 3, 4, own, *(x.size // max(1, count) for x in found)
-
-        def piece(begin: int, end: int) -> int | None:
-            failed = ctypes.c_size_t(0)
-            rows = _rows_from(begin, addresses, sizes)
-            body_codes = codes[begin:].ctypes.data if lenient else None
-            given = (end - begin, *rows[:3], times, rows[3], own, *flags, *rows[4:])
-            code = function(*given, body_codes, addressof(failed))
-            return begin + failed.value if code else None
-
-        work = cost + PREPARATION
-        parts = min(threads.threads(count * work), max(1, count))
-        for body in threads.in_parts(piece, count, parts, max(1, threads.PIECE // work)):
-            if body is not None:
-                self._alone(body, bodies, t, compute)
-                raise AssertionError("a body that was refused is not")
-
-    def _alone(
-        self,
-        k: int,
-        bodies: Sequence[np.ndarray],
-        t: np.ndarray,
-        compute: Callable[[Prepared, np.ndarray], object],
-    ) -> None:
-        """Prepare body k and compute at its times; errors have its index."""
-        try:
-            compute(self.prepare(*(array[k] for array in bodies)), t[k if len(t) > 1 else 0])
-        except EngineError as error:
-            raise EngineError(error.field, error.rule, k, error.time) from None
+        times = arrays.times(t)
+        found = arrays.outputs(out, times.shape, times)
+        self._compute(prepared, times, found, lenient, _layout(None))
+        return found
 
     def sensitivities(
         self,
@@ -245,79 +134,139 @@ class CEngine(Engine):
         """See `Engine`."""
         self._check_has_sensitivities()
         lenient, names = arrays.is_lenient(errors), arrays.columns(columns)
-        chosen = _columns(names)
+        layout = _layout(names)
         if isinstance(t, float) and not lenient:
-            return self._sensitivities_at(prepared, t, chosen)
-        t = arrays.times(t)
-        found = arrays.sensitivities(t.shape, names)
-        if lenient:
-            near = self._are_near(prepared, t)
-            self._compute_sensitivities(prepared, np.where(near, t, 0.0), found, chosen)
-            for x in found:
-                x[~near] = np.nan
-        elif code := self._compute_sensitivities(prepared, t, found, chosen):
-            raise self._refused_sensitivities(code, prepared, t, found)
+            return self._sensitivities_at(prepared, t, layout)
+        times = arrays.times(t)
+        found = arrays.sensitivities(times.shape, names)
+        self._compute(prepared, times, found, lenient, layout)
         return found
 
-    def _sensitivities_at(self, prepared: Prepared, t: float, chosen: _Columns) -> Sensitivities:
+    def _sensitivities_at(self, prepared: Prepared, t: float, layout: _Layout) -> Sensitivities:
         """Return sensitivities at one time, by a shorter way from Python to C and back."""
-        numbers: Any = chosen.numbers(t)
+        numbers: Any = layout.memory(t)
         address = addressof(numbers)
-        rows = (address + offset for offset in chosen.offsets)
-        code = self.library.states_with_columns(prepared, 1, address, chosen.flags, *rows)
+        rows = (address + offset for offset in layout.offsets)
+        code = self.library.states_with_columns(prepared, 1, address, *layout.flags, *rows)
         q, omega, attitude, rates, attitude_t, rates_t = (
             np.ndarray(shape, float, numbers, offset if math.prod(shape) else 0)
-            for shape, offset in zip(chosen.shapes, chosen.offsets, strict=True)
+            for shape, offset in zip(layout.shapes, layout.offsets, strict=True)
         )
         found = q, omega, attitude, rates, attitude_t, rates_t
         if code:
-            raise self._refused_sensitivities(code, prepared, np.array(t), found)
+            raise self._refused(code, prepared, np.array(t), found)
         return found
 
-    def _compute_sensitivities(
-        self, prepared: Prepared, t: np.ndarray, found: Sensitivities, chosen: _Columns
-    ) -> int:
-        """Fill the arrays and return a code, that of a refused time before any other.
-
-        Threads share the times.
-        """
-        addresses = [x.ctypes.data for x in (t, *found)]
+    def grid(
+        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
+    ) -> States:
+        """See `Engine`."""
+        q, omega = arrays.outputs(out, (count,))
+        addresses = q.ctypes.data, omega.ctypes.data
 
         def piece(begin: int, end: int) -> int:
-            first, *rows = _rows_from(begin, addresses, (1, *chosen.sizes))
-            counted = prepared, end - begin, first
-            return self.library.states_with_columns(*counted, chosen.flags, *rows)
+            rows = _rows_from(begin, addresses, (4, 3))
+            return self.library.states_on_grid(prepared, start, step, begin, end - begin, *rows)
 
-        return min(filter(None, _shared(piece, t.size, _SENSITIVITY)), default=0)
+        if code := max(_shared(piece, count)):
+            last, first = self.library.last_time(prepared), 0
+            if abs(start) <= last:
+                far = (math.copysign(last, step) - start) / step if math.isfinite(step) else 0.0
+                first = 1 + math.floor(far)
+            refused = self._refused(code, prepared, np.array(start + first * step))
+            raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
+        return q, omega
 
-    def _refused_sensitivities(
-        self, code: int, prepared: Prepared, t: np.ndarray, found: Sensitivities
-    ) -> EngineError:
-        if code != self.library.GROWTH:
-            return self._refused_times(code, prepared, t)
-        lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
-        first = int(np.argmax(np.any(lost, axis=0)))
-        return EngineError("t", self.library.rule(code).decode(), time=first)
-
-    def _fill_sensitivities(
-        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
+    def _compute(
+        self,
+        prepared: Prepared,
+        t: np.ndarray,
+        found: Sequence[np.ndarray],
+        lenient: bool,
+        layout: _Layout,
     ) -> None:
-        t, bodies = batch.times, self._rows(batch)
-        function, flags = self.library.propagate_with_columns, (_columns(columns).flags,)
-        compute, cost = partial(self.sensitivities, columns=columns), _SENSITIVITY * t.shape[1]
-        self._fill(function, flags, bodies, t, found, lenient, cost, compute)
+        """Fill arrays at the times of one motion; threads share the times."""
+        function = self.library.states_with_columns if layout.flags else self.library.states_at
+        near = None
+        if lenient:
+            near = np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
+            t = np.where(near, t, 0.0)
+        addresses, sizes = [x.ctypes.data for x in (t, *found)], (1, *layout.sizes)
 
+        def piece(begin: int, end: int) -> int:
+            first, *rows = _rows_from(begin, addresses, sizes)
+            return function(prepared, end - begin, first, *layout.flags, *rows)
 
-def _one_body(given: Mapping[str, ArrayLike], tail: tuple[int, ...]) -> dict[str, np.ndarray]:
-    """Return the arrays of one body, each contiguous: (3, *tail) or (4, *tail)."""
-    found = {}
-    for name, value in given.items():
-        array = np.asarray(value, float)
-        shape = (arrays.SIZES[name], *tail) if name in arrays.SIZES else tail
-        if array.shape != shape:
-            raise EngineError(name, f"shape {array.shape}: one body's must be {shape}")
-        found[name] = arrays.in_one_piece(array)
-    return found
+        codes = _shared(piece, t.size, layout.cost)
+        if near is not None:
+            for x in found:
+                x[~near] = np.nan
+        # The code of a refused time comes before that of a derivative.
+        elif code := min(filter(None, codes), default=0):
+            raise self._refused(code, prepared, t, found)
+
+    def _refused(
+        self, code: int, prepared: Prepared, t: np.ndarray, found: Sequence[np.ndarray] = ()
+    ) -> EngineError:
+        """Return the error of a code, with the index of the first time it is for."""
+        flat, rule = t.reshape(-1), self.library.rule(code).decode()
+        if len(found) > 2 and code == self.library.GROWTH:
+            lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
+            return EngineError("t", rule, time=int(np.argmax(np.any(lost, axis=0))))
+        last = self.library.last_time(prepared)
+        infinite, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
+        if infinite.size:
+            return EngineError("t", arrays.BAD_TIMES, time=int(infinite[0]))
+        if code == self.library.SEPARATRIX:
+            rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
+        return EngineError("t", rule, time=int(late[0]) if late.size else None)
+
+    def _fill(
+        self,
+        batch: Batch,
+        found: States | Sensitivities,
+        lenient: bool,
+        columns: tuple[str, ...] | None,
+    ) -> None:
+        t, layout, count = batch.times, _layout(columns), batch.number
+        bodies = [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
+        times, own = t.shape[1], t.shape[1] if len(t) > 1 else 0
+        work = layout.cost * times + PREPARATION
+
+        def alone(k: int) -> None:
+            """Compute body k by itself; errors have its index."""
+            rows = [
+                x.reshape(count, times, *y)[k] for x, y in zip(found, layout.shapes, strict=True)
+            ]
+            try:
+                prepared = self.prepare(*(array[k] for array in bodies))
+                self._compute(prepared, t[k if own else 0], rows, False, layout)
+            except EngineError as error:
+                raise EngineError(error.field, error.rule, k, error.time) from None
+
+        if columns is None and not lenient and count < threads.threads(count * work):
+            # Few bodies at many times: threads share the times.
+            for k in range(count):
+                alone(k)
+            return
+        function = self.library.propagate_with_columns if columns else self.library.propagate
+        codes = np.empty(count if lenient else 0, np.intc)
+        addresses = [x.ctypes.data for x in (*bodies, t, *found)]
+        sizes = 3, 3, 4, own, *(times * size for size in layout.sizes)
+
+        def piece(begin: int, end: int) -> int | None:
+            failed = ctypes.c_size_t(0)
+            rows = _rows_from(begin, addresses, sizes)
+            body_codes = codes[begin:].ctypes.data if lenient else None
+            given = end - begin, *rows[:3], times, rows[3], own, *layout.flags, *rows[4:]
+            code = function(*given, body_codes, addressof(failed))
+            return begin + failed.value if code else None
+
+        parts = min(threads.threads(count * work), max(1, count))
+        for body in threads.in_parts(piece, count, parts, max(1, threads.PIECE // work)):
+            if body is not None:
+                alone(body)
+                raise AssertionError("a body that was refused is not")
 
 
 def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> list[int]:

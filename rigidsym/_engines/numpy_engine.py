@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +12,9 @@ from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
 from rigidsym._engines.base import Engine, Prepared
 from rigidsym.errors import EngineError
 from rigidsym.generated import torque_free
+
+if TYPE_CHECKING:
+    from rigidsym._engines.exact_inputs import ExactInputs
 
 # Bodies at a time: preparing takes 4 KB of memory for each.
 _BODIES = 4096
@@ -28,28 +31,19 @@ class NumpyEngine(Engine):
         """True if the module has sensitivities."""
         return hasattr(self.module, "sensitivities")
 
+    def _called(self, function: Callable[..., Any], *given: Any) -> Any:
+        """Call a function of the module; raise EngineError where the module refuses."""
+        try:
+            return function(*given)
+        except self.module._RefusedError as error:
+            raise EngineError(error.field, error.rule, error.body, error.time) from None
+
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
-        try:
-            return self.module.prepare(inertia, omega0, attitude0)
-        except self.module._RefusedError as error:
-            raise _refused(error) from None
+        return self._called(self.module.prepare, inertia, omega0, attitude0)
 
-    def prepare_from_double_doubles(
-        self,
-        inertia: ArrayLike,
-        differences: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
-        discriminant: ArrayLike,
-        unit: float,
-    ) -> Prepared:
-        """See `Engine`."""
-        given = inertia, differences, omega0, attitude0, discriminant, unit
-        try:
-            return self.module.prepare_from_double_doubles(*given)
-        except self.module._RefusedError as error:
-            raise _refused(error) from None
+    def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
+        return self._called(self.module.prepare_from_double_doubles, *given)
 
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
@@ -58,21 +52,7 @@ class NumpyEngine(Engine):
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*prepared["shape"], *times.shape), times)
-        try:
-            return self.module.states(prepared, t, out, errors)
-        except self.module._RefusedError as error:
-            raise _refused(error) from None
-
-    def grid(
-        self,
-        prepared: Prepared,
-        start: float,
-        step: float,
-        count: int,
-        out: Outputs = None,
-    ) -> States:
-        """See `Engine`."""
-        return self.states(prepared, start + step * np.arange(arrays.count(count)), out)
+        return self._called(self.module.states, prepared, t, out, errors)
 
     def sensitivities(
         self,
@@ -83,48 +63,39 @@ class NumpyEngine(Engine):
     ) -> Sensitivities:
         """See `Engine`."""
         self._check_has_sensitivities()
-        try:
-            return self.module.sensitivities(prepared, t, errors, arrays.columns(columns))
-        except self.module._RefusedError as error:
-            raise _refused(error) from None
+        names = arrays.columns(columns)
+        return self._called(self.module.sensitivities, prepared, t, errors, names)
 
-    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
-        t = batch.times
-        rows = [x.reshape(batch.number, t.shape[1], x.shape[-1]) for x in states]
+    def grid(
+        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
+    ) -> States:
+        """See `Engine`."""
+        return self.states(prepared, start + step * np.arange(count), out)
 
-        def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
-            self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
-
-        self._in_blocks(batch, t, run, lenient)
-
-    def _fill_sensitivities(
-        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
-    ) -> None:
-        t, lasts = batch.times, arrays.sensitivity_shapes(columns)
-        rows = [x.reshape(batch.number, t.shape[1], *y) for x, y in zip(found, lasts, strict=True)]
-
-        def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
-            block = self.module.sensitivities(prepared, times, errors, columns)
-            for row, values in zip(rows, block, strict=True):
-                row[some] = values
-
-        self._in_blocks(batch, t, run, lenient)
-
-    def _in_blocks(
+    def _fill(
         self,
         batch: Batch,
-        t: np.ndarray,
-        run: Callable[[Prepared, np.ndarray, slice, str], None],
+        found: States | Sensitivities,
         lenient: bool,
+        columns: tuple[str, ...] | None,
     ) -> None:
-        """Prepare a block of bodies at a time, and run it at its times."""
-        errors = "nan" if lenient else "raise"
+        t, errors = batch.times, "nan" if lenient else "raise"
+        ends = arrays.shapes(columns)
+        rows = [x.reshape(batch.number, t.shape[1], *y) for x, y in zip(found, ends, strict=True)]
         for some, bodies in _blocks(batch):
+            own = [x[some] for x in rows]
             try:
                 prepared = self.module.prepare(*bodies, errors)
-                run(prepared, t[some] if len(t) > 1 else t[0], some, errors)
+                times = t[some] if len(t) > 1 else t[0]
+                if columns is None:
+                    self.module.states(prepared, times, (own[0], own[1]), errors)
+                    continue
+                values = self.module.sensitivities(prepared, times, errors, columns)
             except self.module._RefusedError as error:
-                raise _refused(error, some.start) from None
+                body = None if error.body is None else some.start + error.body
+                raise EngineError(error.field, error.rule, body, error.time) from None
+            for row, value in zip(own, values, strict=True):
+                row[...] = value
 
 
 def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
@@ -135,9 +106,3 @@ def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
         some = slice(first, first + _BODIES)
         index = np.unravel_index(range(batch.number)[some], leading) if leading else ()
         yield some, [x[index].reshape(-1, x.shape[-1]) for x in whole]
-
-
-def _refused(error: Any, first: int = 0) -> EngineError:
-    """Return the error of the generated module for a block of bodies that begins with `first`."""
-    body = None if error.body is None else first + error.body
-    return EngineError(error.field, error.rule, body, error.time)

@@ -31,13 +31,9 @@ class _Torque(ctypes.Structure):
     """The struct torque_free_torque."""
 
     _fields_ = (
-        ("coefficients", ctypes.c_void_p),
-        ("coefficients_stride", ctypes.c_size_t),
-        ("vector", ctypes.c_void_p),
-        ("vector_stride", ctypes.c_size_t),
-        ("orbit", ctypes.c_void_p),
-        ("more", ctypes.c_void_p),
-        ("data", ctypes.c_void_p),
+        *(("coefficients", ctypes.c_void_p), ("coefficients_stride", ctypes.c_size_t)),
+        *(("vector", ctypes.c_void_p), ("vector_stride", ctypes.c_size_t)),
+        *((name, ctypes.c_void_p) for name in ("orbit", "more", "data")),
     )
 
 
@@ -46,8 +42,7 @@ class _Splitting(ctypes.Structure):
 
     _fields_ = (
         ("count", ctypes.c_size_t),
-        ("drifts", ctypes.c_void_p),
-        ("kicks", ctypes.c_void_p),
+        *((name, ctypes.c_void_p) for name in ("drifts", "kicks")),
     )
 
 
@@ -68,21 +63,10 @@ class Kicks:
     kicks: np.ndarray
     more: tuple[int | None, int | None] = (None, None)
 
-    def torque(self, first: int) -> _Torque:
-        """Return the torque for torque_free_integrate, of bodies from `first` on."""
-        coefficients = _from(self.coefficients, first)
-        vector = (None, 0) if self.vector is None else _from(self.vector, first)
-        orbit = None if self.orbit is None else self.orbit.ctypes.data
-        return _Torque(*coefficients, *vector, orbit, *self.more)
-
-    def splitting(self) -> _Splitting:
-        """Return the method for torque_free_integrate."""
-        return _Splitting(len(self.kicks), self.drifts.ctypes.data, self.kicks.ctypes.data)
-
 
 def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
     """Return the address of a row and the stride to the next, 0 where one row serves all."""
-    stride = rows.shape[1] if len(rows) > 1 else 0
+    stride = rows.size // len(rows) if len(rows) > 1 else 0
     return rows.ctypes.data + first * stride * _DOUBLE, stride
 
 
@@ -195,26 +179,16 @@ class CStepper(Stepper):
     def _steps(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        count, given = len(q), (inertia, q, omega, dt, *out)
-        addresses = [x.ctypes.data for x in given]
-        # Arrays with one row serve all bodies.
-        strides = [x[0].size if len(x) == count else 0 for x in given]
-        if count == 1:
-            strides = [3, 4, 3, 1, 4, 3]
-
         def piece(begin: int, end: int) -> tuple[int, int] | None:
-            rows = [
-                address + begin * stride * _DOUBLE
-                for address, stride in zip(addresses, strides, strict=True)
-            ]
+            rows = [_from(x, begin) for x in (inertia, q, omega, dt, *out)]
             failed = ctypes.c_size_t(0)
-            before = (rows[0], strides[0], rows[1], rows[2], rows[3], strides[3])
-            after = (rows[4], rows[5], ctypes.addressof(failed))
+            before = (*rows[0], rows[1][0], rows[2][0], *rows[3])
+            after = (rows[4][0], rows[5][0], ctypes.addressof(failed))
             code = self._library.steps(end - begin, *before, *after)
             return (code, begin + failed.value) if code else None
 
-        parts = threads.threads(count * _STEP)
-        self._run(piece, count, parts, threads.PIECE // _STEP)
+        parts = threads.threads(len(q) * _STEP)
+        self._run(piece, len(q), parts, threads.PIECE // _STEP)
 
     def one(
         self,
@@ -245,10 +219,13 @@ class CStepper(Stepper):
         EngineError for the first body that is refused; states are undefined then.
         """
         begin, step, first, last = span
-        splitting = kicks.splitting()
+        splitting = _Splitting(len(kicks.kicks), kicks.drifts.ctypes.data, kicks.kicks.ctypes.data)
+        orbit = None if kicks.orbit is None else kicks.orbit.ctypes.data
 
         def piece(start: int, end: int) -> tuple[int, int] | None:
-            failed, torque = ctypes.c_size_t(0), kicks.torque(start)
+            vector = (None, 0) if kicks.vector is None else _from(kicks.vector, start)
+            torque = _Torque(*_from(kicks.coefficients, start), *vector, orbit, *kicks.more)
+            failed = ctypes.c_size_t(0)
             code = self._library.integrate(
                 *(end - start, *_from(kicks.inertia, start)),
                 *(ctypes.addressof(splitting), ctypes.addressof(torque)),
