@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, Literal, NoReturn, Unpack, overload
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,7 +14,7 @@ from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym._engines import EngineError, batches
 from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, package
 from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
@@ -26,8 +26,6 @@ if TYPE_CHECKING:
 
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise._boxed import BoxedMotion
-    from rigidsym.precise._evaluation import State
-    from rigidsym.precise._motion import DecimalState
     from rigidsym.precise._quantities import Quantities
     from rigidsym.solution._polhode import Mode, Regime
     from rigidsym.solution._symbolic import Symbolic
@@ -38,8 +36,7 @@ _IDENTITY = tuple(map(float, IDENTITY))
 _CACHED = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
-# The numbers of a state with its sensitivities: q, omega, attitude, rates, attitude_t, rates_t.
-_WIDTHS = (4, 3, 27, 27, 3, 3)
+_ATTITUDE = ("q0", "q1", "q2", "q3")
 
 
 class TorqueFreeMotion:
@@ -575,7 +572,7 @@ class TorqueFreeMotion:
             rows = self._by_balls(method).decimal_sensitivities(times, *limits)
             return _with_sensitivities((certain(row, digits) for row in rows), single)
         states = self._by(method, self.exact).states(times, *limits)
-        return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
+        return _split(([*certain(q, digits), *certain(w, digits)] for q, w in states), single)
 
     @overload
     def enclose(
@@ -652,7 +649,7 @@ class TorqueFreeMotion:
             motion, states = self._boxed, boxed[method]
         if derivatives:
             return _with_sensitivities(motion.sensitivities(times, *limits), single)
-        return _objects(getattr(motion, states)(times, *limits), single)
+        return _split(([*q, *w] for q, w in getattr(motion, states)(times, *limits)), single)
 
     @property
     def _is_uncertain(self) -> bool:
@@ -728,9 +725,10 @@ class TorqueFreeMotion:
         InputError
             As a call does.
         """
-        from rigidsym.io._frames import dataframe
-
-        return dataframe(*self._sampled(t, degrees))
+        times, q, omega = self._sampled(t, degrees)
+        pandas: Any = package("pandas", "to_dataframe", "frames")
+        columns = [*_ATTITUDE, "omega1", "omega2", "omega3"]
+        return pandas.DataFrame(np.hstack([q, omega]), pandas.Index(times, name="t"), columns)
 
     def to_xarray(self, t: ArrayLike, *, degrees: bool = False) -> "Dataset":
         """Return states as an xarray Dataset (needs xarray).
@@ -752,9 +750,14 @@ class TorqueFreeMotion:
         InputError
             As a call does.
         """
-        from rigidsym.io._frames import dataset
-
-        return dataset(*self._sampled(t, degrees), "deg/s" if degrees else "rad/s")
+        times, q, omega = self._sampled(t, degrees)
+        xarray: Any = package("xarray", "to_xarray", "frames")
+        attitude = {"long_name": "attitude, body to inertial, scalar first", "units": "1"}
+        rates = {"long_name": "rates in body axes", "units": "deg/s" if degrees else "rad/s"}
+        return xarray.Dataset(
+            {"q": (("t", "component"), q, attitude), "omega": (("t", "axis"), omega, rates)},
+            {"t": ("t", times, {"units": "s"}), "component": [*_ATTITUDE], "axis": [1, 2, 3]},
+        )
 
     def _sampled(self, t: ArrayLike, degrees: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         times = np.atleast_1d(batches.times(t))
@@ -904,27 +907,21 @@ def _floats(
     return {"inertia": moments, "omega0": rates, "attitude0": start}
 
 
-def _objects(
-    states: "Iterable[State | DecimalState]", single: bool
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return states as object arrays, of one state without the axis of times."""
-    listed = list(states)
-    q, omega = np.empty((len(listed), 4), dtype=object), np.empty((len(listed), 3), dtype=object)
-    for k, (attitude, rates) in enumerate(listed):
-        q[k], omega[k] = attitude, rates
-    return (q[0], omega[0]) if single else (q, omega)
-
-
 def _with_sensitivities(
     rows: "Iterable[Sequence[arb | mpf]]", single: bool
 ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
     """Split rows of 67 numbers into q, omega, both derivatives (3, 9), and both by the time."""
-    listed = list(rows)
-    table = np.empty((len(listed), sum(_WIDTHS)), dtype=object)
+    q, omega, *changes, turns_t, rates_t = _split(rows, single, (4, 3, 27, 27, 3, 3))
+    attitude, rates = (x.reshape(*x.shape[:-1], 3, 9) for x in changes)
+    return q, omega, Sensitivity(attitude, rates, turns_t, rates_t)
+
+
+def _split(
+    rows: "Iterable[Sequence[arb | mpf]]", single: bool, widths: tuple[int, ...] = (4, 3)
+) -> tuple[np.ndarray, ...]:
+    """Split rows into object arrays of these widths; a single row has no axis of times."""
+    listed = [*rows]
+    table = np.empty((len(listed), sum(widths)), dtype=object)
     for k, row in enumerate(listed):
         table[k] = row
-    table = table[0] if single else table
-    parts = np.split(table, np.cumsum(_WIDTHS)[:-1], axis=-1)
-    q, omega, turns, rates, turns_t, rates_t = parts
-    attitude, changes = (x.reshape(*x.shape[:-1], 3, 9) for x in (turns, rates))
-    return q, omega, Sensitivity(attitude, changes, turns_t, rates_t)
+    return tuple(np.split(table[0] if single else table, np.cumsum(widths)[:-1], axis=-1))

@@ -20,7 +20,7 @@ ALLOWED = {
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions sensitivity",
-    "rigidsym.motion": f"{NUMBERS} engines io.frames sensitivity view",
+    "rigidsym.motion": f"{NUMBERS} engines sensitivity view",
     "rigidsym.steps": "engines errors",
     # What is true.
     "rigidsym.proof.kernel": "",
@@ -63,7 +63,7 @@ ALLOWED = {
     "rigidsym.io.attitude_ephemeris": "errors io motion",
     "rigidsym.io.cases": "errors inputs io motion view",
     "rigidsym.io.tables": "inputs io precise",
-    "rigidsym.io.tracks": "errors io motion",
+    "rigidsym.io.tracks": "engines errors io motion",
     # What a user calls for all of it.
     "rigidsym.reproduce": "codegen errors inputs io proof solution validate view",
     "rigidsym.cli": f"{NUMBERS} codegen derivations engines fitting generated io manoeuvre motion "

@@ -69,7 +69,7 @@ def _heading(options: Namespace) -> dict[str, Any]:
 def _message(case: "Case", heading: dict[str, Any]) -> bytes:
     from rigidsym import _inputs as inputs
     from rigidsym.io import aem, sampled
-    from rigidsym.io._messages import UNNAMED
+    from rigidsym.io._attitude_ephemeris import UNNAMED
 
     whole: dict[str, Any] = {**UNNAMED, **case.message, **heading}
     if "epoch" not in whole:

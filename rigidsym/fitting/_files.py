@@ -16,8 +16,7 @@ from rigidsym.fitting._observations import KINDS, Attitudes, Observations, Rates
 from rigidsym.fitting._published import TOUTATIS_EPOCH, text, toutatis
 from rigidsym.io import _attitude_ephemeris as attitude_ephemeris
 from rigidsym.io import _epochs as epochs
-from rigidsym.io import _toml as toml_file
-from rigidsym.io._files import read_text
+from rigidsym.io import _files as files
 
 DAY = 86400.0
 OWN = ("toutatis", "t-handle")
@@ -63,7 +62,7 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
     if ending not in (".toml", ".csv", ".aem"):
         rule = f"must end in .toml, .csv or .aem, or be one of: {', '.join(OWN)}"
         raise InputError("observations", name, rule)
-    content = read_text("observations", path)
+    content = files.read_text("observations", path)
     if ending == ".toml":
         return parse_toml(content)
     return (parse_csv if ending == ".csv" else parse_message)(content, errors)
@@ -75,8 +74,8 @@ def parse_toml(content: str) -> File:
     With `degrees`, rates, angles and their errors are in degrees; with `days`, times are in days
     and rates per day.  Times are numbers, or epochs if `epoch` gives the epoch of t = 0.
     """
-    data = toml_file.parse("observations", content)
-    toml_file.check_keys("observations", data, (*_OPTIONS, "epoch", "days", "degrees", *_TABLES))
+    data = files.parse_toml("observations", content)
+    files.check_keys("observations", data, (*_OPTIONS, "epoch", "days", "degrees", *_TABLES))
     second = DAY if inputs.is_true("days", data.get("days", False)) else 1.0
     angle = np.pi / 180 if inputs.is_true("degrees", data.get("degrees", False)) else 1.0
     units = {"rad": angle, "rad/s": angle / second}
@@ -89,7 +88,7 @@ def parse_toml(content: str) -> File:
         for k, table in enumerate(tables):
             where = f"{name}[{k}]"
             known = ("times", "sigma", *kind.keys)
-            toml_file.check_keys(where, table, known, ("times", "sigma"))
+            files.check_keys(where, table, known, ("times", "sigma"))
             times = _times(where, table["times"], epoch, second)
             sigma, unit = batches.array(f"{where}.sigma", table["sigma"]), units[kind.unit]
             # Standard deviations are in the unit, covariances in its square.

@@ -8,7 +8,7 @@ Sections 4 and 6 have the format.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from itertools import pairwise
@@ -17,7 +17,15 @@ import numpy as np
 
 from rigidsym.errors import InputError
 from rigidsym.io import _epochs as epochs
+from rigidsym.io._files import check_keys
 from rigidsym.io._tracks import Track
+
+MISSION_FIELDS = ("object_name", "object_id", "originator", "creation_date", "ref_frame_b")
+"Fields of the table [message] that a file can set for any message."
+MESSAGE_FIELDS = (*MISSION_FIELDS, "epoch", "time_system", "ref_frame_a")
+"All fields, where nothing else determines the epoch and the inertial frame."
+UNNAMED = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
+"Defaults (CCSDS 504.0-B-2, table 4-3)."
 
 # 6.6.1: characters in a line.
 LONGEST_LINE = 254
@@ -25,8 +33,10 @@ LONGEST_LINE = 254
 HIGHEST_DEGREE = 7
 _PRINTABLE = re.compile(r"[ -~]+")
 _TYPES = {True: "QUATERNION/ANGVEL", False: "QUATERNION"}
+# Numbers of a line after the epoch: the quaternion, then the rates.
+_WIDTHS = {"QUATERNION": 4, "QUATERNION/ANGVEL": 7}
 
-Field = tuple[str, str]
+Message = Mapping[str, str]
 
 
 def aem(
@@ -82,7 +92,9 @@ def aem(
         For epochs and text that the standard does not allow, times closer than 1e-14 s, and tracks
         that begin before the last one ends.
     """
-    tracks = _tracks(track)
+    tracks = list(track) if isinstance(track, Sequence) else [track]
+    if not tracks or not all(isinstance(each, Track) for each in tracks):
+        raise InputError("track", repr(track), "must be a Track or a list of them")
     zero = epochs.parse("epoch", epoch, time_system)
     instants = [[epochs.later(zero, t) for t in each.times.tolist()] for each in tracks]
     _check_order(instants)
@@ -91,29 +103,18 @@ def aem(
         raise InputError("rates", repr(rates), f"must be one of: {choices}")
     if ref_frame_a == ref_frame_b:
         raise InputError("ref_frame_b", repr(ref_frame_b), "must not be frame A as well")
-    header = [
-        ("CCSDS_AEM_VERS", "2.0"),
-        ("CREATION_DATE", _creation_date(creation_date)),
-        ("ORIGINATOR", text_value("originator", originator)),
-    ]
-    names = {
-        "OBJECT_NAME": text_value("object_name", object_name),
-        "OBJECT_ID": text_value("object_id", object_id),
-        "REF_FRAME_A": text_value("ref_frame_a", ref_frame_a),
-        "REF_FRAME_B": text_value("ref_frame_b", ref_frame_b),
-        "TIME_SYSTEM": time_system,
-    }
-    lines = _fields(header)
+    if creation_date is None:
+        creation_date = datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S")
+    else:
+        epochs.parse("creation_date", creation_date, "UTC")
+    named = {"originator": originator, "object_name": object_name, "object_id": object_id}
+    named |= {"ref_frame_a": ref_frame_a, "ref_frame_b": ref_frame_b}
+    checked = {name.upper(): text_value(name, text) for name, text in named.items()}
+    header = {"CCSDS_AEM_VERS": "2.0", "CREATION_DATE": creation_date}
+    lines = _fields(header | {"ORIGINATOR": checked.pop("ORIGINATOR")})
     for each, when in zip(tracks, instants, strict=True):
-        lines += _segment(each, when, names, rates)
+        lines += _segment(each, when, checked | {"TIME_SYSTEM": time_system}, rates)
     return "\n".join([*lines, ""])
-
-
-def _tracks(track: Track | Sequence[Track]) -> list[Track]:
-    tracks = list(track) if isinstance(track, Sequence) else [track]
-    if not tracks or not all(isinstance(each, Track) for each in tracks):
-        raise InputError("track", repr(track), "must be a Track or a list of them")
-    return tracks
 
 
 def _check_order(instants: Sequence[Sequence[int]]) -> None:
@@ -142,32 +143,22 @@ def text_value(field: str, text: str) -> str:
     return text
 
 
-def _creation_date(given: str | None) -> str:
-    """Return a date in UTC (4.2.2.2), the time of writing by default."""
-    if given is None:
-        return datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S")
-    epochs.parse("creation_date", given, "UTC")
-    return given
-
-
-def _segment(
-    track: Track, instants: Sequence[int], names: dict[str, str], rates: bool
-) -> list[str]:
+def _segment(track: Track, instants: Sequence[int], names: Message, rates: bool) -> list[str]:
     """Return the metadata in the order of table 4-3, and the lines of table 4-4.
 
     USEABLE_START_TIME and USEABLE_STOP_TIME are optional: the states are good to both ends.
     """
     system, digits = names["TIME_SYSTEM"], epochs.decimals(instants)
     times = [epochs.printed(instant, system, digits) for instant in instants]
-    metadata = [
-        *names.items(),
-        ("START_TIME", times[0]),
-        ("STOP_TIME", times[-1]),
-        ("ATTITUDE_TYPE", _TYPES[rates]),
-    ]
+    metadata = {**names, "START_TIME": times[0], "STOP_TIME": times[-1]}
+    metadata["ATTITUDE_TYPE"] = _TYPES[rates]
     if rates:
-        metadata.append(("ANGVEL_FRAME", names["REF_FRAME_B"]))
-    metadata += _interpolation(len(times))
+        metadata["ANGVEL_FRAME"] = names["REF_FRAME_B"]
+    if len(times) > 1:
+        # Lagrange's polynomial of degree d takes d + 1 states of either type (4.2.4.8.4); readers
+        # disagree on HERMITE.
+        metadata["INTERPOLATION_METHOD"] = "LAGRANGE"
+        metadata["INTERPOLATION_DEGREE"] = str(min(HIGHEST_DEGREE, len(times) - 1))
     values = np.roll(track.q, -1, axis=1)
     if rates:
         values = np.hstack([values, np.degrees(track.omega)])
@@ -182,29 +173,39 @@ def _segment(
     ]
 
 
-def _interpolation(count: int) -> list[Field]:
-    """Return the polynomial of a segment that its states are sufficient for (4.2.4.8.4).
+def _fields(fields: Message) -> list[str]:
+    return [f"{keyword} = {value}" for keyword, value in fields.items()]
 
-    Lagrange's of degree d takes d + 1 states of either type; readers disagree on HERMITE.
+
+def message_fields(table: object, known: Collection[str] = MESSAGE_FIELDS) -> Message:
+    """Return the fields of a file's table [message], as arguments of `aem` by name.
+
+    Dates are strings or TOML's own.  Raises InputError for the first unknown key, and for text that
+    the standard does not allow.
     """
-    if count < 2:
-        return []
-    degree = min(HIGHEST_DEGREE, count - 1)
-    return [("INTERPOLATION_METHOD", "LAGRANGE"), ("INTERPOLATION_DEGREE", str(degree))]
-
-
-def _fields(fields: Iterable[Field]) -> list[str]:
-    return [f"{keyword} = {value}" for keyword, value in fields]
-
-
-# Numbers of a line after the epoch: the quaternion, and where in it the rates are.
-_WIDTHS = {"QUATERNION": 4, "QUATERNION/ANGVEL": 7}
-_SCALAR = ("LAST", "FIRST")
+    if not isinstance(table, Mapping):
+        raise InputError("message", repr(table), f"must be a table of {', '.join(sorted(known))}")
+    check_keys("message", table, known)
+    found = {}
+    for name, value in table.items():
+        if isinstance(value, datetime):
+            utc = value if value.tzinfo is None else value.astimezone(UTC)
+            value = utc.replace(tzinfo=None).isoformat()
+        if not isinstance(value, str):
+            raise InputError(f"message.{name}", repr(value), "must be text")
+        found[name] = value
+    for name, value in found.items():
+        if name in ("epoch", "creation_date"):
+            system = found.get("time_system", "UTC") if name == "epoch" else "UTC"
+            epochs.parse(f"message.{name}", value, system)
+        elif name != "time_system":
+            text_value(f"message.{name}", value)
+    return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ephemeris:
-    """States of a message.
+    """States that were read from a message.
 
     epoch: of the first state; times (N,), s after it; q (N, 4), scalar first, body to inertial;
     rates (N, 3), rad/s along the body's axes, or None.
@@ -277,10 +278,13 @@ def _row(where: str, values: list[str], metadata: dict[str, str], width: int) ->
     if len(numbers) != width:
         raise InputError(where, f"{len(numbers)} numbers", f"must have {width} after the epoch")
     scalar = metadata.get("QUATERNION_TYPE", "LAST")
-    if scalar not in _SCALAR:
-        raise InputError("QUATERNION_TYPE", scalar, f"must be one of: {', '.join(_SCALAR)}")
-    way = metadata.get("ATTITUDE_DIR", "A2B")
-    if way not in ("A2B", "B2A"):
-        raise InputError("ATTITUDE_DIR", way, "must be one of: A2B, B2A")
+    direction = metadata.get("ATTITUDE_DIR", "A2B")
+    for keyword, value, choices in (
+        ("QUATERNION_TYPE", scalar, ("LAST", "FIRST")),
+        ("ATTITUDE_DIR", direction, ("A2B", "B2A")),
+    ):
+        if value not in choices:
+            raise InputError(keyword, value, f"must be one of: {', '.join(choices)}")
     q = numbers[:4] if scalar == "FIRST" else [numbers[3], *numbers[:3]]
-    return [q[0], *((-x for x in q[1:]) if way == "B2A" else q[1:]), *numbers[4:]]
+    vector = [-x for x in q[1:]] if direction == "B2A" else q[1:]
+    return [q[0], *vector, *numbers[4:]]

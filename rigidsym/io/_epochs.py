@@ -34,12 +34,14 @@ _LEAP_DAYS = sorted(
     for day, years in _LEAPS.items()
     for year in years
 )
+# The seconds of UTC at the midnights that leap seconds come before.
+_AFTER_LEAPS = [(day + 1) * DAY + k + 1 for k, day in enumerate(_LEAP_DAYS)]
 # Before it UTC's seconds were of other lengths.
 _UTC_STARTS = date(1972, 1, 1).toordinal() - 1
 
-_CLOCK = r"T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?(Z?)"
-_CALENDAR = re.compile(r"(\d{4})-(\d\d)-(\d\d)" + _CLOCK, re.ASCII)
-_ORDINAL = re.compile(r"(\d{4})-(\d{3})" + _CLOCK, re.ASCII)
+_EPOCH = re.compile(
+    r"(\d{4})-(?:(\d\d-\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?(Z?)", re.ASCII
+)
 _FORMAT = "must be YYYY-MM-DDThh:mm:ss[.d...] or YYYY-DDDThh:mm:ss[.d...]"
 
 
@@ -51,7 +53,19 @@ def parse(field: str, text: str, system: str) -> int:
     if system not in TIME_SYSTEMS:
         rule = f"must be one of: {', '.join(TIME_SYSTEMS)}"
         raise InputError("time_system", repr(system), rule)
-    day, clock = _day(field, text)
+    match = _EPOCH.fullmatch(text) if isinstance(text, str) else None
+    if match is None:
+        raise InputError(field, repr(text), _FORMAT)
+    year, month, number, *clock = match.groups()
+    try:
+        if month:
+            day = date(int(year), *map(int, month.split("-"))).toordinal() - 1
+        else:
+            day = date(int(year), 1, 1).toordinal() - 2 + int(number)
+            if number == "000" or date.fromordinal(day + 1).year != int(year):
+                raise ValueError(number)
+    except ValueError:
+        raise InputError(field, repr(text), "there is no such day") from None
     hours, minutes, seconds = map(int, clock[:3])
     fraction, zulu = clock[3] or "", clock[4]
     if zulu and system != "UTC":
@@ -66,27 +80,6 @@ def parse(field: str, text: str, system: str) -> int:
     leaps = bisect_left(_LEAP_DAYS, day) if system == "UTC" else 0
     whole = day * DAY + leaps + hours * 3600 + minutes * 60 + seconds
     return whole * SECOND + int(fraction.ljust(DECIMALS, "0"))
-
-
-def _day(field: str, text: str) -> tuple[int, tuple[str, ...]]:
-    """Return the number of a day, from zero, and the time of day."""
-    calendar = _CALENDAR.fullmatch(text) if isinstance(text, str) else None
-    ordinal = _ORDINAL.fullmatch(text) if isinstance(text, str) else None
-    try:
-        if calendar:
-            return date(*map(int, calendar.groups()[:3])).toordinal() - 1, calendar.groups()[3:]
-        if ordinal:
-            return _day_of_year(*map(int, ordinal.groups()[:2])), ordinal.groups()[2:]
-    except ValueError:
-        raise InputError(field, repr(text), "there is no such day") from None
-    raise InputError(field, repr(text), _FORMAT)
-
-
-def _day_of_year(year: int, number: int) -> int:
-    day = date(year, 1, 1).toordinal() - 1 + number - 1
-    if number < 1 or date.fromordinal(day + 1).year != year:
-        raise ValueError(number)
-    return day
 
 
 def later(instant: int, seconds: float) -> int:
@@ -114,7 +107,11 @@ def printed(instant: int, system: str, digits: int) -> str:
     Raises InputError outside of the years with four digits, and for UTC before 1972.
     """
     seconds, fraction = divmod(instant, SECOND)
-    day, clock = _clock(seconds, system)
+    leaps = _AFTER_LEAPS if system == "UTC" else []
+    past = bisect_right(leaps, seconds)
+    day, clock = divmod(seconds - past, DAY)
+    if past < len(leaps) and seconds == leaps[past] - 1:
+        day, clock = _LEAP_DAYS[past], DAY
     first = _UTC_STARTS if system == "UTC" else 0
     if not first <= day < date.max.toordinal():
         years = f"{date.fromordinal(first + 1).year} to 9999"
@@ -124,16 +121,3 @@ def printed(instant: int, system: str, digits: int) -> str:
         whole = "23:59:60"
     decimal = f".{fraction:0{DECIMALS}}"[: digits + 1] if digits else ""
     return f"{date.fromordinal(day + 1).isoformat()}T{whole}{decimal}"
-
-
-def _clock(seconds: int, system: str) -> tuple[int, int]:
-    """Return the day and the second of the day; the leap second is second 86400."""
-    leaps = _AFTER_LEAPS if system == "UTC" else []
-    past = bisect_right(leaps, seconds)
-    if past < len(leaps) and seconds == leaps[past] - 1:
-        return _LEAP_DAYS[past], DAY
-    return divmod(seconds - past, DAY)
-
-
-# The seconds of UTC at the midnights that leap seconds come before.
-_AFTER_LEAPS = [(day + 1) * DAY + k + 1 for k, day in enumerate(_LEAP_DAYS)]

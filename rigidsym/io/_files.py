@@ -1,10 +1,21 @@
-"""Files: read with one clear line of error, written whole or not at all."""
+"""Files: read with one clear line of error, written whole or not at all; TOML of users."""
 
 import os
 import tempfile
+import tomllib
+from collections.abc import Collection, Mapping
 from pathlib import Path
+from typing import Any
 
 from rigidsym.errors import InputError
+
+# Values may be of any type.
+TomlTable = Mapping[str, Any]
+
+# Kinds of files, and of fields that one kind alone has, the command that reads it.
+_KINDS = {"case", "manoeuvre", "observations"}
+_READ_BY = {"omega0": "propagate", "start": "plan", "target": "plan"}
+_READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
 
 
 def probe(directory: Path) -> None:
@@ -25,6 +36,29 @@ def read_text(field: str, path: str | Path) -> str:
         raise InputError(field, path, f"cannot be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise InputError(field, path, "is not UTF-8 text") from None
+
+
+def parse_toml(field: str, text: str) -> TomlTable:
+    """Return the tables of TOML text; raise InputError if it is not TOML."""
+    try:
+        return tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise InputError(field, "the file", f"is not TOML: {error}") from None
+
+
+def check_keys(
+    field: str, table: TomlTable, known: Collection[str], needed: Collection[str] = ()
+) -> None:
+    """Raise InputError for a key that is not known, and for one that is needed and missing."""
+    for key in table:
+        if key not in known:
+            rule = f"is not one of: {', '.join(sorted(known))}"
+            if field in _KINDS and (reader := _READ_BY.get(key)):
+                rule += f"; `rigidsym {reader}` reads files that have it"
+            raise InputError(field, key, rule)
+    for key in needed:
+        if key not in table:
+            raise InputError(key, "missing", f"a {field} needs it")
 
 
 def write_text(path: Path, text: str) -> Path:

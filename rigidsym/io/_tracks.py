@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigidsym._engines import batches
 from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
@@ -39,14 +40,23 @@ class Track:
     omega: np.ndarray
 
     def __post_init__(self) -> None:
-        times = _array("times", self.times)
+        times = np.array(batches.array("times", self.times))
         if times.ndim != 1 or not times.size:
-            raise InputError("times", _shape(times), "must be a list of at least one time")
+            rule = "must be a list of at least one time"
+            raise InputError("times", f"an array of shape {times.shape}", rule)
         for k in np.flatnonzero(np.diff(times) <= 0)[:1] + 1:
             raise InputError(f"times[{k}]", times[k], "must be later than the time before it")
         object.__setattr__(self, "times", times)
-        object.__setattr__(self, "q", _unit(_rows("q", self.q, times.size, 4)))
-        object.__setattr__(self, "omega", _rows("omega", self.omega, times.size, 3))
+        object.__setattr__(self, "q", _unit(self._rows("q", 4)))
+        object.__setattr__(self, "omega", self._rows("omega", 3))
+
+    def _rows(self, name: str, width: int) -> np.ndarray:
+        """Return a copy of the attitudes or rates; raise InputError unless they are as many."""
+        array = np.array(batches.array(name, getattr(self, name)))
+        if array.shape != (self.times.size, width):
+            rule = f"must have the shape ({self.times.size}, {width}), a row for each time"
+            raise InputError(name, f"an array of shape {array.shape}", rule)
+        return array
 
 
 def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
@@ -69,31 +79,8 @@ def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
     InputError
         As the motion and `Track` do.
     """
-    given = np.atleast_1d(_array("times", times))
+    given = np.atleast_1d(batches.array("times", times))
     return Track(given, *motion(given))
-
-
-def _array(field: str, value: ArrayLike) -> np.ndarray:
-    """Return a copy of finite doubles."""
-    try:
-        array = np.array(value)
-        if value is None or array.dtype.kind in "bmMcSU":
-            raise TypeError(array.dtype)
-        array = array.astype(float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(field, repr(value), "must be an array of numbers") from None
-    for place in np.argwhere(~np.isfinite(array))[:1]:
-        index = f"[{', '.join(map(str, place))}]" if place.size else ""
-        raise InputError(f"{field}{index}", array[tuple(place)], "must be finite")
-    return array
-
-
-def _rows(field: str, value: ArrayLike, count: int, width: int) -> np.ndarray:
-    array = _array(field, value)
-    if array.shape != (count, width):
-        rule = f"must have the shape ({count}, {width}), a row for each time"
-        raise InputError(field, _shape(array), rule)
-    return array
 
 
 def _unit(q: np.ndarray) -> np.ndarray:
@@ -103,10 +90,6 @@ def _unit(q: np.ndarray) -> np.ndarray:
         raise InputError(f"q[{k}]", q[k].tolist(), "must not be zero")
     scaled = np.ldexp(q, -np.frexp(most)[1])
     return scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
-
-
-def _shape(array: np.ndarray) -> str:
-    return f"an array of shape {array.shape}"
 
 
 def rotation_spline(track: Track) -> "RotationSpline":
@@ -141,13 +124,9 @@ def rotation_spline(track: Track) -> "RotationSpline":
         raise ImportError("rotation_spline needs SciPy: pip install 'rigidsym[app]'") from None
     if track.times.size < 2:
         raise InputError("times", track.times.tolist(), "a spline needs at least two times")
-    _check_steps(track)
-    return RotationSpline(track.times, Rotation.from_quat(np.roll(track.q, -1, axis=1)))
-
-
-def _check_steps(track: Track) -> None:
-    """Raise InputError where a step is half a turn or more, since SciPy takes the shorter way."""
     speed = np.linalg.norm(track.omega, axis=1)
     angles = np.maximum(speed[1:], speed[:-1]) * np.diff(track.times)
     for k in np.flatnonzero(angles >= np.pi)[:1] + 1:
+        # SciPy takes the shorter way.
         raise InputError(f"times[{k}]", track.times[k], "must be less than half a turn later")
+    return RotationSpline(track.times, Rotation.from_quat(np.roll(track.q, -1, axis=1)))

@@ -8,9 +8,8 @@ from pathlib import Path
 
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError, written
-from rigidsym.io import _messages as messages
-from rigidsym.io import _toml as toml_file
-from rigidsym.io._files import read_text
+from rigidsym.io._attitude_ephemeris import Message, message_fields
+from rigidsym.io._files import TomlTable, check_keys, parse_toml, read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
 from rigidsym.view._html.motions import case_html
 
@@ -20,11 +19,11 @@ _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and its times, both exact, and the fields of a message: see `messages`."""
+    """A motion and its times, both exact, and the fields of its attitude ephemeris message."""
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
-    message: messages.Message = field(default_factory=dict)
+    message: Message = field(default_factory=dict)
 
     def __repr__(self) -> str:
         from rigidsym.view._text import case_text
@@ -47,8 +46,8 @@ def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
 
 def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
     """Return a case from TOML text; numbers may be floats or strings, which are exact decimals."""
-    data = toml_file.parse("case", text)
-    toml_file.check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
+    data = parse_toml("case", text)
+    check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
     motion = TorqueFreeMotion(
         data["inertia"],
         data["omega0"],
@@ -61,10 +60,10 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
         exact = _grid(times)
     else:
         exact = inputs.times(inputs.sequence("times", times))[0]
-    return Case(motion, exact, messages.read(data.get("message", {})))
+    return Case(motion, exact, message_fields(data.get("message", {})))
 
 
-def _grid(table: toml_file.TomlTable) -> tuple[Fraction, ...]:
+def _grid(table: TomlTable) -> tuple[Fraction, ...]:
     """Return count times from start to stop, both included."""
     if set(table) != {"start", "stop", "count"}:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")

@@ -11,8 +11,7 @@ from typing import Any
 from rigidsym import _inputs as inputs
 from rigidsym._inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.errors import InputError
-from rigidsym.io import _toml as toml_file
-from rigidsym.io._files import read_text
+from rigidsym.io import _files as files
 
 PAPER = "paper.toml"
 "The file of the package."
@@ -149,7 +148,7 @@ def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
     return values
 
 
-def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:
+def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
     """Read a file, `paper` being that of the package: the manoeuvre, and all tables as they are.
 
     Raises InputError about the first error in the manoeuvre itself.
@@ -157,17 +156,17 @@ def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:
     if name == "paper":
         text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
     else:
-        text = read_text("manoeuvre", Path(name))
-    tables = toml_file.parse("manoeuvre", text)
+        text = files.read_text("manoeuvre", Path(name))
+    tables = files.parse_toml("manoeuvre", text)
     return parse(tables, FLIGHT), tables
 
 
-def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
+def parse(tables: files.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
     """Make a manoeuvre from the tables of a file; numbers may be floats or strings of decimals.
 
     others: names of further tables that the file may have.
     """
-    toml_file.check_keys("manoeuvre", tables, OWN | others, _NEEDED)
+    files.check_keys("manoeuvre", tables, OWN | others, _NEEDED)
     spin = _table(tables, "spin", {"start", "target"})
     limits = _table(tables, "limits", {"max_rate", "max_burst"})
     return manoeuvre(
@@ -180,9 +179,9 @@ def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> 
     )
 
 
-def _table(tables: toml_file.TomlTable, name: str, known: set[str]) -> toml_file.TomlTable:
+def _table(tables: files.TomlTable, name: str, known: set[str]) -> files.TomlTable:
     table = tables.get(name, {})
     if not isinstance(table, Mapping):
         raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(known))}")
-    toml_file.check_keys(name, table, known)
+    files.check_keys(name, table, known)
     return table

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from rigidsym.io import Track, aem
+from rigidsym.io._attitude_ephemeris import UNNAMED
 from rigidsym.io._files import remove, write_bytes
-from rigidsym.io._messages import UNNAMED
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre, open_manoeuvre
 from rigidsym.manoeuvre._planning import solve
 from rigidsym.manoeuvre._transfer import Transfer

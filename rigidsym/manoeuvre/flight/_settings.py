@@ -21,8 +21,8 @@ from pydantic import AfterValidator, PlainValidator, ValidationError, with_confi
 
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
-from rigidsym.io import _messages as messages
-from rigidsym.io._toml import TomlTable
+from rigidsym.io import _attitude_ephemeris as ephemeris
+from rigidsym.io._files import TomlTable
 
 MOST_SAMPLES = 1_000_000
 LONGEST = 100_000
@@ -281,7 +281,7 @@ class Flight:
     thrusters: Thrusters | None = None
     "None: wheels alone, as in the paper.  With them bursts are theirs."
     message: Mapping[str, str] = field(default_factory=dict)
-    "What a message of the flight says of itself: see `rigidsym.io._messages`."
+    "What a message of the flight says of itself: see `rigidsym.io._attitude_ephemeris`."
 
 
 _NAMES = {
@@ -316,7 +316,7 @@ def read(tables: TomlTable) -> Flight:
         flight = TypeAdapter(Flight).validate_python(settings)
     except ValidationError as error:
         raise _refused(error) from None
-    message = messages.read(tables.get("message", {}), messages.MISSION)
+    message = ephemeris.message_fields(tables.get("message", {}), ephemeris.MISSION_FIELDS)
     return replace(flight, message=message)
 
 

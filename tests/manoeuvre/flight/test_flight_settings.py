@@ -10,7 +10,7 @@ from types import MappingProxyType
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.io._messages import UNNAMED
+from rigidsym.io._attitude_ephemeris import UNNAMED
 from rigidsym.manoeuvre._manoeuvre import FLIGHT, PAPER, open_manoeuvre
 from rigidsym.manoeuvre.flight._settings import Flight, Thrusters, read
 
