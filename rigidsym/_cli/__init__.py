@@ -1,5 +1,96 @@
-"""The `rigidsym` command."""
+"""The `rigidsym` command: parse the arguments, run the command, turn errors into exit statuses.
 
-from rigidsym._cli.command import main, parser
+Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad input or usage.
+"""
 
-__all__ = ["main", "parser"]
+import argparse
+import gc
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from typing import NoReturn
+
+from rigidsym._cli.commands import COMMANDS, Argument
+from rigidsym._cli.output import BARS, discard_output, prepare_output
+from rigidsym._version import __version__
+from rigidsym.errors import InputError, LedgerError, PrecisionError
+
+_FIRST = """to begin with:
+  rigidsym propagate paper            states of the paper's spacecraft
+  rigidsym init motion.toml           a template for a body of your own
+  rigidsym COMMAND --help             all about one command, with an example"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return the exit status."""
+    prepare_output()
+    # A proof makes millions of tuples and few cycles: looking for these took a tenth of its time.
+    gc.set_threshold(100_000, 50, 50)
+    options = parser().parse_args(arguments)
+    try:
+        module, _, function = options.run.partition(":")
+        with BARS:
+            status = getattr(import_module(f"rigidsym._cli.{module}"), function)(options)
+        sys.stdout.flush()
+        return status
+    except (InputError, LedgerError, PrecisionError, ImportError) as error:
+        if isinstance(error, ImportError):  # of a package that is not installed
+            error = InputError("packages", error.name or "missing", str(error))
+        print(f"rigidsym {options.command}: {error}", file=sys.stderr)
+        return 1 if isinstance(error, PrecisionError) else 2
+    except BrokenPipeError:  # the reader of a pipe has closed it, as `head` does
+        discard_output()
+        return 0
+    except OSError as error:
+        print(f"rigidsym {options.command}: output: {error.strerror}", file=sys.stderr)
+        discard_output()
+        return 2
+    except KeyboardInterrupt as stopped:
+        print(f"rigidsym {options.command}: {str(stopped) or 'interrupted'}", file=sys.stderr)
+        return 130
+
+
+def parser() -> argparse.ArgumentParser:
+    """Return the parser of all commands, computed from the table of commands."""
+    whole = _Parser(
+        prog="rigidsym",
+        description="Exact torque-free motion of a rigid body.",
+        epilog=_FIRST,
+        formatter_class=_Help,
+    )
+    whole.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
+    commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    for command in COMMANDS:
+        added = commands.add_parser(
+            command.name,
+            help=command.summary,
+            description=command.summary,
+            epilog=f"example:\n  rigidsym {command.example}",
+            formatter_class=_Help,
+        )
+        added.set_defaults(run=command.run)
+        for entry in command.arguments:
+            if isinstance(entry, Argument):
+                added.add_argument(*entry.names, **entry.keywords)
+                continue
+            titled = added.add_argument_group(entry.title) if entry.title else None
+            group = titled or added.add_mutually_exclusive_group()
+            for one in entry.arguments:
+                group.add_argument(*one.names, **one.keywords)
+    return whole
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser that reports errors in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with status 2 and one line that points to the help."""
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Help that shows the default of options that have a value as default."""
+
+    def _get_help_string(self, action: argparse.Action) -> str | None:
+        silent = action.default in (None, argparse.SUPPRESS) or isinstance(action.default, bool)
+        return action.help if silent else f"{action.help} (default: %(default)s)"

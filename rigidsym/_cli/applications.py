@@ -1,21 +1,24 @@
-"""The commands `plan`, `track`, `figures`, `compare` and `fit`."""
+"""The commands `plan`, `track`, `figures`, `compare` and `fit`.
+
+Packages that a command needs are imported when it runs: `main` reports those that are missing.
+"""
 
 from argparse import Namespace
 from typing import Any
 
-from rigidsym._cli.output import deliver, packages, progress, say, say_written, table
+from rigidsym._cli.output import deliver, progress, say, say_written, table
+from rigidsym.io._files import probe
 
 
 def plan(options: Namespace) -> int:
     """Print the cheapest natural motions of a manoeuvre."""
-    from rigidsym.io._files import probe
     from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
 
     asked, _ = open_manoeuvre(options.manoeuvre)
     if options.output:
         probe(options.output)
-    with packages():
-        from rigidsym.manoeuvre import solve
+    from rigidsym.manoeuvre import solve
+
     found = solve(asked, options.all)
     deliver(options, found, lambda: table(found.title, *found.table()))
     return 0
@@ -23,28 +26,22 @@ def plan(options: Namespace) -> int:
 
 def track(options: Namespace) -> int:
     """Fly a manoeuvre in closed loop; return 1 where it misses the target."""
-    with packages():
-        from rigidsym.manoeuvre.flight._results import track
-    from rigidsym.io._files import probe
+    from rigidsym.manoeuvre.flight._results import track
 
     if options.output:
         probe(options.output)
-    with packages():
-        found = track(options.manoeuvre, progress("track"))
+    found = track(options.manoeuvre, progress("track"))
     deliver(options, found, lambda: table("rigidsym track", ("", "flown"), found.rows()))
     return 1 if found.missed else 0
 
 
 def figures(options: Namespace) -> int:
     """Draw the paper's figures."""
-    with packages():
-        from rigidsym.manoeuvre._figures import figures
-    from rigidsym.io._files import probe
+    from rigidsym.manoeuvre._figures import figures
 
     probe(options.output)
-    with packages():
-        found = figures(progress("figures"))
-        written = found.write(options.output)
+    found = figures(progress("figures"))
+    written = found.write(options.output)
     table("rigidsym figures", ("figure", "this shows"), found.rows())
     say_written(written)
     return 0
@@ -52,9 +49,7 @@ def figures(options: Namespace) -> int:
 
 def compare(options: Namespace) -> int:
     """Compare flight methods over random manoeuvres."""
-    with packages():
-        from rigidsym.manoeuvre._comparison import compare
-    from rigidsym.io._files import probe
+    from rigidsym.manoeuvre._comparison import compare
 
     if options.output:
         probe(options.output)
@@ -73,10 +68,8 @@ def compare(options: Namespace) -> int:
 
 def fit(options: Namespace) -> int:
     """Fit a motion to a file of observations; return 1 without convergence or agreement."""
-    with packages():
-        from rigidsym.fitting import fit
-        from rigidsym.fitting._files import load
-    from rigidsym.io._files import probe
+    from rigidsym.fitting import fit
+    from rigidsym.fitting._files import load
 
     if options.output:
         probe(options.output)

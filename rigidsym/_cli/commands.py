@@ -7,38 +7,34 @@ here imports a heavy module, which keeps `rigidsym --help` fast.
 
 import argparse
 import re
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 _MOST = 999_999_999
 
 
-@dataclass(frozen=True, slots=True)
 class Argument:
     """An argument: its names, and the keywords of `ArgumentParser.add_argument`."""
 
-    names: tuple[str, ...]
-    keywords: dict[str, Any]
+    def __init__(self, *names: str, **keywords: Any) -> None:
+        self.names, self.keywords = names, keywords
 
 
-@dataclass(frozen=True, slots=True)
 class Group:
     """Arguments below a title of their own in the help; without a title they exclude each other."""
 
-    title: str
-    arguments: tuple[Argument, ...]
+    def __init__(self, *arguments: Argument, title: str = "") -> None:
+        self.arguments, self.title = arguments, title
 
 
-@dataclass(frozen=True, slots=True)
 class Command:
     """A command: the function it runs, its summary, an example, and its arguments."""
 
-    name: str
-    run: str
-    summary: str
-    example: str
-    arguments: tuple[Argument | Group, ...]
+    def __init__(
+        self, name: str, run: str, summary: str, example: str, *arguments: Argument | Group
+    ) -> None:
+        self.name, self.run, self.summary, self.example = name, run, summary, example
+        self.arguments = arguments
 
 
 def as_path(text: str) -> Path:
@@ -67,35 +63,24 @@ def as_seconds(text: str) -> float:
     return seconds
 
 
-def _command(
-    name: str, run: str, summary: str, example: str, *arguments: Argument | Group
-) -> Command:
-    return Command(name, run, summary, example, arguments)
-
-
-def _group(*arguments: Argument, title: str = "") -> Group:
-    return Group(title, arguments)
-
-
 def _value(name: str, metavar: str, help: str, **keywords: Any) -> Argument:
-    return Argument((name,), {"metavar": metavar, "help": help, **keywords})
+    return Argument(name, metavar=metavar, help=help, **keywords)
 
 
 def _count(name: str, metavar: str, help: str, **keywords: Any) -> Argument:
-    return _value(name, metavar, help, type=as_count, **keywords)
+    return Argument(name, metavar=metavar, help=help, type=as_count, **keywords)
 
 
 def _switch(name: str, help: str) -> Argument:
-    return Argument((name,), {"action": "store_true", "help": help})
+    return Argument(name, action="store_true", help=help)
 
 
 def _choice(name: str, choices: tuple[str, ...], help: str, **keywords: Any) -> Argument:
-    return Argument((name,), {"choices": choices, "help": help, **keywords})
+    return Argument(name, choices=choices, help=help, **keywords)
 
 
 def _output(metavar: str, help: str, **keywords: Any) -> Argument:
-    keywords = {"metavar": metavar, "type": as_path, "help": help, **keywords}
-    return Argument(("-o", "--output"), keywords)
+    return Argument("-o", "--output", metavar=metavar, type=as_path, help=help, **keywords)
 
 
 _JSON = _switch("--json", "print JSON and nothing else to stdout")
@@ -131,14 +116,14 @@ SETTING = {
 "Options of `derive` for another derivation."
 
 COMMANDS = (
-    _command(
+    Command(
         "reproduce",
         "general:reproduce",
         "derive, check, generate, validate and report",
         "reproduce -o reproduce",
         _output("DIR", "directory of the results", default="reproduce"),
     ),
-    _command(
+    Command(
         "errata",
         "proofs:errata",
         "the verdict on each printed equation",
@@ -152,13 +137,13 @@ COMMANDS = (
         _choice("--verdict", RULINGS, "show only these; all by default"),
         _JSON,
     ),
-    _command(
+    Command(
         "derive",
         "proofs:derive",
         "prove the claims and write the ledger",
         "derive -o ledger.json",
         _value("chapters", "CHAPTER", "chapters; all by default", nargs="*"),
-        _group(
+        Group(
             _output("FILE", "file of the ledger, or of the article"),
             _switch("--in-place", "seal the ledger of the package itself anew"),
         ),
@@ -170,12 +155,12 @@ COMMANDS = (
         ),
         _switch("--show", "print the derivation line by line in the terminal"),
         _choice("--format", ARTICLES, "write an article, to stdout or --output"),
-        _group(
+        Group(
             *(_value(f"--{name}", *texts) for name, texts in SETTING.items()),
             title="another derivation, up to Theorem 1",
         ),
     ),
-    _command(
+    Command(
         "check",
         "proofs:check",
         "replay the certificates of a ledger in a fresh kernel",
@@ -184,7 +169,7 @@ COMMANDS = (
         _switch("--independent", "use the second checker, on python-flint"),
         _switch("--facts", "check no specification, as for another derivation"),
     ),
-    _command(
+    Command(
         "export",
         "proofs:export",
         "write a ledger for another prover",
@@ -194,30 +179,30 @@ COMMANDS = (
         _value("--ledger", "LEDGER", _LEDGER, type=as_path),
         _switch("--check", "run the prover by make, which takes minutes"),
     ),
-    _command(
+    Command(
         "audit",
         "proofs:audit",
         "what is trusted and not decided, theorem by theorem",
         "audit",
         _JSON,
     ),
-    _command(
+    Command(
         "codegen",
         "code:codegen",
         "write a numeric module",
         "codegen c -o attitude",
         _value("target", "TARGET", "numpy or c"),
         _value("--form", "FORM", "theta, step, or the paper's: pi", default="theta"),
-        _group(
+        Group(
             _output("DIR", "directory of the files"),
             _switch("--in-place", "replace the modules of the package itself"),
         ),
-        _group(
+        Group(
             _switch("--check", "compare with the files in DIR, or in the package"),
             _switch("--stdout", "print the module"),
         ),
     ),
-    _command(
+    Command(
         "trace",
         "code:trace",
         "a generated line's facts and equations; an equation's lines",
@@ -225,7 +210,7 @@ COMMANDS = (
         _value("place", "FILE[:LINE]", "a generated file, or a line of it", nargs="?"),
         _value("--equation", "NUMBER", "an equation, as the paper numbers it"),
     ),
-    _command(
+    Command(
         "compare-forms",
         "validation:compare_forms",
         "theta functions, the third kind and Fourier series, side by side",
@@ -233,7 +218,7 @@ COMMANDS = (
         _output("DIR", "directory of JSON, Markdown and a figure"),
         _JSON,
     ),
-    _command(
+    Command(
         "validate",
         "validation:validate",
         "measure generated modules against the derivation",
@@ -256,7 +241,7 @@ COMMANDS = (
             "heyoka, dop853, lsoda…, beside the targets; none by default",
             action="append",
         ),
-        _group(
+        Group(
             _value("--case", "CASE", "one case, STRATUM:INDEX or FILE.toml, at each time"),
             _switch("--faults", "test which injected faults are detected"),
             _switch("--sensitivity", "measure sensitivities, column by column"),
@@ -264,12 +249,12 @@ COMMANDS = (
             _switch("--torques", "measure the tolerances of integrate, torque by torque"),
             _switch("--resume", "continue the campaign in -o DIR"),
         ),
-        _group(_WORKERS, _value("--scheduler", "ADDRESS", "a Dask cluster, as tcp://…")),
+        Group(_WORKERS, _value("--scheduler", "ADDRESS", "a Dask cluster, as tcp://…")),
         _output("DIR", "directory of JSON, Markdown and a page"),
         _JSON,
         _switch("--record", "record the results for the modules that codegen writes next"),
     ),
-    _command(
+    Command(
         "propagate",
         "states:propagate",
         "states of one motion",
@@ -297,21 +282,19 @@ COMMANDS = (
         ),
         _output("FILE", "file to write instead of stdout"),
         _ANY_BODY,
-        _group(
+        Group(
             *(_value(f"--{name}", *texts) for name, texts in MESSAGE.items()),
             Argument(
-                ("--no-rates",),
-                {
-                    "dest": "rates",
-                    "action": "store_false",
-                    "default": None,
-                    "help": "write quaternions only",
-                },
+                "--no-rates",
+                dest="rates",
+                action="store_false",
+                default=None,
+                help="write quaternions only",
             ),
             title="options of --format aem, which override [message] of the case file",
         ),
     ),
-    _command(
+    Command(
         "methods",
         "states:methods",
         "cost and accuracy of the methods for many digits",
@@ -322,7 +305,7 @@ COMMANDS = (
         _JSON,
         _ANY_BODY,
     ),
-    _command(
+    Command(
         "plan",
         "applications:plan",
         "natural motions from one attitude to another",
@@ -332,7 +315,7 @@ COMMANDS = (
         _output("DIR", "directory of JSON and case files"),
         _JSON,
     ),
-    _command(
+    Command(
         "track",
         "applications:track",
         "fly a manoeuvre in closed loop",
@@ -341,14 +324,14 @@ COMMANDS = (
         _output("DIR", "directory of states and pictures"),
         _JSON,
     ),
-    _command(
+    Command(
         "figures",
         "applications:figures",
         "the paper's Figures 1 to 3",
         "figures -o figures",
         _output("DIR", "directory of the pictures", default="figures"),
     ),
-    _command(
+    Command(
         "compare",
         "applications:compare",
         "natural motions, quaternion feedback, optimal control",
@@ -359,7 +342,7 @@ COMMANDS = (
         _output("DIR", "directory of JSON, Markdown and a picture"),
         _JSON,
     ),
-    _command(
+    Command(
         "fit",
         "applications:fit",
         "the free motion that observations show",
@@ -403,7 +386,7 @@ COMMANDS = (
         _output("DIR", "directory of JSON, a case file and a page"),
         _JSON,
     ),
-    _command(
+    Command(
         "init",
         "general:init",
         "write a template with comments",
@@ -411,7 +394,7 @@ COMMANDS = (
         _choice("template", TEMPLATES, ", ".join(TEMPLATES), metavar="TEMPLATE"),
         _output("FILE", "file to write; TEMPLATE in this directory by default"),
     ),
-    _command(
+    Command(
         "completion",
         "general:completion",
         "a script by which a shell completes this command",

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from rigidsym._cli.output import progress, say, say_written, table
 from rigidsym.errors import InputError, package
+from rigidsym.io._files import probe, write_text
 
 
 def reproduce(options: Namespace) -> int:
     """Run the main job and report its stages; return 1 where one fails."""
     from rigidsym._reproduce import reproduce
-    from rigidsym.io._files import probe
     from rigidsym.proof.derivation import DerivationError
 
     probe(options.output)
@@ -33,8 +33,6 @@ def reproduce(options: Namespace) -> int:
 
 def init(options: Namespace) -> int:
     """Write a template."""
-    from rigidsym.io._files import write_text
-
     path = options.output or Path(options.template)
     if path.exists():
         raise InputError("output", path, "is there already: give -o FILE")
@@ -45,11 +43,8 @@ def init(options: Namespace) -> int:
 
 def completion(options: Namespace) -> int:
     """Print the completion script of a shell."""
-    from rigidsym._cli.command import parser
+    from rigidsym._cli import parser
 
-    try:
-        shtab = package("shtab", "rigidsym completion", "completion")
-    except ImportError as error:
-        raise InputError("packages", "shtab", str(error)) from None
+    shtab = package("shtab", "rigidsym completion", "completion")
     print(shtab.complete(parser(), options.shell))
     return 0

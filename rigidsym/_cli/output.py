@@ -7,9 +7,7 @@ from argparse import Namespace
 from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
-
-from rigidsym.errors import InputError
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -41,15 +39,6 @@ def reader_may_leave() -> Generator[None]:
         sys.stdout.flush()
     except BrokenPipeError:
         discard_output()
-
-
-@contextmanager
-def packages() -> Generator[None]:
-    """Turn a package that is not installed into an InputError."""
-    try:
-        yield
-    except ImportError as error:
-        raise InputError("packages", error.name or "missing", str(error)) from None
 
 
 def progress(label: str) -> Callable[[int, int], None]:
@@ -135,20 +124,9 @@ def page(text: str) -> None:
     pydoc.pager(text)
 
 
-class Result(Protocol):
-    """A result that can be written to a directory and printed as JSON."""
-
-    def write(self, directory: Path) -> Iterable[Path]:
-        """Write the files."""
-
-    def to_json(self) -> str:
-        """Return JSON."""
-
-
-def deliver(options: Namespace, result: Result, show: Callable[[], None]) -> None:
+def deliver(options: Namespace, result: Any, show: Callable[[], None]) -> None:
     """Write a result to -o DIR, print it as JSON or by `show`, and name the written files."""
-    with packages():
-        written = list(result.write(options.output)) if options.output else []
+    written = list(result.write(options.output)) if options.output else []
     if options.json:
         print(result.to_json(), end="")
     else:

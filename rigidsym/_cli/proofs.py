@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from rigidsym._cli.commands import SETTING
 from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
 from rigidsym.errors import InputError, LedgerError
+from rigidsym.io import ledger as stored
+from rigidsym.io._files import read_text, write_text
 
 if TYPE_CHECKING:
     from rigidsym.proof._coq import Export
@@ -76,7 +78,6 @@ def _mutants(derivation: "Derivation") -> None:
 
 
 def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
-    from rigidsym.io._files import write_text
     from rigidsym.view._article import article
 
     try:
@@ -93,8 +94,6 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger of all chapters to its place, or to the user's file."""
-    from rigidsym.io._files import write_text
-    from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
@@ -103,17 +102,16 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
         say("the ledger is sealed by all chapters together: not written")
     elif options.in_place:
         path = write_text(sealed_path(), derivation.ledger)
-        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        write_text(path.with_name(stored.SEAL), stored.seal(derivation.ledger))
         say(f"ledger: {path}")
     else:
         say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
 
 
 def _compared(ledger: str) -> str:
-    from rigidsym.io.ledger import ledger_text
 
     try:
-        same = ledger == ledger_text()
+        same = ledger == stored.ledger_text()
     except LedgerError:
         same = False
     return f"the ledger is {'the one that is' if same else 'NOT the one that is'} sealed"
@@ -121,10 +119,9 @@ def _compared(ledger: str) -> str:
 
 def check(options: Namespace) -> int:
     """Print facts by grade; return 1 where the ledger is refused, or a fact is only assumed."""
-    from rigidsym.io.ledger import specification_text
 
     grades = _independent_grades if options.independent else _kernel_grades
-    specification = "" if options.facts else specification_text()
+    specification = "" if options.facts else stored.specification_text()
     found = grades(_ledger_text(options.ledger), specification)
     if found is None:
         return 1
@@ -165,27 +162,23 @@ def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
 
 def replayed() -> str:
     """Return the sealed ledger; raise LedgerError unless the independent checker accepts it."""
-    from rigidsym.io.ledger import specification_text
     from rigidsym.proof.checker import Refused, check
 
     text = _ledger_text(None)
     try:
-        check(text, specification_text())
+        check(text, stored.specification_text())
     except Refused as error:
         raise LedgerError(f"ledger: refused by the independent checker: {error}") from None
     return text
 
 
 def _ledger_text(path: Path | None) -> str:
-    from rigidsym.io._files import read_text
-    from rigidsym.io.ledger import ledger_text
 
-    return ledger_text() if path is None else read_text("ledger", path)
+    return stored.ledger_text() if path is None else read_text("ledger", path)
 
 
 def export(options: Namespace) -> int:
     """Write a ledger for Coq, and let Coq decide it with --check."""
-    from rigidsym.io._files import write_text
     from rigidsym.proof._coq import export
     from rigidsym.proof.algebra._enclosures import encloses
     from rigidsym.proof.kernel import KernelError, replay
@@ -241,10 +234,9 @@ def audit(options: Namespace) -> int:
     from dataclasses import asdict
 
     from rigidsym._codegen.lines import RUNTIMES, handwritten
-    from rigidsym.io.ledger import ledger_data, specification_text
     from rigidsym.proof._audit import audit, totals
 
-    audits = audit(specification_text(), ledger_data(replayed()))
+    audits = audit(stored.specification_text(), stored.ledger_data(replayed()))
     counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
     if options.json:
         theorems = [asdict(one) for one in audits]
@@ -267,11 +259,10 @@ def audit(options: Namespace) -> int:
 
 def errata(options: Namespace) -> int:
     """Print the verdicts on the printed equations and on claims in the paper's prose."""
-    from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import judged, verdicts
     from rigidsym.proof.paper._table import details
 
-    ledger = ledger_data(replayed())
+    ledger = stored.ledger_data(replayed())
     ruled = _chosen(verdicts(ledger), options)
     chosen = bool(options.equations or options.verdict)
     prose = [] if chosen else judged(ledger)

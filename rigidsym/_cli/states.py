@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rigidsym._cli.commands import MESSAGE, STATE_FORMATS
 from rigidsym._cli.output import progress, table
 from rigidsym.errors import InputError
+from rigidsym.io._files import probe, write_bytes, write_text
 
 if TYPE_CHECKING:
     from rigidsym.io._tables import Table
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
 
 def propagate(options: Namespace) -> int:
     """Write the states of a case in one of the formats."""
-    from rigidsym.io._files import write_bytes
     from rigidsym.io._tables import FORMATS
 
     options.format = _format(options)
@@ -101,7 +101,6 @@ def _states(case: "Case", options: Namespace) -> "Table":
 
 def methods(options: Namespace) -> int:
     """Compare the methods for many digits."""
-    from rigidsym.io._files import probe, write_text
     from rigidsym.precise._comparison import DIGITS, compare
 
     if options.output:

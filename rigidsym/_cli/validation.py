@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.output import progress, reader_may_leave, say, table
 from rigidsym.errors import InputError
+from rigidsym.io._files import probe, write_text
 
 if TYPE_CHECKING:
     from rigidsym.validate._campaign import Campaign, Progress
@@ -25,7 +26,6 @@ _APPLICATIONS = {"fits": "rigidsym.validate._fits", "torques": "rigidsym.validat
 
 def compare_forms(options: Namespace) -> int:
     """Compare the three forms of the solution."""
-    from rigidsym.io._files import probe, write_text
     from rigidsym.validate._forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
     if options.output:
@@ -48,7 +48,6 @@ def compare_forms(options: Namespace) -> int:
 
 def validate(options: Namespace) -> int:
     """Measure modules, faults, sensitivities, fits or torques; return 1 for broken bounds."""
-    from rigidsym.io._files import probe
     from rigidsym.validate import _session as session
 
     mode = next((name for name in _NOT_WITH if getattr(options, name)), "")
@@ -207,7 +206,6 @@ def _sensitive(target: str) -> "Sensitive":
 
 
 def _validate_faults(campaign: "Campaign", options: Namespace) -> int:
-    from rigidsym.io._files import write_text
     from rigidsym.validate.faults import inject
 
     drawn = (campaign.targets, campaign.cases, campaign.digits, campaign.seed)

@@ -16,8 +16,10 @@ from rigidsym.errors import EngineError, InputError, written
 _BLOCK = 1 << 14
 
 
-def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
-    """Return an array of doubles.
+def array(
+    name: str, value: ArrayLike, lenient: bool = False, last: tuple[int, ...] = ()
+) -> np.ndarray:
+    """Return an array of doubles, whose last axes have these sizes.
 
     Raises InputError for the first number that is masked or, unless `lenient`, not finite.
     """
@@ -35,6 +37,9 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     checked = doubles.size and not lenient
     if checked and not (math.isfinite(doubles.min()) and math.isfinite(doubles.max())):
         _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
+    if last and doubles.shape[-len(last) :] != last:
+        rule = f"must be (..., {', '.join(map(str, last))})"
+        raise InputError(name, f"an array of shape {doubles.shape}", rule)
     return doubles
 
 

@@ -1,7 +1,5 @@
 """Motion under a torque, by splitting methods on the exact free motion."""
 
-from collections.abc import Mapping
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -104,87 +102,58 @@ def integrate(
         raise InputError("torque", repr(torque), "must be a function of t, q and omega")
     with_rates = inputs.is_true("rate_dependent", rate_dependent)
     splitting = Splitting(bodies, torque, methods.checked(method), with_rates)
-    at = _times(times)
+    at = batches.array("times", times)
+    if at.ndim != 1 or not at.size:
+        rule = "must be one-dimensional, with one time at least"
+        raise InputError("times", f"an array of shape {at.shape}", rule)
+    for k in np.flatnonzero(np.diff(at) <= 0)[:1] + 1:
+        raise InputError(f"times[{k}]", at[k], f"must be after times[{k - 1}] = {at[k - 1]}")
     if not with_rates:
         _refuse_rate_dependence(splitting, start, float(at[0]))
-    stops = _stops(discontinuities, at)
+    breaks = batches.array("discontinuities", discontinuities)
+    if breaks.ndim != 1:
+        rule = "must be one-dimensional"
+        raise InputError("discontinuities", f"an array of shape {breaks.shape}", rule)
+    stops = np.unique([*at[[0, -1]], *breaks[(breaks > at[0]) & (breaks < at[-1])]])
     if step is None:
         goal = TOLERANCE if tolerance is None else _positive("tolerance", tolerance)
         return chosen(splitting, start, at, goal, stops)
     if tolerance is not None:
         raise InputError("tolerance", tolerance, "is for step=None, and a step is given")
+    size, spacing = _positive("step", step), float(np.spacing(np.max(np.abs(at))))
+    if size < spacing:
+        rule = f"is lost beside times that are {spacing:g} s apart as doubles"
+        raise InputError("step", step, rule)
     edges = stops[: max(1, stops.size - 1)].tolist()
-    return run(splitting, start, at, Mesh(edges, [_step(step, at)] * len(edges)))
+    return run(splitting, start, at, Mesh(edges, [size] * len(edges)))
 
 
 def _started(
     inertia: ArrayLike, q0: ArrayLike, omega0: ArrayLike, engine: str, allow_nonphysical: bool
 ) -> tuple[Bodies, State]:
     """Return bodies that can exist and their states, all of one leading shape."""
-    sizes = {"inertia": 3, "q0": 4, "omega0": 3}
-    arrays = dict(zip(sizes, (inertia, q0, omega0), strict=True))
-    given = {name: batches.array(name, value) for name, value in arrays.items()}
-    for name, size in sizes.items():
-        if given[name].shape[-1:] != (size,):
-            rule = f"must be (..., {size})"
-            raise InputError(name, f"an array of shape {given[name].shape}", rule)
-    moments = batches.possible(
-        given["inertia"], inputs.is_true("allow_nonphysical", allow_nonphysical)
-    )
-    lengths = np.linalg.norm(given["q0"], axis=-1)
+    moments = batches.array("inertia", inertia, last=(3,))
+    q, omega = batches.array("q0", q0, last=(4,)), batches.array("omega0", omega0, last=(3,))
+    moments = batches.possible(moments, inputs.is_true("allow_nonphysical", allow_nonphysical))
+    lengths = np.linalg.norm(q, axis=-1)
     for place in np.argwhere(lengths == 0)[:1]:
         field = f"q0[{', '.join(map(str, place))}]" if place.size else "q0"
-        raise InputError(field, given["q0"][tuple(place)], "an attitude must not be zero")
-    shape = _common_shape(given)
-    q, omega = given["q0"] / lengths[..., None], given["omega0"]
-    bodies = Bodies(moments, engines.checked(engine))
-    return bodies, State(np.broadcast_to(q, (*shape, 4)), np.broadcast_to(omega, (*shape, 3)))
-
-
-def _common_shape(given: Mapping[str, np.ndarray]) -> tuple[int, ...]:
+        raise InputError(field, q[tuple(place)], "an attitude must not be zero")
     try:
-        return np.broadcast_shapes(*(array.shape[:-1] for array in given.values()))
+        shape = np.broadcast_shapes(*(x.shape[:-1] for x in (moments, q, omega)))
     except ValueError:
-        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items())
-        raise InputError("omega0", f"shapes {shapes}", "leading shapes must broadcast") from None
-
-
-def _times(times: ArrayLike) -> np.ndarray:
-    array = batches.array("times", times)
-    if array.ndim != 1 or not array.size:
-        rule = "must be one-dimensional, with one time at least"
-        raise InputError("times", f"an array of shape {array.shape}", rule)
-    for k in np.flatnonzero(np.diff(array) <= 0)[:1] + 1:
-        raise InputError(f"times[{k}]", array[k], f"must be after times[{k - 1}] = {array[k - 1]}")
-    return array
-
-
-def _stops(discontinuities: ArrayLike, times: np.ndarray) -> np.ndarray:
-    """Return the first of `times`, the discontinuities before the last, and the last, s, rising."""
-    array = batches.array("discontinuities", discontinuities)
-    if array.ndim != 1:
-        rule = "must be one-dimensional"
-        raise InputError("discontinuities", f"an array of shape {array.shape}", rule)
-    inside = (array > times[0]) & (array < times[-1])
-    return np.unique([*times[[0, -1]], *array[inside]])
+        shapes = f"shapes inertia {moments.shape}, q0 {q.shape}, omega0 {omega.shape}"
+        raise InputError("omega0", shapes, "leading shapes must broadcast") from None
+    start = np.broadcast_to(q / lengths[..., None], (*shape, 4))
+    bodies = Bodies(moments, engines.checked(engine))
+    return bodies, State(start, np.broadcast_to(omega, (*shape, 3)))
 
 
 def _positive(field: str, value: float) -> float:
-    array = batches.array(field, value)
-    if array.ndim:
-        raise InputError(field, f"an array of shape {array.shape}", "must be one number")
-    if array <= 0:
+    found = batches.number(field, value)
+    if found <= 0:
         raise InputError(field, value, "must be positive")
-    return float(array)
-
-
-def _step(step: float, times: np.ndarray) -> float:
-    size, spacing = _positive("step", step), float(np.spacing(np.max(np.abs(times))))
-    if size < spacing:
-        raise InputError(
-            "step", step, f"is lost beside times that are {spacing:g} s apart as doubles"
-        )
-    return size
+    return found
 
 
 def _refuse_rate_dependence(splitting: Splitting, state: State, t: float) -> None:

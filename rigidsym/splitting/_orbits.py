@@ -1,6 +1,7 @@
 """Kepler orbits, elliptic or hyperbolic: position, and the tide of the mass point."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -81,7 +82,17 @@ class KeplerOrbit:
 
     def position(self, t: float) -> np.ndarray:
         """Return the position from the mass point at a time, m, inertial axes (3,)."""
-        along, across = self._in_plane(self.mean_motion * (t - self.epoch))
+        a, e, mean_anomaly = (
+            self._semi_major,
+            self.eccentricity,
+            self.mean_motion * (t - self.epoch),
+        )
+        if e < 1:
+            E = elliptic_anomaly(math.remainder(mean_anomaly, 2 * math.pi), e)
+            along, across = a * (math.cos(E) - e), a * math.sqrt(1 - e * e) * math.sin(E)
+        else:
+            F = hyperbolic_anomaly(mean_anomaly, e)
+            along, across = a * (e - math.cosh(F)), a * math.sqrt(e * e - 1) * math.sinh(F)
         return along * self.axes[0] + across * self.axes[1]
 
     def tide(self, t: float) -> np.ndarray:
@@ -101,15 +112,6 @@ class KeplerOrbit:
     def _semi_major(self) -> float:
         return self.periapsis / abs(1 - self.eccentricity)
 
-    def _in_plane(self, mean_anomaly: float) -> tuple[float, float]:
-        """Return the position towards periapsis, and at a right angle to it, m."""
-        a, e = self._semi_major, self.eccentricity
-        if e < 1:
-            E = elliptic_anomaly(math.remainder(mean_anomaly, 2 * math.pi), e)
-            return a * (math.cos(E) - e), a * math.sqrt(1 - e * e) * math.sin(E)
-        F = hyperbolic_anomaly(mean_anomaly, e)
-        return a * (e - math.cosh(F)), a * math.sqrt(e * e - 1) * math.sinh(F)
-
 
 def tidal(mu: float, position: np.ndarray) -> np.ndarray:
     """Return a position (3,), m, times sqrt(3 mu / r^5)."""
@@ -118,38 +120,38 @@ def tidal(mu: float, position: np.ndarray) -> np.ndarray:
 
 
 def elliptic_anomaly(mean: float, e: float) -> float:
-    """E in E - e sin E = mean, rad, for |mean| <= pi and 0 <= e < 1, by Newton's method.
+    """Solve E - e sin E = mean for E, rad, where |mean| <= pi and 0 <= e < 1.
 
-    From E = pi, on the side of the mean anomaly, it comes down without passing the root
-    (Charles and Tatum, Celestial Mechanics and Dynamical Astronomy 69, 357-372).
+    Newton's method starts at E = pi, on the side of the mean anomaly, and comes down without
+    passing the root (Charles and Tatum, Celestial Mechanics and Dynamical Astronomy 69, 357-372).
 
     >>> E = elliptic_anomaly(0.3, 0.9)
     >>> abs(E - 0.9 * math.sin(E) - 0.3) < 1e-15
     True
     """
-    E = math.copysign(math.pi, mean)
-    for _ in range(_MOST_ITERATIONS):
-        change = (E - e * math.sin(E) - mean) / (1 - e * math.cos(E))
-        E -= change
-        if abs(change) <= _ENOUGH * abs(E):
-            break
-    return E
+    start = math.copysign(math.pi, mean)
+    return _newton(start, lambda E: (E - e * math.sin(E) - mean) / (1 - e * math.cos(E)))
 
 
 def hyperbolic_anomaly(mean: float, e: float) -> float:
-    """F in e sinh F - F = mean, for e > 1, by Newton's method.
+    """Solve e sinh F - F = mean for F, where e > 1.
 
-    The start, asinh(mean / (e - 1)) or closer, is on the far side of the root, from where it comes
-    down without passing.
+    Newton's method starts at asinh(mean / (e - 1)), on the far side of the root, and comes down
+    without passing it.
 
     >>> F = hyperbolic_anomaly(0.3, 1.2)
     >>> abs(1.2 * math.sinh(F) - F - 0.3) < 1e-15
     True
     """
-    F = math.asinh(mean / (e - 1))
+    start = math.asinh(mean / (e - 1))
+    return _newton(start, lambda F: (e * math.sinh(F) - F - mean) / (e * math.cosh(F) - 1))
+
+
+def _newton(x: float, change: Callable[[float], float]) -> float:
+    """Return where changes, a function over its derivative, have become as small as rounding."""
     for _ in range(_MOST_ITERATIONS):
-        change = (e * math.sinh(F) - F - mean) / (e * math.cosh(F) - 1)
-        F -= change
-        if abs(change) <= _ENOUGH * abs(F):
+        step = change(x)
+        x -= step
+        if abs(step) <= _ENOUGH * abs(x):
             break
-    return F
+    return x

@@ -42,27 +42,23 @@ class Bodies:
         than another check.
         """
         # Steps of NumPy take twice as long as its engine for one body alone.
-        stepped = self.engine == "c" or (self.engine == "numpy" and state.omega.ndim > 1)
-        try:
-            return self._stepped(state, dt) if stepped else self._propagated(state, dt)
-        except engines.EngineError as error:
-            # Some body turns further than a step goes.
-            if error.field == "dt":
-                return self._propagated(state, dt)
-            raise _refused(error) from None
+        if self.engine == "c" or (self.engine == "numpy" and state.omega.ndim > 1):
+            try:
+                return self._stepped(state, dt)
+            except engines.EngineError as error:
+                # Some body turns further than a step goes, or is refused.
+                if error.field != "dt":
+                    raise _refused(error) from None
+        found = self.drifts(state, np.array([dt]))
+        return State(found.q[..., 0, :], found.omega[..., 0, :])
 
     def _stepped(self, state: State, dt: float) -> State:
         shape = state.omega.shape[:-1]
         rows = arrays.rows(state.q, shape), arrays.rows(state.omega, shape)
-        after = State(np.empty_like(rows[0]), np.empty_like(rows[1]))
+        q, omega = after = np.empty_like(rows[0]), np.empty_like(rows[1])
         moments = arrays.row_or_rows(self.inertia, shape)
-        stepper = engines.stepper(self.engine)
-        stepper.step(moments, *rows, np.array([dt]), (after.q, after.omega))
-        return State(after.q.reshape(*shape, 4), after.omega.reshape(*shape, 3))
-
-    def _propagated(self, state: State, dt: float) -> State:
-        found = self.drifts(state, np.array([dt]))
-        return State(found.q[..., 0, :], found.omega[..., 0, :])
+        engines.stepper(self.engine).step(moments, *rows, np.array([dt]), after)
+        return State(q.reshape(*shape, 4), omega.reshape(*shape, 3))
 
     def drifts(self, state: State, dt: np.ndarray) -> State:
         """Return the free motion over each of M times, s: q (..., M, 4), omega (..., M, 3)."""
@@ -112,9 +108,8 @@ class Splitting:
     def _compiled(self, state: State) -> engines.Kicks | None:
         """Return the arguments of C's loop; None if it does not apply to the engine or torque."""
         torque = self.torque
-        if self.bodies.engine != "c" or self.rate_dependent:
-            return None
-        if not isinstance(torque, DirectionTorque):
+        in_c = self.bodies.engine == "c" and not self.rate_dependent
+        if not in_c or not isinstance(torque, DirectionTorque):
             return None
         shape, source = state.omega.shape[:-1], torque.source
         on_orbit = isinstance(source, KeplerOrbit)
@@ -141,18 +136,15 @@ class Splitting:
         return self.bodies.drift(state, pending * step) if pending else state
 
     def _kicked(self, state: State, t: float, dt: float) -> State:
+        """Return the states after a kick, in which attitude and time are fixed."""
         q, omega = state.q, state.omega
-        if self.rate_dependent:
-            return State(q, omega + self._runge_kutta(t, q, omega, dt))
-        return State(q, omega + dt * self.acceleration(t, q, omega))
-
-    def _runge_kutta(self, t: float, q: np.ndarray, omega: np.ndarray, dt: float) -> np.ndarray:
-        """Return the change of the rates by a kick, in which attitude and time are fixed."""
         k1 = self.acceleration(t, q, omega)
+        if not self.rate_dependent:
+            return State(q, omega + dt * k1)
         k2 = self.acceleration(t, q, omega + dt / 2 * k1)
         k3 = self.acceleration(t, q, omega + dt / 2 * k2)
         k4 = self.acceleration(t, q, omega + dt * k3)
-        return dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        return State(q, omega + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
     def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return the torque over the moments, rad/s^2; raise InputError for invalid torques."""

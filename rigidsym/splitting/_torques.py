@@ -61,7 +61,7 @@ class ConstantInBody(DirectionTorque):
     """
 
     def __init__(self, torque: ArrayLike) -> None:
-        self.torque = _vectors("torque", torque)
+        self.torque = batches.array("torque", torque, last=(3,))
         super().__init__(np.zeros(3), _coefficients(b=self.torque))
 
 
@@ -75,7 +75,7 @@ class ConstantInSpace(DirectionTorque):
     """
 
     def __init__(self, torque: ArrayLike) -> None:
-        self.torque = _vectors("torque", torque)
+        self.torque = batches.array("torque", torque, last=(3,))
         super().__init__(self.torque, _coefficients(k=1.0))
 
 
@@ -100,8 +100,11 @@ class FieldPotential(DirectionTorque):
         linear: ArrayLike = (0, 0, 0),
         quadratic: ArrayLike = ((0, 0, 0),) * 3,
     ) -> None:
-        self.field, self.linear = _vectors("field", field), _vectors("linear", linear)
-        self.quadratic = _symmetric(quadratic)
+        self.field = batches.array("field", field, last=(3,))
+        self.linear = batches.array("linear", linear, last=(3,))
+        self.quadratic = batches.array("quadratic", quadratic, last=(3, 3))
+        if not np.array_equal(self.quadratic, np.swapaxes(self.quadratic, -1, -2)):
+            raise InputError("quadratic", self.quadratic.tolist(), "must be symmetric")
         super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
@@ -145,7 +148,7 @@ class GravityGradient(DirectionTorque):
     """
 
     def __init__(self, inertia: ArrayLike, orbit: KeplerOrbit) -> None:
-        self.inertia, self.orbit = _vectors("inertia", inertia), orbit
+        self.inertia, self.orbit = batches.array("inertia", inertia, last=(3,)), orbit
         super().__init__(orbit, _coefficients(Q=_differences(self.inertia)))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
@@ -205,23 +208,6 @@ def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
     return rotated(conjugate(q), np.broadcast_to(vector, (*shape, 3)))
 
 
-def _vectors(field: str, value: ArrayLike) -> np.ndarray:
-    array = batches.array(field, value)
-    if array.shape[-1:] != (3,):
-        raise InputError(field, f"an array of shape {array.shape}", "must be (..., 3)")
-    return array
-
-
-def _symmetric(value: ArrayLike) -> np.ndarray:
-    array = batches.array("quadratic", value)
-    if array.shape[-2:] != (3, 3):
-        rule = "must be (..., 3, 3)"
-        raise InputError("quadratic", f"an array of shape {array.shape}", rule)
-    if not np.array_equal(array, np.swapaxes(array, -1, -2)):
-        raise InputError("quadratic", array.tolist(), "must be symmetric")
-    return array
-
-
 _DOUBLES = ctypes.POINTER(ctypes.c_double)
 SIGNATURE = ctypes.CFUNCTYPE(None, ctypes.c_double, _DOUBLES, _DOUBLES, ctypes.c_void_p)
 """void (double t, const double q[4], double torque[3], void *data)"""
@@ -245,8 +231,15 @@ class TorqueInC(DirectionTorque):
     def __init__(self, function: Any, data: int | None = None) -> None:
         super().__init__(np.zeros(3), np.zeros(13))
         self._kept = function  # ctypes frees its memory with it
-        self.more = _address(function), _whole("data", data)
-        self._function = SIGNATURE(self.more[0])
+        if hasattr(function, "argtypes"):
+            function = ctypes.cast(function, ctypes.c_void_p).value
+        of_function = "must be a function of ctypes, or the address of one"
+        if not _is_address(function) or not function:
+            raise InputError("function", repr(function), of_function)
+        if data is not None and not _is_address(data):
+            raise InputError("data", repr(data), "must be an address, or None")
+        self.more = function, data
+        self._function = SIGNATURE(function)
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return the torque, N m, (..., 3)."""
@@ -259,16 +252,5 @@ class TorqueInC(DirectionTorque):
         return found
 
 
-def _address(function: Any) -> int:
-    if hasattr(function, "argtypes"):
-        function = ctypes.cast(function, ctypes.c_void_p).value
-    rule = "must be a function of ctypes, or the address of one"
-    if not (address := _whole("function", function, rule)):
-        raise InputError("function", function, rule)
-    return address
-
-
-def _whole(field: str, value: Any, rule: str = "must be an address, or None") -> int | None:
-    if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < 0):
-        raise InputError(field, repr(value), rule)
-    return value
+def _is_address(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0

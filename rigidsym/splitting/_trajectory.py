@@ -110,33 +110,24 @@ class Trajectory:
         InputError
             For times outside of `times`.
         """
-        given = batches.array("t", t)
-        if given.ndim > 1:
-            raise InputError("t", f"an array of shape {given.shape}", "must be one-dimensional")
+        given = batches.times(t)
         wanted = np.atleast_1d(given)
-        self._refuse_beyond(wanted)
-        q, omega = (np.empty((*x.shape[:-2], wanted.size, x.shape[-1])) for x in self)
-        for place, state in self._between(wanted):
-            q[..., place, :], omega[..., place, :] = state.q, state.omega
-        return (q, omega) if given.ndim else (q[..., 0, :], omega[..., 0, :])
-
-    def _between(self, wanted: np.ndarray) -> Iterator[tuple[int, State]]:
-        """Yield indices in `wanted` and their states, interval by interval."""
-        intervals = np.searchsorted(self.times, wanted, side="right") - 1
-        for k in np.unique(intervals):
-            places = np.flatnonzero(intervals == k)
-            places = places[np.argsort(wanted[places], kind="stable")]
-            known = State(self.q[..., k, :], self.omega[..., k, :])
-            found = states(self.splitting, known, self.times[k], wanted[places], self.mesh)
-            yield from zip(places, found, strict=True)
-
-    def _refuse_beyond(self, wanted: np.ndarray) -> None:
         inside, reach = np.zeros(wanted.shape, bool), "none"
         if self.times.size:
             inside = (self.times[0] <= wanted) & (wanted <= self.times[-1])
             reach = f"{self.times[0]:.17g} to {self.times[-1]:.17g} s"
         for k in np.flatnonzero(~inside)[:1]:
             raise InputError(f"t[{k}]", wanted[k], f"is not among the times reached, {reach}")
+        q, omega = (np.empty((*x.shape[:-2], wanted.size, x.shape[-1])) for x in self)
+        intervals = np.searchsorted(self.times, wanted, side="right") - 1
+        for k in np.unique(intervals):
+            places = np.flatnonzero(intervals == k)
+            places = places[np.argsort(wanted[places], kind="stable")]
+            known = State(self.q[..., k, :], self.omega[..., k, :])
+            found = states(self.splitting, known, self.times[k], wanted[places], self.mesh)
+            for place, state in zip(places, found, strict=True):
+                q[..., place, :], omega[..., place, :] = state.q, state.omega
+        return (q, omega) if np.ndim(given) else (q[..., 0, :], omega[..., 0, :])
 
 
 def states(

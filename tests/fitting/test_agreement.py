@@ -7,7 +7,7 @@ import pytest
 from simulated import TUMBLING, attitudes, rates
 
 import rigidsym
-from rigidsym._cli.command import main
+from rigidsym._cli import main
 from rigidsym.fitting import Directions
 from rigidsym.fitting._agreement import Verdict
 from rigidsym.quaternions import conjugate, product, rotated
