@@ -642,14 +642,13 @@ class TorqueFreeMotion:
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
         derivatives = inputs.is_true("sensitivity", sensitivity)
-        boxed = {None: "enclosures", "mean": "mean_values", "flow": "flows"}
-        if not self._is_uncertain or method not in boxed or (derivatives and method == "flow"):
-            motion, states = self._by_balls(method), "enclosures"
-        else:
-            motion, states = self._boxed, boxed[method]
+        boxed = (None, "mean") if derivatives else (None, "mean", "flow")
+        is_boxed = self._is_uncertain and method in boxed
+        motion = self._boxed if is_boxed else self._by_balls(method)
         if derivatives:
             return _with_sensitivities(motion.sensitivities(times, *limits), single)
-        return _split(([*q, *w] for q, w in getattr(motion, states)(times, *limits)), single)
+        by = {"method": method} if is_boxed else {}
+        return _split(([*q, *w] for q, w in motion.enclosures(times, *limits, **by)), single)
 
     @property
     def _is_uncertain(self) -> bool:

@@ -1,8 +1,10 @@
-"""Observations of known motions, with errors drawn, and how far a fit is from the truth."""
+"""Simulated observations of known motions, and distances of fits from the truth."""
 
 import numpy as np
+import pytest
 
 import rigidsym
+from rigidsym.errors import InputError
 from rigidsym.fitting._parameters import Point
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
 
@@ -11,32 +13,39 @@ TUMBLING = rigidsym.TorqueFreeMotion((1.0, 0.85, 0.4), (0.3, -0.5, 1.1), (0.5, 0
 
 
 def attitudes(motion, times, sigma, random):
-    """Quaternions (N, 4) with errors, of either sign."""
+    """Return quaternions (N, 4) of a motion with random errors and signs."""
     q, _ = motion(times)
     turned = product(q, of_rotation_vectors(sigma * random.normal(size=(len(times), 3))))
     return turned * random.choice([-1.0, 1.0], size=(len(times), 1))
 
 
 def rates(motion, times, sigma, random):
-    """(N, 3) with errors."""
+    """Return rates (N, 3) of a motion with random errors."""
     return motion(times)[1] + sigma * random.normal(size=(len(times), 3))
 
 
 def fitted(truth, times, scatter, seed, **arguments):
-    """The fit of attitudes with errors drawn, from the truth unless `guess` says otherwise."""
+    """Fit simulated attitudes, starting from the truth unless `guess` is given."""
     seen = attitudes(truth, times, scatter, np.random.default_rng(seed))
     arguments = {"sigma": scatter, "guess": truth, **arguments}
     return rigidsym.fit(times, attitudes=seen, **arguments)
 
 
+def drawn(truth, scatter, seed, looks=40, span=38.0, **arguments):
+    """Fit simulated attitudes at random times."""
+    random = np.random.default_rng(seed)
+    times = np.sort(random.uniform(0, span, looks))
+    return fitted(truth, times, scatter, random, **arguments)
+
+
 def at_epoch(fit, truth):
-    """The truth as a point of the problem of a fit."""
+    """Return the truth as a point of the problem of a fit."""
     q, omega = truth(fit.problem.epoch)
     return Point(q, omega, np.array(truth.exact["inertia"], float), np.eye(4)[0])
 
 
 def told(fit, truth):
-    """How far a fit is from the truth in each direction it tells, in units of its error: (k,)."""
+    """Return the distances (k,) of a fit from the truth in all observable directions, in errors."""
     there, here = at_epoch(fit, truth), fit.observability.here
     apart = np.empty(fit.problem.parameters.count)
     apart[:3] = rotation_vectors(product(fit.point.attitude, conjugate(there.attitude)))
@@ -47,3 +56,16 @@ def told(fit, truth):
     return np.linalg.lstsq(np.hstack([here.determined, here.undetermined]), apart, rcond=None)[0][
         : here.determined.shape[1]
     ]
+
+
+def is_true(fit, most=30):
+    """Return True for a probable fit of TUMBLING that has the truth within its errors."""
+    return fit.probability > 1e-3 and np.sum(told(fit, TUMBLING) ** 2) < most
+
+
+def refused(make, message):
+    """Check that a call raises an InputError of one line with a message in it."""
+    with pytest.raises(InputError) as error:
+        make()
+    assert message in str(error.value)
+    assert "\n" not in str(error.value)

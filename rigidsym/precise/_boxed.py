@@ -1,7 +1,6 @@
 """States of all motions of a box of inputs: by the mean value theorem, and by the flow."""
 
-from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -27,47 +26,26 @@ class BoxedMotion(MotionInputs):
     """All motions of a box of inputs, some of which are uncertain."""
 
     def enclosures(
-        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+        self,
+        times: Sequence[Fraction],
+        digits: int,
+        max_seconds: float | None = None,
+        method: str | None = None,
     ) -> Iterator[State]:
         """Yield (q, omega) at each time as balls.
 
-        They follow from the mean value theorem, over parts of the box if necessary, and from the
-        flow where that has no enclosure of some part.  Rates that are constant in all of the box
-        have formulas of their own.
-
-        Raises PrecisionError where `max_seconds` for all times are over.
+        method: "mean", the mean value theorem alone; "flow", the flow alone; by default the best
+        of both, see `_best`.  Raises PrecisionError where `max_seconds` for all times are over, and
+        where the mean value theorem alone gives no enclosure.
         """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
+        by = {None: self._best, "mean": self._by_mean_value, "flow": self._by_flow}[method]
         for time in times:
-            mean = self._by_mean_values(digits)
-            if time == 0 or mean.holds_rest:
-                yield self._by_flow(precision, time)
-                continue
-            steady = self._by_regime(precision, time)
-            if steady and not is_uncertain(*self.omega0, *self.attitude0):
-                yield steady
-                continue
-            with _naming(time):
-                state, is_found = mean.state(time, precision.check)
-            if not is_found:
-                state = _intersection(state, self._by_flow(precision, time, FEW_STEPS))
-            yield _intersection(state, steady) if steady else state
-
-    def mean_values(
-        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
-    ) -> Iterator[State]:
-        """Yield (q, omega) at each time by the mean value theorem alone.
-
-        Raises PrecisionError where it gives no enclosure.
-        """
-        precision = AdaptivePrecision(digits, is_within, max_seconds)
-        for time in times:
-            mean = self._by_mean_values(digits)
-            with _naming(time):
-                state, is_found = mean.state(time, precision.check)
-            if not is_found:
-                raise self._too_uncertain(time, digits)
-            yield state
+            try:
+                found = by(precision, time)
+            except TimeoutError:
+                raise PrecisionError(f"t = {written(time)}: the time was over") from None
+            yield found
 
     def sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -78,35 +56,45 @@ class BoxedMotion(MotionInputs):
         """
         states = self.enclosures(times, digits, max_seconds)
         for time, (q, omega) in zip(times, states, strict=True):
-            found = self._by_mean_values(digits).sensitivities(time)
+            found = self._mean_states(digits).sensitivities(time)
             if found is None:
                 raise self._too_uncertain(time, digits)
             yield [*q, *omega, *found]
 
-    def flows(
-        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
-    ) -> Iterator[State]:
-        """Yield (q, omega) at each time by the flow alone."""
-        precision = AdaptivePrecision(digits, is_within, max_seconds)
-        for time in times:
-            yield self._by_flow(precision, time)
+    def _best(self, precision: AdaptivePrecision, time: Fraction) -> State:
+        """Return the state by the mean value theorem, over parts of the box if necessary.
+
+        It is intersected with the state by the flow where some part has no enclosure.  Rates that
+        are constant in all of the box have formulas of their own.
+        """
+        mean = self._mean_states(precision.digits)
+        if time == 0 or mean.holds_rest:
+            return self._by_flow(precision, time)
+        try:
+            steady = self._steady.read(precision, time) if self._steady else None
+        except TooUncertainError:  # the rates of some motion change
+            steady = None
+        if steady and not is_uncertain(*self.omega0, *self.attitude0):
+            return steady
+        state, is_found = mean.state(time, precision.check)
+        if not is_found:
+            state = _intersection(state, self._by_flow(precision, time, FEW_STEPS))
+        return _intersection(state, steady) if steady else state
+
+    def _by_mean_value(self, precision: AdaptivePrecision, time: Fraction) -> State:
+        state, is_found = self._mean_states(precision.digits).state(time, precision.check)
+        if not is_found:
+            raise self._too_uncertain(time, precision.digits)
+        return state
 
     def _by_flow(
         self, precision: AdaptivePrecision, time: Fraction, most: int = MOST_STEPS
     ) -> State:
-        with _naming(time):
-            bits = bits_for(self, precision.digits)
-            if bits not in self._flows:
-                self._flows.clear()
-                self._flows[bits] = FlowEnclosure(self, bits, precision.check)
-            return self._flows[bits].state(time, precision.check, most)
-
-    def _by_regime(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
-        """Return the state by constant rates; None where the rates of some motion change."""
-        try:
-            return self._steady.read(precision, time) if self._steady else None
-        except TooUncertainError:
-            return None
+        bits = bits_for(self, precision.digits)
+        if bits not in self._flows:
+            self._flows.clear()
+            self._flows[bits] = FlowEnclosure(self, bits, precision.check)
+        return self._flows[bits].state(time, precision.check, most)
 
     @cached_property
     def _steady(self) -> PreciseMotion | None:
@@ -116,7 +104,7 @@ class BoxedMotion(MotionInputs):
         except InputError:
             return None
 
-    def _by_mean_values(self, digits: int) -> MeanStates:
+    def _mean_states(self, digits: int) -> MeanStates:
         bits = bits_for(self, digits)
         if bits not in self._means:
             self._means.clear()
@@ -124,8 +112,7 @@ class BoxedMotion(MotionInputs):
         return self._means[bits]
 
     def _too_uncertain(self, time: Fraction, digits: int) -> TooUncertainError:
-        reason = self._by_mean_values(digits).reason
-        return TooUncertainError(f"t = {written(time)}: {reason}")
+        return TooUncertainError(f"t = {written(time)}: {self._mean_states(digits).reason}")
 
     @cached_property
     def _flows(self) -> dict[int, FlowEnclosure]:
@@ -136,15 +123,6 @@ class BoxedMotion(MotionInputs):
     def _means(self) -> dict[int, MeanStates]:
         """The mean value form at the last precision."""
         return {}
-
-
-@contextmanager
-def _naming(time: Fraction) -> Generator[None]:
-    """Name the time of the state where the limit of seconds is over."""
-    try:
-        yield
-    except TimeoutError:
-        raise PrecisionError(f"t = {written(time)}: the time was over") from None
 
 
 def _intersection(one: State, other: State) -> State:

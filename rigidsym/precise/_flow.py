@@ -12,7 +12,7 @@ ever reach, times step^N; that of V, by the chain rule, also times V itself.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import permutations
 
 from flint import arb, arb_mat
@@ -39,7 +39,7 @@ def euler_factor(inertia: Sequence[Number], k: int) -> arb:
 
 
 def rate_bounds(inertia: Sequence[arb], factors: Sequence[arb], omega: Sequence[arb]) -> list[arb]:
-    """Return balls that contain the rates (3) at every time, for all bodies and rates in the balls.
+    """Return balls that contain the rates (3) at all times, for all bodies and rates in balls.
 
     By Euler's equations Omega_i^2 changes at the rate 2 k_i Omega_1 Omega_2 Omega_3, where k_i are
     the `factors` (3), so Omega_i^2 - (k_i/k_j) Omega_j^2 is constant.  Bounds of one rate give
@@ -55,57 +55,48 @@ def rate_bounds(inertia: Sequence[arb], factors: Sequence[arb], omega: Sequence[
             low, high = ends[i]
             least, most = min(x.lower() for x in linked), max(x.upper() for x in linked)
             ends[i] = low.max(least), high.min(most)
-    return [_root_between(*squares, w) for squares, w in zip(ends, omega, strict=True)]
-
-
-def _root_between(low: arb, high: arb, start: arb) -> arb:
-    """Return the numbers with squares between these, of one sign where these exclude zero."""
-    most = high.max(0).sqrt().upper()
-    if not low > 0:
-        return arb(0, most)
-    return (low.sqrt().union(most)) if start > 0 else (-low.sqrt()).union(-most)
+    bounds = []
+    for (low, high), w in zip(ends, omega, strict=True):
+        most = high.max(0).sqrt().upper()
+        if low > 0:  # the rate keeps its sign
+            least = low.sqrt()
+            bounds.append(least.union(most) if w > 0 else (-least).union(-most))
+        else:
+            bounds.append(arb(0, most))
+    return bounds
 
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """Series of N terms, for factors (3) and starts in a box (7, 1) that never leave a tube.
+    """Taylor series of the flow for factors (3) and starts in a box (7, 1) that never leave a tube.
 
-    `tick` is called at every term.
+    terms: the number of terms. tick: called at every term.
     """
 
     factors: Sequence[arb]
     starts: arb_mat
     tube: arb_mat
     terms: int
-    tick: Callable[[], None]
-    cut: arb
+    tick: Callable[[], None] = lambda: None
+    cut: arb = field(init=False)
+    "The largest of the first coefficients that are cut off."
 
-    @classmethod
-    def within(
-        cls,
-        factors: Sequence[arb],
-        starts: arb_mat,
-        tube: arb_mat,
-        terms: int,
-        tick: Callable[[], None] = lambda: None,
-    ) -> "Flow":
-        """Return the series, with the largest of the first coefficients that are cut off."""
-        series, columns = _derivatives(factors, tube, terms + 1, tick)
+    def __post_init__(self) -> None:
+        series, columns = _derivatives(self.factors, self.tube, self.terms + 1, self.tick)
         rows = [sum(map(abs, row), arb(0)) for row in columns[-1].tolist()]
-        return cls(factors, starts, tube, terms, tick, max_of([*rows, *series[-1].entries()]))
+        object.__setattr__(self, "cut", max_of([*rows, *series[-1].entries()]))
 
     def step(self, bits: int) -> arb:
-        """Return a time after which about so many bits are right."""
+        """Return the longest step after which about so many bits are right."""
         return (arb(2) ** -bits / self.cut).root(self.terms).min(LONGEST)
 
     def moved(self, factors: Sequence[arb], y: arb_mat, step: arb) -> arb_mat:
-        """Return y (7, 1) after a step, for all starts in the box y and all such factors."""
-        return _summed(
-            _series(factors, y, self.terms, self.tick)[0], step, self._remainder(y, step)
-        )
+        """Return the unknowns (7, 1) after a step, for all starts in y and all such factors."""
+        series, _ = _series(factors, y, self.terms, self.tick)
+        return _summed(series, step, self._remainder(y, step))
 
     def derivative(self, y: arb_mat, step: arb) -> arb_mat:
-        """Return the derivatives (7, 10) of that by y and the factors, for all starts in y."""
+        """Return the derivatives (7, 10) of `moved` by y and the factors, for all starts in y."""
         columns = _derivatives(self.factors, y, self.terms, self.tick)[1]
         return _summed(columns, step, self._remainder(y, step))
 
@@ -126,20 +117,26 @@ class Flow:
 def _derivatives(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the coefficients of y, and those of V."""
+    """Return the Taylor coefficients of y, and those of its derivatives V."""
     series, slopes = _series(factors, y, terms, tick)
     columns = [arb_mat(SIZE, COLUMNS, 1)]
     for n in range(terms - 1):
         tick()
+        # The n-th coefficients of w_j w_k, in the columns of the factors.
+        direct = arb_mat(SIZE, COLUMNS)
+        for i in range(RATES):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            squares = (series[m][j, 0] * series[n - m][k, 0] for m in range(n + 1))
+            direct[i, SIZE + i] = sum(squares, arb(0))
         products = (slopes[i] * columns[n - i] for i in range(n + 1))
-        columns.append(sum(products, _by_factors(series, n)) * (1 / arb(n + 1)))
+        columns.append(sum(products, direct) * (1 / arb(n + 1)))
     return series, columns
 
 
 def _series(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the coefficients of y, and A of each of them."""
+    """Return the Taylor coefficients of y, and the matrix A of each of them."""
     series, slopes = [y], [_slope(factors, y)]
     for n in range(terms - 1):
         tick()
@@ -150,7 +147,7 @@ def _series(
 
 
 def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
-    """Return A(y) (7, 7)."""
+    """Return the matrix A(y) (7, 7) of the differential equation."""
     w, p = y.entries()[:RATES], y.entries()[RATES:]
     slope = [[arb(0)] * SIZE for _ in range(SIZE)]
     for i, factor in enumerate(factors):
@@ -172,19 +169,8 @@ def multiplied(q: Sequence[arb]) -> arb_mat:
     return arb_mat(matrix)
 
 
-def _by_factors(series: Sequence[arb_mat], n: int) -> arb_mat:
-    """Return the n-th coefficients of w_j w_k, in the columns of the factors."""
-    direct = arb_mat(SIZE, COLUMNS)
-    for i in range(RATES):
-        j, k = (i + 1) % 3, (i + 2) % 3
-        direct[i, SIZE + i] = sum(
-            (series[m][j, 0] * series[n - m][k, 0] for m in range(n + 1)), arb(0)
-        )
-    return direct
-
-
 def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
-    """Return the polynomial in the step, with the remainder added to the radius of every entry."""
+    """Sum a Taylor series at a step, with the remainder added to the radius of every entry."""
     value = terms[-1]
     for term in reversed(terms[:-1]):
         value = value * step + term
@@ -193,7 +179,7 @@ def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
 
 
 def norm(values: Sequence[arb]) -> arb:
-    """Return an upper bound of Euclid's norm."""
+    """Return an upper bound of the Euclidean norm."""
     return sum((power(x, 2) for x in values), arb(0)).upper().sqrt().upper()
 
 

@@ -50,10 +50,9 @@ ROUNDING, WIDEST_TURN = 2.0**-20, 3
 class Bodies:
     """All bodies and rates of a box, as deviations r (6) from its middle.
 
-    flow: the flow of all of them.
-    middle: the factors of the middle (3).
-    by_box: the derivatives of the factors by r (3, 6).
-    limits: bounds of the rates (3) at all times.
+    flow: the flow of all of them. middle: the factors (3) of the middle. box (6, 1): the ranges of
+    the deviations. by_box: the derivatives (3, 6) of the factors by r. limits: bounds of the rates
+    (3) at all times.
     """
 
     flow: Flow
@@ -73,11 +72,11 @@ class Cloud:
     rest: arb_mat
 
     def deviation(self, bodies: Bodies) -> arb_mat:
-        """Return the largest deviations from the middle."""
+        """Return the ranges of the deviations from the middle."""
         return self.spread * bodies.box + self.frame * self.rest
 
     def seen_by(self, turn: arb_mat) -> "Cloud":
-        """Return the set multiplied by a matrix (7, 7)."""
+        """Return the product of a matrix (7, 7) and the set."""
         return Cloud(turn * self.middle, turn * self.spread, turn * self.frame, self.rest)
 
     def states(self, bodies: Bodies) -> arb_mat:
@@ -101,18 +100,6 @@ class Cloud:
         lost = (spread - spread.mid()) * bodies.box + (middle - middle.mid())
         rest = (back * carried) * self.rest + back * lost
         return Cloud(middle.mid(), spread.mid(), frame, rest)
-
-
-def start(omega: Sequence[arb]) -> Cloud:
-    """Return the set at t = 0: the rates of the middle and no turn, the rest in the box."""
-    middle = arb_mat(SIZE, 1, [*omega, arb(1), *[arb(0)] * 3])
-    spread = [int(i == j < RATES) for i in range(SIZE) for j in range(2 * RATES)]
-    return Cloud(
-        middle.mid(),
-        arb_mat(SIZE, 2 * RATES, spread),
-        arb_mat(SIZE, SIZE, 1),
-        middle - middle.mid(),
-    )
 
 
 def _orthogonal(columns: arb_mat, rest: arb_mat) -> arb_mat:
@@ -140,7 +127,7 @@ def _dot(x: Sequence[arb], y: Sequence[arb]) -> arb:
 
 
 class FlowEnclosure:
-    """States of all motions that start in a box, by the flow, at a precision that fits its radii.
+    """States by the flow of all motions that start in a box, at a precision that fits its radii.
 
     `check` is called during the preparation, as that of `state` is during a step.  Steps are
     counted from t = 0, so that the enclosure at a time does not depend on other times.
@@ -161,14 +148,29 @@ class FlowEnclosure:
             reached = [*rate_bounds(moments, factors, wider), *[arb(0, WIDEST_TURN)] * 4]
             terms = ceil(self.bits * TERMS_PER_BIT)
             tube = arb_mat(SIZE, 1, reached)
-            flow = Flow.within(factors, starts, tube, terms, lambda: self._check())
-            self.bodies = _bodies(flow, given, limits, self.scale)
+            flow = Flow(factors, starts, tube, terms, lambda: self._check())
             self.step = dyadic(flow.step(self.bits).lower())
-            first = start([ball(middle(x) / self.scale) for x in omega0])
+            # Rates are in units of the scale.
+            radii = [radius(x) / self.scale for x in omega0] + [radius(c) for c in inertia]
+            slopes = arb_mat(RATES, 2 * RATES)
+            for k in range(RATES):
+                c = ball(inertia[k])
+                slopes[k, RATES + k] = -factors[k] / c
+                slopes[k, RATES + (k + 1) % 3], slopes[k, RATES + (k + 2) % 3] = 1 / c, -1 / c
+            middles = list(map(middle, inertia))
+            box = arb_mat(2 * RATES, 1, [arb(0, ball(x).upper()) for x in radii])
+            central = [euler_factor(middles, k) for k in range(RATES)]
+            self.bodies = Bodies(flow, central, box, slopes, limits)
+            # At t = 0: the rates of the middle and no turn, the rest in the box.
+            begin = [*(ball(middle(x) / self.scale) for x in omega0), arb(1), *[arb(0)] * 3]
+            center = arb_mat(SIZE, 1, begin)
+            spread = [int(i == j < RATES) for i in range(SIZE) for j in range(2 * RATES)]
+            spreads, unit_frame = arb_mat(SIZE, 2 * RATES, spread), arb_mat(SIZE, SIZE, 1)
+            first = Cloud(center.mid(), spreads, unit_frame, center - center.mid())
         self._clouds: dict[int, list[Cloud]] = {side: [first] for side in (-1, 1)}
 
     def state(self, time: Fraction, check: Callable[[], None], most: int = MOST_STEPS) -> State:
-        """Return (q, omega) as balls at one time, by so many steps at most.
+        """Return (q, omega) as balls at one time, after at most `most` steps.
 
         An exception that `check` raises ends the work, at any time.
         """
@@ -208,22 +210,8 @@ class FlowEnclosure:
         return after if widest < LOST else None
 
 
-def _bodies(flow: Flow, given: MotionInputs, limits: Sequence[arb], scale: Fraction) -> Bodies:
-    """Return the box of inputs, with rates in units of the scale."""
-    inertia, omega0 = given.inertia, given.omega0
-    radii = [radius(x) / scale for x in omega0] + [radius(c) for c in inertia]
-    slopes = arb_mat(RATES, 2 * RATES)
-    for k in range(RATES):
-        c = ball(inertia[k])
-        slopes[k, RATES + k] = -flow.factors[k] / c
-        slopes[k, RATES + (k + 1) % 3], slopes[k, RATES + (k + 2) % 3] = 1 / c, -1 / c
-    middles = list(map(middle, inertia))
-    box = arb_mat(2 * RATES, 1, [arb(0, ball(x).upper()) for x in radii])
-    return Bodies(flow, [euler_factor(middles, k) for k in range(RATES)], box, slopes, limits)
-
-
 def bits_for(given: MotionInputs, digits: int) -> int:
-    """Return the bits that hold the finest radius, or the digits where it is finer still."""
+    """Return the bits that resolve the finest radius, at most those of the digits."""
     fineness = [0]
     for values in (given.inertia, given.omega0, given.attitude0):
         size = max(abs(middle(x)) + radius(x) for x in values)
@@ -233,7 +221,7 @@ def bits_for(given: MotionInputs, digits: int) -> int:
 
 
 def _scale(size: arb) -> Fraction:
-    """Return a short number not below a size, and hardly above; 1 for zero."""
+    """Round a size up to a number of few bits; return 1 for zero."""
     mantissa, exponent = map(int, size.upper().man_exp())
     more = max(mantissa.bit_length() - 8, 0)
     return (1 + (mantissa >> more)) * Fraction(2) ** (exponent + more) if mantissa else Fraction(1)

@@ -1,4 +1,4 @@
-"""Fits of data that are not what they are said to be: what is said, and which reading fits."""
+"""Fits of data in other conventions or with other errors than stated, and their verdicts."""
 
 import json
 
@@ -67,10 +67,8 @@ def test_directions_the_other_way_round_are_named():
 def test_errors_of_a_motion_that_is_not_that_of_the_data_are_not_given():
     fit = fitted(attitudes=LAST)
     assert fit.agreement.hopeless
-    assert np.isnan(fit.covariance).all()
-    assert np.isnan(fit.sigma).all()
-    assert np.isnan(fit.intervals()).all()
-    assert np.isnan(fit.predict(1.0).covariance).all()
+    for errors in (fit.covariance, fit.sigma, fit.intervals(), fit.predict(1.0).covariance):
+        assert np.isnan(errors).all()
     assert fit.periods_sigma.rotation is None
     assert fit.unobservable == ()
     assert not fit.nonlinearity.flagged
@@ -88,11 +86,10 @@ def test_attitudes_by_no_convention_are_said_not_to_fit():
 
 
 def test_a_torque_is_seen_in_residuals_that_go_with_the_next():
-    """Rates that decay, by far less than they are."""
+    """The rates decay by a small part."""
     many = np.linspace(0, 24, 200)
-    slowed = TUMBLING(many)[1] * (1 - 0.002 * many[:, None])
-    fit = rigidsym.fit(many, rates=slowed + 1e-3 * RANDOM.normal(size=(200, 3)), sigma=1e-3,
-                       guess=TUMBLING)  # fmt: skip
+    slowed = TUMBLING(many)[1] * (1 - 0.002 * many[:, None]) + 1e-3 * RANDOM.normal(size=(200, 3))
+    fit = rigidsym.fit(many, rates=slowed, sigma=1e-3, guess=TUMBLING)
     assert fit.agreement.hopeless
     assert "torques" in fit.agreement.message
 
@@ -111,7 +108,7 @@ def test_errors_that_are_given_too_small_or_large_are_told_from_that(part, verdi
     assert fit.agreement.verdict is verdict
     assert fit.agreement.scale == pytest.approx(scale, rel=0.15)
     assert fit.agreement.readings == ()
-    # They are those of the errors given.
+    # Standard deviations follow from the errors given.
     assert np.all(fit.sigma[:6] < part * SIGMA)
     assert fit.agreement.message in repr(fit).splitlines()[0]
 

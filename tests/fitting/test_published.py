@@ -1,4 +1,4 @@
-"""Toutatis by radar, and the simulated T-handle: transcriptions, and what is fitted to them."""
+"""Published observations and fits to them: Toutatis by radar, and the simulated T-handle."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def found(looks):
 
 
 def test_angles_turn_as_spin_vectors_say():
-    """So angles and vectors are read along the same axes, in the same order."""
+    """This shows that angles and vectors are read along the same axes, in the same order."""
     looks = toutatis((1992, 1996))
     days = np.diff(looks.times)
     close = days < 1.2 * DAY
@@ -81,7 +81,7 @@ def test_each_look_is_predicted_from_the_others(found, looks):
 
 
 def test_1996_is_not_told_by_1992_but_shows_the_same_mode(found):
-    """Errors of the periods make whole turns in four years; tidal torques come besides."""
+    """Errors of the periods make whole turns in four years, and tidal torques add to them."""
     later = toutatis((1996,))
     assert np.min(found.predict(later.times).attitude_sigma) > 1
     since = later.times - later.times[0]

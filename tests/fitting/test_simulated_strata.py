@@ -1,10 +1,9 @@
-"""Simulated data sets of strata: estimates lie within their errors, and nothing is made up.
+"""Simulated data sets of all strata: truths lie within the errors of the estimates.
 
-Truths lie within regions of confidence: what chi2 falls by, from the truth to the estimate, is chi2
-of as many degrees of freedom as there are parameters, tested at 1 % for all data sets of a stratum
-together.  Where the motion is linear in its parameters over the errors, so are the estimates in
-units of theirs.  What cannot be told has to be said.  Some data sets of each by default, 1000 where
-tests are slow.
+The fall of chi2 from the truth to the estimate has the law of chi2 with as many degrees of freedom
+as there are parameters.  It is tested at 1 % for all data sets of a stratum together.  Where the
+motion is linear in its parameters over the errors, so are the estimates in units of their errors.
+Unobservable quantities have to be named.  Slow tests take 1000 data sets of each stratum.
 """
 
 import numpy as np
@@ -22,26 +21,26 @@ STRATA = ("uniform", "near separatrix", "separatrix", "symmetric", "near prolate
           "near spin, smallest")  # fmt: skip
 # Near the others' edges errors that one direction has move others by more than their own.
 LINEAR = ("uniform", "sphere", "near sphere")
-# Of data sets: those of which it is said that there was no minimum, and those of which a quantity
-# is further from the truth than FAR of its errors.
+# The largest parts of data sets without a minimum, and with a quantity further from the truth than
+# FAR of its errors.
 MOST_WITHOUT, MOST_FAR, FAR = 0.01, 0.02, 5.0
-# Of the largest moment: what is left to bodies that end there, where a parameter less is free.
+# The slack of flat bodies, relative to the largest moment; they have a parameter less.
 EDGE = 1e-8
 CHANCE = 0.01
 
 
 def motion(stratum, index):
-    """One of a stratum, with rates of size 1 and a largest moment of 1; None at rest."""
+    """Return a motion with rates of size 1 and a largest moment of 1; None at rest."""
     inertia, omega, attitude = (np.array(x, float) for x in draw(stratum, index, 23).exact)
     size = np.linalg.norm(omega)
     if not size:
         return None
-    moments = inertia / inertia.max()
-    return rigidsym.TorqueFreeMotion(moments.tolist(), (omega / size).tolist(), attitude.tolist())
+    given = inertia / inertia.max(), omega / size, attitude
+    return rigidsym.TorqueFreeMotion(*(x.tolist() for x in given))
 
 
 def fitted(stratum, index):
-    """The truth of a data set, and what is fitted to it."""
+    """Return the truth of a data set and its fit; None at rest."""
     truth = motion(stratum, index)
     if truth is None:
         return None
@@ -51,20 +50,21 @@ def fitted(stratum, index):
     return truth, rigidsym.fit(times, attitudes=seen, sigma=SIGMA, guess=truth)
 
 
-def fall(truth, fit):
-    """Of chi2, from the truth to the estimate."""
-    return np.sum(fit.problem.residuals(at_epoch(fit, truth)) ** 2) - fit.chi2
-
-
 def agree(squares, least, most):
-    """Whether a sum of squares is chi2 of so many degrees of freedom, at 1 %, on both sides."""
+    """Return True if a sum of squares has the law of chi2, at 1 % on both sides.
+
+    least, most: bounds of its degrees of freedom.
+    """
     least = max(least, 1)
     return chi2.sf(squares, most) > CHANCE / 2 and chi2.cdf(squares, least) > CHANCE / 2
 
 
 def free(stratum, fit):
-    """How many parameters chi2 falls by, at least and at most: those that are told, less one at
-    the edge of what bodies can be, and all.  A wobble that a spin does not have makes it less."""
+    """Return bounds of the degrees of freedom by which chi2 falls.
+
+    These are the number of observable parameters, less one for a flat body, and that of all.
+    Spins have fewer, as they do not wobble.
+    """
     if fit.spinning:
         return 4 if stratum == "spin" else 0, 4
     slack = np.sum(fit.moments) - 2 * np.max(fit.moments)
@@ -72,7 +72,7 @@ def free(stratum, fit):
 
 
 def apart(truth, fit):
-    """The largest error of a quantity that has one, in units of it."""
+    """Return the largest error of all quantities, in units of their standard deviations."""
     moments, omega, attitude = (np.array(x, float) for x in truth.exact.values())
     q, rates = fit.motion(0.0)
     turn = rotation_vectors(product(q, conjugate(attitude / np.linalg.norm(attitude))))
@@ -88,7 +88,7 @@ def examine(stratum, count):
         if not fit.converged:
             without += 1
             continue
-        falls += fall(truth, fit)
+        falls += np.sum(fit.problem.residuals(at_epoch(fit, truth)) ** 2) - fit.chi2
         bounds = free(stratum, fit)
         least, most = least + bounds[0], most + bounds[1]
         far += apart(truth, fit) > FAR
@@ -107,15 +107,10 @@ def examine(stratum, count):
         assert agree(squares, directions, directions), (squares, directions)
 
 
+@pytest.mark.parametrize("count", [4, pytest.param(1000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("stratum", STRATA)
-def test_estimates_lie_within_their_errors(stratum):
-    examine(stratum, 4)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("stratum", STRATA)
-def test_a_thousand_estimates_lie_within_their_errors(stratum):
-    examine(stratum, 1000)
+def test_estimates_lie_within_their_errors(stratum, count):
+    examine(stratum, count)
 
 
 def test_at_rest_no_ratio_is_told():

@@ -144,9 +144,9 @@ def test_what_is_cut_off_is_less_than_the_remainder():
         factors = [arb("-0.3"), arb("0.7"), arb("-0.5")]
         start = arb_mat(7, 1, [arb(x) for x in ("0.3", "-0.5", "0.6", "1", "0", "0", "0")])
         tube = arb_mat(7, 1, [arb(0, 1)] * 3 + [arb(0, 3)] * 4)
-        fine = flow.Flow.within(factors, tube, tube, 120)
+        fine = flow.Flow(factors, tube, tube, 120)
         for terms, step in ((3, "0.1"), (5, "-0.5"), (8, "0.9")):
-            rough = flow.Flow.within(factors, tube, tube, terms)
+            rough = flow.Flow(factors, tube, tube, terms)
             for method, given in (("moved", (factors, start)), ("derivative", (start,))):
                 few, many = (getattr(x, method)(*given, arb(step)) for x in (rough, fine))
                 assert few.contains(many)
@@ -158,7 +158,7 @@ def test_the_derivative_is_what_differences_tend_to():
         factors = [arb("-0.3"), arb("0.7"), arb("-0.5")]
         start = [arb(x) for x in ("0.3", "-0.5", "0.6", "0.5", "0.5", "-0.5", "0.5")]
         tube = arb_mat(7, 1, [arb(0, 1)] * 3 + [arb(0, 3)] * 4)
-        series, step, small = flow.Flow.within(factors, tube, tube, 100), arb("0.5"), arb(2) ** -90
+        series, step, small = flow.Flow(factors, tube, tube, 100), arb("0.5"), arb(2) ** -90
         whole = series.moved(factors, arb_mat(7, 1, start), step)
         slopes = series.derivative(arb_mat(7, 1, start), step)
         for j in range(10):
@@ -169,7 +169,7 @@ def test_the_derivative_is_what_differences_tend_to():
 
 
 def test_starts_outside_of_the_box_says_nothing():
-    series = flow.Flow.within([arb(1)] * 3, *[arb_mat(7, 1, [arb(0, 1)] * 7)] * 2, 20)
+    series = flow.Flow([arb(1)] * 3, *[arb_mat(7, 1, [arb(0, 1)] * 7)] * 2, 20)
     assert (
         not series.moved([arb(1)] * 3, arb_mat(7, 1, [arb(2)] * 7), arb("0.1"))[0, 0]
         .rad()

@@ -14,7 +14,7 @@ into its own interior is right: along the straight line from the middle to a poi
 functions start inside of the guess, and where they first met its border they would be inside.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -34,7 +34,7 @@ _POWER = {"power": power}
 
 
 class Elapsed(NamedTuple):
-    """S, C, D, E and f by the names that formulas use."""
+    """The functions S, C, D, E and f at a time, by the names that formulas use."""
 
     S_t: arb
     C_t: arb
@@ -44,7 +44,10 @@ class Elapsed(NamedTuple):
 
 
 def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
-    """Return the functions at a time; `gap` is p - r.  A zero p or gap must be exactly zero."""
+    """Return the functions of elapsed time of one motion.
+
+    gap: p - r.  A zero p or gap must be exactly zero.
+    """
     if p.is_zero():
         cube = t * t * t / 3
         return Elapsed(t, arb(1), arb(1), cube, cube)
@@ -61,21 +64,21 @@ def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
 
 
 def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
-    """Return True for times within the first quarter of a period, where cn and dn have no zero."""
+    """Return True for a time within the first quarter of a period, where cn and dn have no zero."""
     if p.is_zero() or (gap.is_zero() and not r.is_zero()):
         return True
     return bool(abs(t) * p.sqrt() < quarter_period(gap / p))
 
 
 def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
-    """Return lambda, zero, m and 1 - m: cached, the same objects for all times."""
+    """Return lambda, 0, m and 1 - m, which are cached as the same objects for all times."""
     mc = arb(1) if r.is_zero() else gap / p
     return p.sqrt(), arb(0), 1 - mc, mc
 
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """A time, and balls of p, r and p - r of all motions of a box.
+    """A time, and the balls of p, r and p - r over all motions of a box.
 
     grows: True if cn and dn of the middle surely have no zero before the time.
     """
@@ -87,30 +90,27 @@ class Range:
     grows: bool = False
 
     def over(self, middle: Elapsed, deviation: arb_mat) -> tuple[Elapsed, arb_mat] | None:
-        """Return the functions, and slopes (5, 2) by p and p - r; None where no guess is found.
+        """Return the functions, and slopes (5, 2) by p and p - r; None where no guess is right.
 
         `deviation` (2, 1) is p and p - r less their middles.  The box grows part by part, as slopes
         are smaller in its inner parts.
         """
-        return self._over(middle, deviation, PARTS) or self._over(middle, deviation, MORE_PARTS)
-
-    def _over(
-        self, middle: Elapsed, deviation: arb_mat, parts: int
-    ) -> tuple[Elapsed, arb_mat] | None:
-        part, summed, image = deviation / parts, arb_mat(5, 2), middle
-        for _ in range(parts):
-            start = Elapsed(*(arb_mat([[x] for x in middle]) + summed * part).entries())
-            found = self._grown(start, image, part)
-            if found is None:
-                return None
-            image, slopes = found
-            summed += slopes
-        return image, summed / parts
+        for parts in (PARTS, MORE_PARTS):
+            part, summed, image = deviation / parts, arb_mat(5, 2), middle
+            for _ in range(parts):
+                start = Elapsed(*(arb_mat([[x] for x in middle]) + summed * part).entries())
+                found = self._grown(start, image, part)
+                if found is None:
+                    break
+                image, summed = found[0], summed + found[1]
+            else:
+                return image, summed / parts
+        return None
 
     def _grown(
         self, start: Elapsed, inner: Elapsed, part: arb_mat
     ) -> tuple[Elapsed, arb_mat] | None:
-        """Return functions and slopes of a box one part larger, from the values `start` so far."""
+        """Return functions and slopes over a box one part larger, from the values so far."""
         image = self._image(start, inner, part)
         for _ in range(TRIES):
             guess = list(map(wider, image))
@@ -129,47 +129,34 @@ class Range:
     def slopes(self, values: Elapsed) -> arb_mat:
         """Return the derivatives (5, 2) by p and p - r at all values."""
         known = {**values._asdict(), "F_t": values.f / values.D_t}
-        found = sequence("elapsed_slopes").evaluate(
-            {"p": self.p, "r": self.r, **known, **self._fourths(values, known)}, _POWER
-        )
+        given = {"p": self.p, "r": self.r, **known}
+        # The integrals of fourth powers, by formulas and within bounds.
+        fourths = sequence("fourth_powers").evaluate({**given, "t": self.t}, _POWER)
+        most, steepest = self._largest(values)
+        limits = (("U_t", most * values.E_t), ("V_t", most * known["F_t"]))
+        for name, x in (*limits, ("W_t", steepest * known["F_t"])):
+            given[name] = intersection(fourths[name], arb(0).union(x))
+        found = sequence("elapsed_slopes").evaluate(given, _POWER)
         for way in ("k", "r"):
             found[f"f_{way}"] = found[f"D_{way}"] * known["F_t"] + values.D_t * found[f"F_{way}"]
         names = [name[0] for name in Elapsed._fields]
         return arb_mat([[found[f"{x}_k"], -found[f"{x}_r"]] for x in names])
 
-    def _fourths(self, values: Elapsed, known: Mapping[str, arb]) -> dict[str, arb]:
-        """Return the integrals of fourth powers, by formulas and within bounds."""
-        found = sequence("fourth_powers").evaluate(
-            {"t": self.t, "p": self.p, "r": self.r, **known}, _POWER
-        )
-        most, steepest = self._largest(values)
-        by_e, by_f = values.E_t, known["F_t"]
-        limits = {"U_t": most * by_e, "V_t": most * by_f, "W_t": steepest * by_f}
-        return {name: intersection(found[name], arb(0).union(x)) for name, x in limits.items()}
-
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:
         """Return upper bounds of S^2 and (S/D)^2 up to the time.
 
         Both grow until C or D is zero, so before that the last values are bounds; else 1/p and
-        1/(p - r) are.
+        1/(p - r) are.  C and D surely have no zero if they have none at the middle, and none at the
+        end for any parameters, as zeros enter at the end; or if a quarter of a period is longer.
         """
+        grow = self.grows and values.C_t > 0 and values.D_t > 0
+        if not grow and self.p > 0 and self.gap >= 0:
+            quarter = quarter_period((self.gap / self.p).upper())
+            grow = abs(self.t) * self.p.upper().sqrt() < quarter
         s, d = values.S_t, values.D_t
         squares = power(s, 2), power(s / d, 2)
-        first, second = squares if self._grow(values) else (1 / self.p, 1 / self.gap)
+        first, second = squares if grow else (1 / self.p, 1 / self.gap)
         return first.upper(), second.upper()
-
-    def _grow(self, values: Elapsed) -> bool:
-        """Return True if C and D surely have no zero up to the time.
-
-        Either they have none at the middle, and none at the end for any parameters, as zeros enter
-        at the end; or the quarter of a period is longer.
-        """
-        if self.grows and values.C_t > 0 and values.D_t > 0:
-            return True
-        if not (self.p > 0 and self.gap >= 0):
-            return False
-        quarter = quarter_period((self.gap / self.p).upper())
-        return bool(abs(self.t) * self.p.upper().sqrt() < quarter)
 
     @property
     def limits(self) -> Sequence[arb]:
@@ -183,5 +170,5 @@ class Range:
 
 
 def wider(image: arb) -> arb:
-    """Return the guess that follows the image of another one."""
+    """Return a guess a little wider than the image of the last guess."""
     return image + arb(0, image.rad() * MORE + LEAST)

@@ -8,8 +8,9 @@ integrated along the straight line from the middle.  The change of the attitude 
 attitude, so it is guessed, as the functions of elapsed time are (see `elapsed`).
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import exp, log, pi, sqrt
 
 import numpy as np
@@ -32,62 +33,78 @@ from rigidsym.precise._sensitivity.sloped import Sloped
 ONE = arb(0, 1)
 _TINY = 1e-300
 Rows = list[list[arb]]
+# A turn since t = 0 (4), and its changes along the sides of a box (4, m).
+Turn = tuple[list[Sloped], list[list[Sloped]]]
 
 
-@dataclass(frozen=True, slots=True)
-class Motions:
-    """Rates and turns of all motions of a box at a time.
-
-    rates: the rates with their columns, by name.
-    of_rates: the changes of the rates along the sides (3, m).
-    turn, changes: the turn since t = 0 (4) and its changes (4, m); None without an enclosure.
-    """
-
-    rates: Mapping[str, Sloped]
-    of_rates: list[list[Sloped]]
-    turn: list[Sloped] | None
-    changes: list[list[Sloped]] | None
-
-
-@dataclass(frozen=True, slots=True)
-class Middle:
-    """The middle of a box at a time.
-
-    functions: the functions of elapsed time.
-    turn, omega: the turn since t = 0 (4) and the rates (3).
-    changes: their changes along the sides (7, m).
-    """
-
-    functions: Elapsed
-    turn: Sequence[arb]
-    omega: Sequence[arb]
-    changes: Rows
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class MeanValue:
-    """All motions of a box, at the working precision that it was made at."""
+    """All motions of a box at a time, at the working precision.
+
+    turn, omega: the turn since t = 0 (4) and the rates (3) of the middle.
+    """
 
     box: Box
+    t: arb
+    turn: Sequence[arb]
+    omega: Sequence[arb]
 
-    def middle(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Middle:
-        """Return the middle at a time, from its turn and rates then."""
-        functions = elapsed(t, *map(ball, self.box.parameters), Theta())
-        rates = self.box.point.rates(t, functions._asdict())
-        columns = TurnColumns(self.box.point, t, rates, self.box.directions)
-        return Middle(functions, turn, omega, [*columns.of(turn), *columns.of_rates])
+    @cached_property
+    def _functions(self) -> Elapsed:
+        """The functions of elapsed time of the middle."""
+        return elapsed(self.t, *map(ball, self.box.parameters), Theta())
 
-    def state(self, t: arb, center: Middle) -> tuple[list[Sloped] | None, list[Sloped] | None]:
+    @cached_property
+    def _changes(self) -> Rows:
+        """The changes of turn and rates of the middle along the sides (7, m)."""
+        rates = self.box.point.rates(self.t, self._functions._asdict())
+        columns = TurnColumns(self.box.point, self.t, rates, self.box.directions)
+        return [*columns.of(self.turn), *columns.of_rates]
+
+    @cached_property
+    def columns(self) -> TurnColumns | None:
+        """The changes of all motions; None without an enclosure of the rates."""
+        functions = self._elapsed()
+        if functions is None:
+            return None
+        rates = self.box.whole.rates(self.t, functions)
+        return TurnColumns(self.box.whole, self.t, rates, self.box.directions)
+
+    @cached_property
+    def turned(self) -> Turn | None:
+        """The turns of all motions with their changes; None where no guess is right."""
+        if self.columns is None:
+            return None
+        image = self._changes[:4]
+        for _ in range(TRIES):
+            guess = [list(map(wider, row)) for row in image]
+            _, changes = self._image(self.columns, guess)
+            image = [[x.whole for x in row] for row in changes]
+            if not all(x.is_finite() for x in _flat(image)):
+                return None
+            if all(map(arb.contains_interior, _flat(guess), _flat(image))):
+                return self._image(self.columns, image)
+        return None
+
+    def _image(self, columns: TurnColumns, guess: Rows) -> Turn:
+        """Return the turn by a guess of its changes (4, m), and the changes that follow from it."""
+        turn = []
+        for start, row in zip(self.turn, guess, strict=True):
+            whole = intersection(start + self.box.reach(row), ONE)
+            turn.append(Sloped.of(start, arb_mat([row]), whole, self.box.sides))
+        return turn, columns.of(turn)
+
+    def state(self) -> tuple[list[Sloped] | None, list[Sloped] | None]:
         """Return the turn since t = 0 (4) and the rates (3), each None without an enclosure."""
-        moving = self.moving(t, center)
-        if moving is None:
+        if self.columns is None:
             return None, None
-        wholes = [moving.rates[f"Omega{k}"].whole for k in NUMBERS]
-        given = zip(center.omega, moving.of_rates, wholes, strict=True)
+        wholes = [self.columns.rates[f"Omega{k}"].whole for k in NUMBERS]
+        given = zip(self.omega, self.columns.of_rates, wholes, strict=True)
         rates = [self._moved(*x) for x in given]
-        if moving.turn is None or moving.changes is None:
+        if self.turned is None:
             return None, rates
-        given = zip(center.turn, moving.changes, (x.whole for x in moving.turn), strict=True)
+        turn, changes = self.turned
+        given = zip(self.turn, changes, (x.whole for x in turn), strict=True)
         return [self._moved(*x) for x in given], rates
 
     def _moved(self, start: arb, row: Sequence[Sloped], whole: arb) -> Sloped:
@@ -99,50 +116,16 @@ class MeanValue:
         known = intersection(start + self.box.reach(slopes), whole)
         return Sloped.of(start, arb_mat([slopes]), known, self.box.sides)
 
-    def moving(self, t: arb, center: Middle) -> Motions | None:
-        """Return rates and turn with their changes; None without an enclosure of the rates."""
-        functions = self._elapsed(t, center.functions)
-        if functions is None:
-            return None
-        rates = self.box.whole.rates(t, functions)
-        columns = TurnColumns(self.box.whole, t, rates, self.box.directions)
-        turn, changes = self._guessed(columns, center) or (None, None)
-        return Motions(rates, columns.of_rates, turn, changes)
-
-    def _guessed(
-        self, columns: TurnColumns, center: Middle
-    ) -> tuple[list[Sloped], list[list[Sloped]]] | None:
-        """Return the turn and its changes; None where no guess is right."""
-        image = center.changes[:4]
-        for _ in range(TRIES):
-            guess = [list(map(wider, row)) for row in image]
-            _, changes = self._image(columns, center, guess)
-            image = [[x.whole for x in row] for row in changes]
-            if not all(x.is_finite() for x in _flat(image)):
-                return None
-            if all(map(arb.contains_interior, _flat(guess), _flat(image))):
-                return self._image(columns, center, image)
-        return None
-
-    def _image(
-        self, columns: TurnColumns, center: Middle, guess: Rows
-    ) -> tuple[list[Sloped], list[list[Sloped]]]:
-        """Return the turn by a guess of its changes (4, m), and the changes that follow from it."""
-        turn = []
-        for start, row in zip(center.turn, guess, strict=True):
-            whole = intersection(start + self.box.reach(row), ONE)
-            turn.append(Sloped.of(start, arb_mat([row]), whole, self.box.sides))
-        return turn, columns.of(turn)
-
-    def _elapsed(self, t: arb, middles: Elapsed) -> dict[str, Sloped] | None:
+    def _elapsed(self) -> dict[str, Sloped] | None:
         """Return the functions of elapsed time over the box; None without an enclosure."""
+        middles = self._functions
         if self.box.is_sphere:
             still = arb_mat(len(middles), self.box.sides.nrows())
             return self._sloped(middles, still, middles)
         p, r, gap = (self.box.whole.constants[name] for name in ("p", "r", "apart"))
         deviation = arb_mat([[x.deviation()] for x in (p, gap)])
-        grows = until_quarter(t, *map(ball, self.box.parameters))
-        found = Range(t, p.whole, r.whole, gap.whole, grows).over(middles, deviation)
+        grows = until_quarter(self.t, *map(ball, self.box.parameters))
+        found = Range(self.t, p.whole, r.whole, gap.whole, grows).over(middles, deviation)
         if found is None:
             return None
         wholes, slopes = found
@@ -157,7 +140,7 @@ class MeanValue:
         }
 
     @np.errstate(all="ignore")
-    def bends(self, t: arb, center: Middle) -> np.ndarray:
+    def bends(self) -> np.ndarray:
         """Return the changes of phases along the sides of the box (6, s + n), rad.
 
         These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
@@ -167,12 +150,12 @@ class MeanValue:
         rate, near = float(abs(p.middle) + p.deviation().rad()), abs(float(gap.middle))
         by_rate = by_quarter = 0.0
         if rate > 0:
-            u = abs(float(t)) * sqrt(rate)
+            u = abs(float(self.t)) * sqrt(rate)
             near = max(near, 16 * rate * exp(-2 * u), _TINY)
             quarters = u / max(pi / 2, log(16 * rate / near) / 2)
             by_rate, by_quarter = 3 * u / (2 * rate), 3 * max(1, quarters) / (2 * near)
-        rows = [2 * _doubles(row) for row in center.changes[:4]]
-        angle = abs(float(t)) * max(abs(float(x)) for x in center.omega)
+        rows = [2 * _doubles(row) for row in self._changes[:4]]
+        angle = abs(float(self.t)) * max(abs(float(x)) for x in self.omega)
         for x in ("alpha_a", "alpha_b", "alpha_d"):
             rows.append(angle * _doubles(self.box.whole.constants[x].slopes.entries()))
         rows += [_doubles(x.slopes.entries()) * y for x, y in ((p, by_rate), (gap, by_quarter))]

@@ -30,7 +30,6 @@ from rigidsym.precise._sensitivity.columns import (
     NAMES,
     NUMBERS,
     STAYS,
-    Columns,
     Named,
     Point,
     listed,
@@ -77,7 +76,7 @@ class Part:
 
     @np.errstate(all="ignore")
     def pieces(self) -> list[tuple[Slab, ...]]:
-        """Return the slabs of each piece to cut the part into; none where cutting is no use."""
+        """Return the slabs of the pieces to cut the part into; none where cutting is no use."""
         count, radii = len(self.slabs), (self.ends[:, 1] - self.ends[:, 0]) / 2
         if not np.isfinite(radii).all():
             return []
@@ -105,10 +104,10 @@ class Part:
 
 
 def parts_of(enclose: Callable[[tuple[Slab, ...]], Part | None], least: float) -> list[Part]:
-    """Return parts that cover a box.
+    """Cut a box into parts until they are narrow enough, and return them.
 
-    enclose: returns the part that some slabs cut out, and None for an empty one.
-    least: a range that needs no parts.
+    enclose: returns the part that some slabs cut out, and None for an empty one. least: a range
+    that needs no parts.
     """
     parts, seen = [part for part in [enclose(())] if part], 1
     while seen < MOST_PARTS:
@@ -124,7 +123,7 @@ def parts_of(enclose: Callable[[tuple[Slab, ...]], Part | None], least: float) -
 
 @np.errstate(all="ignore")
 def _worst(parts: Sequence[Part], least: float, gives_up: bool) -> int | None:
-    """Return the part that reaches farthest beyond the first order; None where none does."""
+    """Return the index of the part that reaches farthest beyond its first order, if one does."""
     first = np.array([part.first for part in parts])
     ends = np.array([[[float(x.lower()), float(x.upper())] for x in p.state] for p in parts])
     low, high = first[:, :, 0].min(axis=0), first[:, :, 1].max(axis=0)
@@ -166,26 +165,24 @@ class MeanStates(MotionInputs):
     def _part(
         self, time: Fraction, check: Callable[[], None], slabs: tuple[Slab, ...]
     ) -> Part | None:
-        """Enclose the states of the part within some slabs; None for an empty part."""
+        """Enclose the states of the part that slabs cut out; return None for an empty part."""
         check()
         bits = self._bits(time)
         with working(bits):
-            mean = MeanValue(Box(self.inertia, self.omega0, slabs)) if slabs else self._at(bits)
-            if mean.box.limits is None:
+            box = Box(self.inertia, self.omega0, slabs) if slabs else self._box(bits)
+            if box.limits is None:
                 return None
-            t = ball(time)
-            center = mean.middle(t, *self._middle_state(mean.box, time, bits))
-            turn, rates = mean.state(t, center)
+            mean = self._mean(box, time, bits)
+            turn, rates = mean.state()
             found = [*(self._turned(turn) if turn else [None] * 4), *(rates or [None] * 3)]
-            pairs = zip(found, self._limits, strict=True)
-            ends = [_ends(mean.box, x, limit) for x, limit in pairs]
+            ends = [_ends(box, x, limit) for x, limit in zip(found, self._limits, strict=True)]
             return Part(
                 slabs,
                 [x for x, _ in ends],
                 np.array([first for _, first in ends]),
-                mean.bends(t, center),
-                np.array([float(x.rad()) for x in mean.box.sides.entries()]),
-                mean.box.limits * mean.box.radii[:, None],
+                mean.bends(),
+                np.array([float(x.rad()) for x in box.sides.entries()]),
+                box.limits * box.radii[:, None],
             )
 
     @cached_property
@@ -200,17 +197,25 @@ class MeanStates(MotionInputs):
         bits = self._bits(time)
         if not any(self.omega0):
             with working(bits):
-                return Point(*self._at(bits).box.middles, STILL).at(time, self._attitude())
+                return Point(*self._box(bits).middles, STILL).at(time, self._attitude)
         with working(bits):
-            mean, t = self._at(bits), ball(time)
-            moving = mean.moving(t, mean.middle(t, *self._middle_state(mean.box, time, bits)))
-            if moving is None or moving.turn is None:
+            box = self._box(bits)
+            mean = self._mean(box, time, bits)
+            if mean.columns is None or mean.turned is None:
                 return None
-            seen = mean.box.whole.turned(t, moving.rates, moving.turn)
-            known = {**moving.rates, **seen}
+            seen = box.whole.turned(mean.t, mean.columns.rates, mean.turned[0])
+            known = {**mean.columns.rates, **seen}
             values = {name: known[name] for name in NAMES if name not in STAYS}
             found = {k: x.whole if isinstance(x, Sloped) else ball(x) for k, x in values.items()}
-            numbers = listed(self._in_space(mean.box.point, found))
+            # Small turns in space, from those in the axes of the body at t = 0.
+            rotation = box.point.rotation(self._attitude)
+            for y in (*INPUTS, "t"):
+                turn = [found[f"eta{k}_by_{y}"] for k in NUMBERS]
+                for i in NUMBERS:
+                    row = [rotation[f"R{i}{k}"] for k in NUMBERS]
+                    products = (r * x for r, x in zip(row, turn, strict=True))
+                    found[f"eta{i}_by_{y}"] = sum(products, arb(0))
+            numbers = listed(found)
             return numbers if all(x.is_finite() for x in numbers) else None
 
     @property
@@ -225,28 +230,18 @@ class MeanStates(MotionInputs):
         """True if a body of the box may be at rest."""
         return all(ball(w).contains(0) for w in self.omega0)
 
+    @property
     def _attitude(self) -> list[arb]:
         return unit(list(map(ball, self.attitude0)))
 
-    def _in_space(self, columns: Columns, found: Named) -> Named:
-        """Return small turns in space, from those in the axes of the body at t = 0."""
-        rotation = columns.rotation(self._attitude())
-        turned = {
-            f"eta{i}_by_{y}": sum(
-                (rotation[f"R{i}{k}"] * found[f"eta{k}_by_{y}"] for k in NUMBERS), arb(0)
-            )
-            for i in NUMBERS
-            for y in (*INPUTS, "t")
-        }
-        return {**found, **turned}
-
-    def _middle_state(self, box: Box, time: Fraction, bits: int) -> State:
-        """Return the turn since t = 0, and the rates, of the middle."""
+    def _mean(self, box: Box, time: Fraction, bits: int) -> MeanValue:
+        """Return the mean value form of a part at a time."""
         identity = tuple(map(Fraction, (1, 0, 0, 0)))
         inertia, omega0 = map(tuple, box.middles)
-        middles = PreciseMotion(inertia, omega0, identity)
         digits = int(bits / BITS_PER_DIGIT)
-        return middles.read(AdaptivePrecision(digits, is_within, None), time)
+        precision = AdaptivePrecision(digits, is_within, None)
+        turn, omega = PreciseMotion(inertia, omega0, identity).read(precision, time)
+        return MeanValue(box, ball(time), turn, omega)
 
     def _bits(self, time: Fraction) -> int:
         """Return the working precision: sensitivities need twice the bits of the angle more."""
@@ -254,17 +249,16 @@ class MeanStates(MotionInputs):
         more = int(abs(time) * rate).bit_length()
         return -(-(self.bits + GUARD_BITS + 2 * more) // STEP) * STEP
 
-    def _at(self, bits: int) -> MeanValue:
-        if bits not in self._kept:
-            self._kept[bits] = MeanValue(Box(self.inertia, self.omega0))
-        return self._kept[bits]
+    def _box(self, bits: int) -> Box:
+        """Return the whole box, kept for each precision."""
+        return self._kept.setdefault(bits, Box(self.inertia, self.omega0))
 
     @cached_property
-    def _kept(self) -> dict[int, MeanValue]:
+    def _kept(self) -> dict[int, Box]:
         return {}
 
     def _turned(self, turn: Sequence[Sloped]) -> list[Sloped]:
-        """Return the unit attitude at t = 0 times a turn, over one box of all inputs."""
+        """Return the product of the unit attitude at t = 0 and a turn, over a box of all inputs."""
         open_ = [k for k, x in enumerate(self.attitude0) if radius(x)]
         body = turn[0].box.entries()
         spread = [ball(radius(self.attitude0[k])).upper() for k in open_]
@@ -290,7 +284,7 @@ class MeanStates(MotionInputs):
 
 
 def _ends(box: Box, value: Sloped | None, limit: arb) -> tuple[arb, tuple[float, float]]:
-    """Return the ball of a number over a box, and both ends of its first order."""
+    """Return the ball of a number over a box, and both ends of its first-order range."""
     if value is None or not all(x.is_finite() for x in (value.whole, *value.slopes.entries())):
         return limit, (inf, -inf)
     slopes, count = value.slopes.entries(), box.sides.nrows()
