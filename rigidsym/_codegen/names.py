@@ -1,13 +1,13 @@
 """Names that several functions share: quantities by axis, and what branches have in common."""
 
-from rigidsym.solution import _signs as signs
+from rigidsym.solution import _partition as partition
 from rigidsym.solution._formulas import AXES
 
 INERTIA = tuple(f"c_{x}" for x in AXES)
 DIFFERENCES = ("c_ab", "c_ad", "c_bd")
 RATES = tuple(f"Omega_{x}" for x in AXES)
 ATTITUDE = ("q_0", "q_a", "q_b", "q_d")
-SIGNS = signs.SIGNS
+SIGNS = partition.SIGNS
 NUMBERS = tuple(f"axis_{x}" for x in AXES)
 # What the start of a motion hands to the constants of either branch.
 AMPLITUDES = tuple(f"A_{x}" for x in AXES)

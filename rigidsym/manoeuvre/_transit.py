@@ -12,9 +12,8 @@ from scipy.special import elliprf
 
 from rigidsym.manoeuvre._problem import IDENTITY, Problem
 from rigidsym.solution._formulas import sequence
-from rigidsym.solution._partition import GIVEN, ONES, ROOT
+from rigidsym.solution._partition import GIVEN, ONES, ROOT, SIGNS, handedness
 from rigidsym.solution._polhode import discriminant
-from rigidsym.solution._signs import SIGNS, handedness
 
 
 def _choose(

@@ -25,8 +25,15 @@ from rigidsym.language._expression import (
 )
 from rigidsym.language._sequence import CONSTANTS, Formula, FormulaSequence
 from rigidsym.language._specification import Unproved, read, require
-from rigidsym.solution import _signs as signs
-from rigidsym.solution._partition import Partition, Record, check_order, decisions, partition_of
+from rigidsym.solution._partition import (
+    SIGNS_OF,
+    Partition,
+    Record,
+    check_order,
+    decisions,
+    partition_of,
+    sign_rules,
+)
 
 AXES = ("a", "b", "d")
 Records = Mapping[str, Record]
@@ -141,13 +148,13 @@ def load(text: str) -> Solution:
     specified = read(specification_text())
     partition = partition_of(facts.values(), contexts, specified)
     sequences["decisions"] = decisions(partition)
-    sequences["signs"] = _signs(specified[signs.THEOREM].nonnegative, sequences["constants"], facts)
+    sequences["signs"] = _signs(specified[SIGNS_OF].nonnegative, sequences["constants"], facts)
     evaluated |= {name: _evaluated(sequences[name]) for name in ("decisions", "signs")}
-    lines = [
+    lines = (
         f"{name}: {formula.fact}: {formula.name} = {to_text(formula.expression)}"
         for name, formulas in sequences.items()
         for formula in formulas
-    ]
+    )
     digest = hashlib.sha256("\n".join(lines).encode()).hexdigest()
     return Solution(sequences, digest, evaluated, partition)
 
@@ -183,11 +190,10 @@ def _signs(
     nonnegative: Iterable[str], constants: Iterable[Formula], facts: Records
 ) -> tuple[Formula, ...]:
     """Return the signs in their order; tau, on which chi depends, is the published formula."""
-    place = signs.THEOREM
-    (source,) = (x["source"] for x in facts.values() if x["context"] == place)
+    (source,) = (tuple(x["source"]) for x in facts.values() if x["context"] == SIGNS_OF)
     *first, last = (
-        Formula(name, expression, f"choice {place}.{name}", place, tuple(source))
-        for name, expression in signs.rules(nonnegative).items()
+        Formula(name, expression, f"choice {SIGNS_OF}.{name}", SIGNS_OF, source)
+        for name, expression in sign_rules(nonnegative).items()
     )
     (tau,) = (formula for formula in constants if formula.name == "tau")
     return (*first, tau, last)
@@ -195,28 +201,24 @@ def _signs(
 
 def _formula(entry: Record, facts: Records, contexts: Records) -> Formula:
     """Return a published formula: a definition or a reading of a context, or a proved fact."""
-    if "definition" in entry or "reading" in entry:
-        context = contexts[entry["context"]]
-        place, source = context["name"], tuple(entry["source"])
-        if "definition" in entry:
-            name = entry["definition"]
-            expression = parse(context["definitions"][name])
-            return Formula(name, expression, f"definition {place}.{name}", place, source)
-        name = entry["reading"]
-        reading = context["reading"][name]
-        expression = _by_complement(parse(reading))
-        if READINGS.get(f"{place}:{name}", READINGS.get(name)) != reading:
-            rule = "its reading is not the one that numbers know"
-            raise LedgerError(f"ledger: {place}:{name}: {rule}")
-        return Formula(name, expression, f"reading {place}.{name}", place, source)
+    for how, column in (("definition", "definitions"), ("reading", "reading")):
+        if how in entry:
+            context, name = contexts[entry["context"]], entry[how]
+            place, text = context["name"], context[column][name]
+            expression = parse(text)
+            if how == "reading":
+                expression = _by_complement(expression)
+                if READINGS.get(f"{place}:{name}", READINGS.get(name)) != text:
+                    rule = "its reading is not the one that numbers know"
+                    raise LedgerError(f"ledger: {place}:{name}: {rule}")
+            source = tuple(entry["source"])
+            return Formula(name, expression, f"{how} {place}.{name}", place, source)
     fact = facts[entry["fact"]]
     proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
     if not proved or len(fact["lhs"]) != 1:
         raise LedgerError(f"ledger: {fact['id']} is published but is not one proved formula")
     (name,), (text,) = fact["lhs"], fact["rhs"]
-    expression = parse(text)
-    if fact["kind"] == "root":
-        expression = Call("sqrt", (expression,))
+    expression = parse(f"sqrt({text})" if fact["kind"] == "root" else text)
     return Formula(name, expression, fact["id"], fact["context"], tuple(fact["source"]))
 
 

@@ -11,14 +11,13 @@ sums of products of numbers that are not negative.  Such a sum vanishes exactly 
 with ones in the place of what is not zero.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from rigidsym.errors import LedgerError
 from rigidsym.language._expression import (
-    Call,
     Expression,
     Name,
     Number,
@@ -26,6 +25,7 @@ from rigidsym.language._expression import (
     children,
     names,
     parse,
+    put,
     to_text,
 )
 from rigidsym.language._sequence import Formula, FormulaSequence
@@ -42,6 +42,15 @@ DIFFERENCES = ("c_12", "c_13", "c_23")
 GIVEN = (*DIFFERENCES, "Omega_1", "Omega_2", "Omega_3", SIGNED)
 # The smallest moment is never zero.
 ONES = {"c_3": 1}
+
+# The theorem of the specification on the signs of a motion.  Its hypotheses say that
+# sigma Omega_a, rho (c_a - c_d) and chi tau Omega_d are not negative; its conclusion, that dn, cn
+# and Delta of the formulas are not negative, either.
+SIGNS_OF = "start_signs"
+# The signs in the order of evaluation; the first depends on the axes alone.
+SIGNS = ("epsilon", "sigma", "rho", "chi")
+HANDEDNESS = "(axis_b - axis_a)*(axis_d - axis_a)*(axis_d - axis_b)/2"
+_SIGN_OF = parse("choose(0, x, 1, -1)")
 
 # A fact or a context, as it is in the ledger.
 Record = Mapping[str, Any]
@@ -195,25 +204,25 @@ def decisions(partition: Partition) -> tuple[Formula, ...]:
 
     Raises LedgerError for a quantity that might have either sign.
     """
-    leaves = (
-        Formula(leaf.name, _whole(leaf.side), leaf.fact, leaf.name, leaf.source)
-        for leaf in partition.leaves.values()
-    )
-    splits = (
-        Formula(name, _chosen(split), split.fact, name, split.source)
-        for name, split in reversed(list(partition.splits.items()))
-    )
-    return (*_decided(partition), *leaves, *splits)
-
-
-def _decided(partition: Partition) -> Iterator[Formula]:
-    """Yield the quantities whose signs decide, by the inputs of `decisions`."""
     wanted = {split.quantity for split in partition.splits.values()} - {*GIVEN}
-    for name, expression in partition.quantities.up_to(frozenset(wanted)).formulas:
-        if name not in GIVEN:
-            _check_sign(expression)
-            fact = f"definition {ROOT}.{name}"
-            yield Formula(name, expression, fact, ROOT, ())
+    decided = [
+        (name, expression)
+        for name, expression in partition.quantities.up_to(frozenset(wanted)).formulas
+        if name not in GIVEN
+    ]
+    for _, expression in decided:
+        _check_sign(expression)
+    return (
+        *(Formula(name, x, f"definition {ROOT}.{name}", ROOT, ()) for name, x in decided),
+        *(
+            Formula(leaf.name, parse(str(leaf.side)), leaf.fact, leaf.name, leaf.source)
+            for leaf in partition.leaves.values()
+        ),
+        *(
+            Formula(name, _chosen(split), split.fact, name, split.source)
+            for name, split in reversed(list(partition.splits.items()))
+        ),
+    )
 
 
 def _check_sign(expression: Expression) -> None:
@@ -230,13 +239,30 @@ def _check_sign(expression: Expression) -> None:
             raise LedgerError(f"ledger: {to_text(expression)}: it is not seen to have one sign")
 
 
-def _whole(number: int) -> Expression:
-    return Call("neg", (Number(-number),)) if number < 0 else Number(number)
-
-
 def _chosen(split: Split) -> Expression:
     """Return the case for the sign of a quantity: zero, above, or below where there is that."""
-    quantity, (zero, above, *below) = Name(split.quantity), map(Name, split.cases)
+    quantity, (zero, above, *below) = split.quantity, split.cases
     if below:
-        zero = Call("choose", (Number(0), quantity, zero, below[0]))
-    return Call("choose", (quantity, Number(0), zero, above))
+        zero = f"choose(0, {quantity}, {zero}, {below[0]})"
+    return parse(f"choose({quantity}, 0, {zero}, {above})")
+
+
+def handedness(a: int, b: int, d: int) -> int:
+    """Return the Levi-Civita symbol of the axes 0, 1 and 2 in some order: HANDEDNESS."""
+    return (b - a) * (d - a) * (d - b) // 2
+
+
+def sign_rules(nonnegative: Iterable[str]) -> dict[str, Expression]:
+    """Return every sign but epsilon as an expression, from the nonnegative products of SIGNS_OF.
+
+    Each product starts with a sign.  The sign is that of the other factors, or 1 where they
+    vanish.
+    """
+    rules = {}
+    for product in nonnegative:
+        name, times, rest = product.partition("*")
+        if name in SIGNS and times:
+            rules[name] = put(_SIGN_OF, {"x": parse(rest)})
+    if {*rules} != {*SIGNS[1:]}:
+        raise LedgerError(f"ledger: {SIGNS_OF} is not about {', '.join(SIGNS[1:])}")
+    return {name: rules[name] for name in SIGNS[1:]}

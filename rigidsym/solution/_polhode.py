@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any, TypeVar
 
 from rigidsym.solution._formulas import sealed, sequence
-from rigidsym.solution._signs import SIGNS, handedness
+from rigidsym.solution._partition import SIGNS, handedness
 
 _DISCRIMINANT = frozenset({"E_b"})
 # Fractions, or floats and arrays of them.

@@ -16,8 +16,7 @@ from rigidsym.language._sequence import FormulaSequence
 from rigidsym.language._specification import read
 from rigidsym.solution import _polhode as polhode
 from rigidsym.solution import load, sealed
-from rigidsym.solution._partition import GIVEN, ONES, ROOT, decisions
-from rigidsym.solution._signs import handedness
+from rigidsym.solution._partition import GIVEN, ONES, ROOT, decisions, handedness
 
 LEDGER = json.loads(ledger_text())
 

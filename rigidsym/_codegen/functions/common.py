@@ -25,8 +25,7 @@ from rigidsym._codegen.passes import live, renamed, select, specialise
 from rigidsym._codegen.special_functions import reduction
 from rigidsym.language._expression import names, parse, put
 from rigidsym.solution import Solution
-from rigidsym.solution._partition import GIVEN, ONES, ROOT
-from rigidsym.solution._signs import HANDEDNESS
+from rigidsym.solution._partition import GIVEN, HANDEDNESS, ONES, ROOT
 
 _QUATERNION = ("q0", "q1", "q2", "q3")
 

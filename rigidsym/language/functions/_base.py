@@ -1,8 +1,10 @@
 """The base class of special functions: cached values, and printed code that calls our tables."""
 
-from functools import lru_cache
+from functools import lru_cache, partialmethod
 from typing import Any
 
+from mpmath import mp
+from sympy import Expr
 from sympy.core.function import DefinedFunction
 
 _STEP = 128  # bits
@@ -16,7 +18,24 @@ class Coded(DefinedFunction):
 
     def _number(self, prec: int) -> Any:
         """Return the value to so many bits; None for arguments outside of the domain."""
+        try:
+            wide = 2 * prec + 64 + self._guard(prec)  # 1 - m keeps enough digits when m is near 1
+            with mp.workprec(prec):
+                value = self._over_mpmath(*(x._to_mpmath(wide) for x in self._values()))
+        except (TypeError, ValueError):
+            return None
+        return Expr._from_mpmath(value, prec)
+
+    def _over_mpmath(self, *values: Any) -> Any:
+        """Return the value for mpmath numbers, at the working precision."""
         raise NotImplementedError
+
+    def _guard(self, prec: int) -> int:
+        """Return the bits that the arguments need beside those for `prec`."""
+        return 0
+
+    def _eval_is_real(self) -> bool | None:
+        return True if all(argument.is_real for argument in self._values()) else None
 
     def _values(self) -> Any:
         """Return the arguments."""
@@ -29,11 +48,8 @@ class Coded(DefinedFunction):
         arguments = ", ".join(printer._print(argument) for argument in self.args)
         return f"{printer._module_format(f'{__package__}.{table}')}['{name}']({arguments})"
 
-    def _numpycode(self, printer: Any) -> str:
-        return self._code(printer, "NUMPY")
-
-    def _mpmathcode(self, printer: Any) -> str:
-        return self._code(printer, "MPMATH")
+    _numpycode = partialmethod(_code, table="NUMPY")
+    _mpmathcode = partialmethod(_code, table="MPMATH")
 
 
 def rounded_up(prec: int) -> int:

@@ -33,7 +33,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from mpmath import mp
-from sympy import Expr, S, atan, cos, sech, sin, tanh
+from sympy import S, atan, cos, sech, sin, tanh
 from sympy.core.function import ArgumentIndexError
 
 from rigidsym.language.functions._base import Coded
@@ -89,20 +89,11 @@ class _Jacobi(Coded):
             raise ArgumentIndexError(self, argindex)
         return (rule.du if argindex == 1 else rule.dm)(*self.args)
 
-    def _eval_is_real(self) -> bool | None:
-        u, m = self._values()
-        return True if u.is_real and m.is_real else None
+    def _over_mpmath(self, *values: Any) -> Any:
+        return MPMATH[type(self).__name__](*values)
 
-    def _number(self, prec: int) -> Any:
-        u, m = self._values()
-        wide = 2 * prec + 64  # 1 - m keeps enough digits when m is close to 1
-        try:
-            wide += _guard(u._to_mpmath(prec), m._to_mpmath(prec))
-            with mp.workprec(prec):
-                value = MPMATH[type(self).__name__](u._to_mpmath(wide), m._to_mpmath(wide))
-        except ValueError:  # an argument that is no number, or am off the real line
-            return None
-        return Expr._from_mpmath(value, prec)
+    def _guard(self, prec: int) -> int:
+        return _lost_bits(*(argument._to_mpmath(prec) for argument in self._values()))
 
     def _latex(self, printer: Any, exp: str | None = None) -> str:
         u, m = (printer._print(argument) for argument in self.args)
@@ -215,7 +206,7 @@ _RULES = {
 }
 
 
-def _guard(*arguments: Any) -> int:
+def _lost_bits(*arguments: Any) -> int:
     """Return the bits that the reduction of u may lose; periods are short where m is large."""
     return sum(max(0, int(mp.mag(x))) for x in arguments if x and mp.isfinite(x))
 
@@ -255,7 +246,7 @@ def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
         u, m = mp.convert(u), mp.convert(m)
         if not (mp.isfinite(u) and mp.isfinite(m)):
             return mp.nan
-        with mp.extraprec(mp.prec + 64 + _guard(u, m)):
+        with mp.extraprec(mp.prec + 64 + _lost_bits(u, m)):
             value = function(u, m)
             if not (mp.im(u) or mp.im(m)):
                 value = mp.re(value)  # theta functions of m > 1 leave a faint imaginary part

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 from mpmath import mp
-from sympy import Expr, S
+from sympy import S
 from sympy.core.function import ArgumentIndexError
 
 from rigidsym.language.functions._base import Coded
@@ -53,16 +53,8 @@ class _Part(Coded):
             return -type(self)(k, x, y, q, r + 2) / (4 * q)
         raise ArgumentIndexError(self, argindex)
 
-    def _eval_is_real(self) -> bool | None:
-        return True if all(argument.is_real for argument in self._values()) else None
-
-    def _number(self, prec: int) -> Any:
-        try:
-            with mp.workprec(prec):
-                values = [argument._to_mpmath(prec + 64) for argument in self._values()]
-                return Expr._from_mpmath(MPMATH[type(self).__name__](*values), prec)
-        except (TypeError, ValueError):  # an argument that is no real number
-            return None
+    def _over_mpmath(self, *values: Any) -> Any:
+        return MPMATH[type(self).__name__](*values)
 
     def _latex(self, printer: Any, exp: str | None = None) -> str:
         _, x, y, _, order = self._values()

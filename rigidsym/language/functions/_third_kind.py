@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 from mpmath import mp
-from sympy import Expr, S, atan, elliptic_pi, sqrt, tanh
+from sympy import S, atan, elliptic_pi, sqrt, tanh
 from sympy.core.function import ArgumentIndexError
 
 from rigidsym.language.functions import _jacobi as jacobi
@@ -50,20 +50,13 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
         return 1 / (1 - n * jacobi_sn(u, m) ** 2)
 
     def _eval_is_real(self) -> bool | None:
-        n, u, m = self._values()
-        known = u.is_real and m.is_real and n.is_real and (1 - n).is_positive
-        return True if known else None
+        return super()._eval_is_real() if (1 - self._values()[0]).is_positive else None
 
     def _eval_rewrite_as_elliptic_pi(self, n: Any, u: Any, m: Any, **_: Any) -> Any:
         return elliptic_pi(n, jacobi_am(u, m), m)
 
-    def _number(self, prec: int) -> Any:
-        try:
-            with mp.workprec(prec):
-                values = [argument._to_mpmath(2 * prec + 64) for argument in self._values()]
-                return Expr._from_mpmath(_mp_pi(*values), prec)
-        except (TypeError, ValueError):  # an argument that is no real number
-            return None
+    def _over_mpmath(self, *values: Any) -> Any:
+        return _mp_pi(*values)
 
     def _latex(self, printer: Any, exp: str | None = None) -> str:
         n, u, m = (printer._print(argument) for argument in self._values())

@@ -7,6 +7,7 @@ parts.
 """
 
 from collections.abc import Callable, Mapping
+from operator import add, mul, neg, sub, truediv
 from typing import Any
 
 import sympy
@@ -19,13 +20,7 @@ from rigidsym.language.functions._third_kind import jacobi_pi
 
 Function = Callable[..., Any]
 Functions = Mapping[str, Function]
-_OPERATORS: Functions = {
-    "+": lambda x, y: x + y,
-    "-": lambda x, y: x - y,
-    "*": lambda x, y: x * y,
-    "/": lambda x, y: x / y,
-    "**": lambda x, y: x**y,
-}
+_OPERATORS: Functions = {"+": add, "-": sub, "*": mul, "/": truediv, "**": pow}
 
 
 def sympified(
@@ -49,15 +44,9 @@ def sympified(
 
 
 BY_PARAMETER: Functions = {
-    "neg": lambda x: -x,
-    "sqrt": sympy.sqrt,
-    "cos": sympy.cos,
-    "sin": sympy.sin,
-    "jacobi_sn": jacobi_sn,
-    "jacobi_cn": jacobi_cn,
-    "jacobi_dn": jacobi_dn,
-    "jacobi_am": jacobi_am,
-    "elliptic_pi": elliptic_pi,
+    **{"neg": neg, "sqrt": sympy.sqrt, "cos": sympy.cos, "sin": sympy.sin},
+    **{"jacobi_sn": jacobi_sn, "jacobi_cn": jacobi_cn, "jacobi_dn": jacobi_dn},
+    **{"jacobi_am": jacobi_am, "elliptic_pi": elliptic_pi},
 }
 """Functions as the facts of the ledger have them, with the parameter m last."""
 

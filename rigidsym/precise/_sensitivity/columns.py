@@ -18,8 +18,8 @@ from rigidsym.precise._functions import Functions as BallFunctions
 from rigidsym.precise._functions import Theta
 from rigidsym.precise._sensitivity.elapsed import elapsed
 from rigidsym.solution._formulas import AXES, sequence
+from rigidsym.solution._partition import handedness
 from rigidsym.solution._polhode import discriminant
-from rigidsym.solution._signs import handedness
 
 # Quantities by the names of formulas.
 Named: TypeAlias = dict[str, Any]

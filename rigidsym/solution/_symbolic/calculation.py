@@ -34,35 +34,40 @@ class ExactMotion:
     polhode: Polhode
     exact: tuple[Sequence[Fraction], Sequence[Fraction]]
 
+    def numbers(self, axes: Sequence[int] = (0, 1, 2)) -> list[Any]:
+        """List moments, rates and the quaternion at t = 0, in an order of the axes."""
+        columns = (self.inertia, self.omega0, self.attitude0[1:])
+        moments, rates, vector = ([values[k] for k in axes] for values in columns)
+        return [*moments, *rates, self.attitude0[0], *vector]
+
 
 @dataclass
 class Calculation:
     """Quantities by name, the constants among them in order, and the facts that they rest on.
 
-    `exact`: constants are numbers with a name.  Otherwise later constants contain the symbols of
-    earlier ones, except for those that are a number whatever the motion.
+    With the numbers of a motion, constants are numbers with a name.  Otherwise later constants
+    contain the symbols of earlier ones, except for those that are a number whatever the motion.
     """
 
-    exact: bool
+    form: str
+    given: ExactMotion | None
     known: dict[str, Any] = field(default_factory=dict)
     constants: dict[Any, Any] = field(default_factory=dict)
     facts: dict[str, None] = field(default_factory=dict)
 
     def solution(
         self,
-        form: str,
-        given: ExactMotion | None,
+        attitude: Iterable[Any],
+        rates: Iterable[Any],
         conditions: Iterable[Boolean],
         choices: Mapping[str, str],
         quantities: Mapping[str, Any],
-        attitude: Iterable[Any],
-        rates: Iterable[Any],
         dynamics: Dynamics,
     ) -> Symbolic:
         """Return a form of the solution with the constants and facts of this calculation."""
         return Symbolic(
-            form=form,
-            regime=given.polhode.regime if given else None,
+            form=self.form,
+            regime=self.given.polhode.regime if self.given else None,
             constants=MappingProxyType(self.constants),
             conditions=nontrivial(conditions),
             choices=MappingProxyType({named(name): text for name, text in choices.items()}),
@@ -73,11 +78,23 @@ class Calculation:
             dynamics=dynamics,
         )
 
+    def values(self, *names: str) -> tuple[Any, ...]:
+        """Return known quantities by name."""
+        return tuple(self.known[name] for name in names)
+
+    def begin(self, names: Sequence[str], numbers: Iterable[Any]) -> None:
+        """Name the inputs of a form, which are free symbols where no motion is given."""
+        if self.given is None:
+            self.known |= {name: named(name) for name in names}
+        else:
+            for name, value in zip(names, numbers, strict=True):
+                self.name(name, value)
+
     def name(self, name: str, value: Any, rename: str = "") -> None:
         """Add a constant, by its symbol."""
         symbol = named(rename or name)
         self.constants[symbol] = value
-        plain = symbol if not self.exact else Constant(rename or name, value)
+        plain = Constant(rename or name, value) if self.given else symbol
         self.known[name] = value if value.is_Rational else plain
 
     def compute(
@@ -149,12 +166,6 @@ def conditions_of(
         if {*names(parse(text))} <= about
     )
     return nontrivial(found)
-
-
-def choices(known: Mapping[str, Any]) -> tuple[Boolean, ...]:
-    """Return what the signs sigma, rho and chi require: axes and the half of a period at t = 0."""
-    texts = ("sigma*Omega_a", "rho*(c_a - c_d)", "chi*tau*Omega_d")
-    return nontrivial(Ge(evaluated(parse(text), known), 0) for text in texts)
 
 
 def nontrivial(conditions: Iterable[Any]) -> tuple[Boolean, ...]:

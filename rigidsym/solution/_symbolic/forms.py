@@ -1,22 +1,23 @@
 """The forms of the solution by name, made of the sequences of the ledger."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Eq, Gt, Integer, Rational, S, oo, pi, sqrt
+from sympy import Eq, Ge, Gt, Integer, Rational, S, oo, pi, sqrt
 
 from rigidsym.errors import InputError
+from rigidsym.language._expression import parse
 from rigidsym.solution._formulas import AXES
 from rigidsym.solution._polhode import Regime, classify
 from rigidsym.solution._symbolic.calculation import (
     Calculation,
     ExactMotion,
-    choices,
     conditions_of,
+    evaluated,
     used,
 )
 from rigidsym.solution._symbolic.symbols import TIME, named
@@ -38,12 +39,13 @@ _SERVING = {
     Regime.REST: "spin",
 }
 _BETWEEN = (Regime.LARGEST, Regime.SMALLEST)
+# What the signs require: these products are not negative at t = 0.
+_CHOSEN = ("sigma*Omega_a", "rho*(c_a - c_d)", "chi*tau*Omega_d")
 _IDENTITY = {"p_0": S.One, **{f"p_{x}": S.Zero for x in AXES}}
 # m and 1 - m on the edges.
-_EDGES = {"separatrix": (1, 0), "symmetric": (0, 1)}
+_EDGES = {"separatrix": {"m": 1, "m_1": 0}, "symmetric": {"m": 0, "m_1": 1}}
 
-
-Maker = Callable[[str, ExactMotion | None], Symbolic]
+Maker = Callable[[Calculation], Symbolic]
 
 
 def symbolic(form: str) -> Symbolic:
@@ -70,7 +72,7 @@ def symbolic(form: str) -> Symbolic:
     >>> solution.q(0).shape, solution.omega().free_symbols >= {solution.t}
     ((4, 1), True)
     """
-    return _maker(form)(form, None)
+    return _form(form)[0](Calculation(form, None))
 
 
 def of_motion(
@@ -86,8 +88,8 @@ def of_motion(
     polhode = classify(inertia, omega0)
     serving = _SERVING.get(polhode.regime, "pi")
     form = serving if form is None else form
-    make = _maker(form)
-    if polhode.regime not in FORMS[form].regimes:
+    make, regimes = _form(form)
+    if polhode.regime not in regimes:
         rule = f"does not hold here: the motion's regime is {polhode.regime}; "
         raise InputError("form", repr(form), f"{rule}{serving} serves")
     moments, rates, start = (
@@ -96,71 +98,64 @@ def of_motion(
     )
     size = sqrt(sum(x * x for x in start))
     unit = tuple(x / size for x in start)
-    return make(form, ExactMotion(moments, rates, unit, polhode, (inertia, omega0)))
+    given = ExactMotion(moments, rates, unit, polhode, (inertia, omega0))
+    return make(Calculation(form, given))
 
 
-def _maker(form: str) -> Maker:
+def _form(form: str) -> tuple[Maker, tuple[Regime, ...]]:
     if not isinstance(form, str) or form not in FORMS:
         raise InputError("form", repr(form), f"must be one of: {', '.join(FORMS)}")
-    return FORMS[form].make
+    return FORMS[form]
 
 
-def _regular(form: str, given: ExactMotion | None) -> Symbolic:
+def _regular(work: Calculation) -> Symbolic:
     """Return a form by the axes a, b and d: pi, theta, or one of the two edges."""
-    work = Calculation(exact=given is not None)
-    _begin(work, form, given)
+    form, known, given = work.form, work.known, work.given
+    names = [f"{c}_{x}" for c in ("c", "Omega") for x in AXES]
+    names += ["q_0", *(f"q_{x}" for x in AXES), *_SIGNS]
+    numbers: list[Any] = []
+    if given:
+        numbers = given.numbers(given.polhode.axes)
+        numbers += [Integer(getattr(given.polhode, name)) for name in _SIGNS]
+    work.begin(names, numbers)
+    known |= {"t": S.Zero, "cos_half_psi": S.One, "sin_half_psi": S.Zero}
+    for name, value in _EDGES.get(form, {}).items():
+        work.name(name, Integer(value))
     by_thetas = form == "theta"
     state = ("circular_state", "momentum", "theta", "circular") if by_thetas else ("state",)
     wanted = used(*state) | {"H", "K", "m", "m_1", "lambda_", "psi_0", "mu", "kappa", "n", "m_c"}
     work.compute("constants", wanted - {*_IDENTITY} if by_thetas else wanted)
     if by_thetas:
         _thetas(work)
-        at = work.work_out("circular_state", {"t": TIME})
-        at = work.work_out("momentum", at)
+        at = work.work_out("momentum", work.work_out("circular_state", {"t": TIME}))
     else:
         # J_0 is written out.  At t = 0 it cancels; two named numbers would only be equal to as many
         # digits as are evaluated.
         at = work.work_out("state", {"t": TIME, "J_0": work.constants[named("J_0")]})
     axes: Sequence[str] = AXES
-    if given is not None:
+    if given:
         axes = [AXES[given.polhode.axes.index(k)] for k in range(3)]
-    known = work.known
-    holds = (*conditions_of("rates_start", known, _SIGNS), *choices(known))
-    holds += () if form in _EDGES else (Gt(known["m"], 0), Gt(known["m_1"], 0))
+    moments, rates, attitude = (
+        [f"{letter}_{x}" for x in names]
+        for letter, names in (("c", axes), ("Omega", axes), ("q", ("0", *axes)))
+    )
+    holds = [*conditions_of("rates_start", known, _SIGNS)]
+    holds += (Ge(evaluated(parse(text), known), 0) for text in _CHOSEN)
+    if form not in _EDGES:
+        holds += (Gt(known["m"], 0), Gt(known["m_1"], 0))
     return work.solution(
-        form,
-        given,
+        [at[name] for name in attitude],
+        [at[name] for name in rates],
         holds,
         _SIGNS,
-        _quantities(work, form),
-        [at[f"q_{x}"] for x in ("0", *axes)],
-        [at[f"Omega_{x}"] for x in axes],
+        _quantities(work),
         Dynamics(
-            tuple(known[f"c_{x}"] for x in axes),
-            tuple(known[f"q_{x}"] for x in ("0", *axes)),
-            tuple(known[f"Omega_{x}"] for x in axes),
-            known["epsilon"] if given is None else S.One,
+            work.values(*moments),
+            work.values(*attitude),
+            work.values(*rates),
+            S.One if given else known["epsilon"],
         ),
     )
-
-
-def _begin(work: Calculation, form: str, given: ExactMotion | None) -> None:
-    """Name the inputs of the constants."""
-    names = [f"{c}_{x}" for c in ("c", "Omega") for x in AXES]
-    names += ["q_0", *(f"q_{x}" for x in AXES), *_SIGNS]
-    if given is None:
-        work.known |= {name: named(name) for name in names}
-    else:
-        axes, q = given.polhode.axes, given.attitude0
-        put = [given.inertia[k] for k in axes] + [given.omega0[k] for k in axes]
-        put += [q[0], *(q[k + 1] for k in axes)]
-        put += [Integer(getattr(given.polhode, name)) for name in _SIGNS]
-        for name, value in zip(names, put, strict=True):
-            work.name(name, value)
-    work.known |= {"t": S.Zero, "cos_half_psi": S.One, "sin_half_psi": S.Zero}
-    if form in _EDGES:
-        for name, value in zip(("m", "m_1"), _EDGES[form], strict=True):
-            work.name(name, Integer(value))
 
 
 def _thetas(work: Calculation) -> None:
@@ -174,9 +169,9 @@ def _thetas(work: Calculation) -> None:
         work.name(name, front[name])
 
 
-def _quantities(work: Calculation, form: str) -> dict[str, Any]:
+def _quantities(work: Calculation) -> dict[str, Any]:
     """Return energy, momentum, modulus and parameter, the period of the rates and mean rates."""
-    known = work.known
+    form, known = work.form, work.known
     found = {
         "energy": known["H"],
         "momentum": known["K"],
@@ -202,54 +197,34 @@ def _quantities(work: Calculation, form: str) -> dict[str, Any]:
     }
 
 
-def _steady(form: str, given: ExactMotion | None) -> Symbolic:
+def _steady(work: Calculation) -> Symbolic:
     """Return a form with constant rates: the attitude is one exponential."""
-    work = Calculation(exact=given is not None)
-    names = [*(f"{c}{k}" for c in ("c", "Omega") for k in (1, 2, 3)), *(f"p{k}" for k in range(4))]
-    if given is None:
-        work.known |= {name: named(name) for name in names}
-    else:
-        numbers = (*given.inertia, *given.omega0, *given.attitude0)
-        for name, value in zip(names, numbers, strict=True):
-            work.name(name, value)
-    known = work.known
-    holds = conditions_of("steady", known, names[:6])
-    c, rates, start = names[:3], names[3:6], names[6:]
+    moments, rates = ([f"{letter}{k}" for k in (1, 2, 3)] for letter in ("c", "Omega"))
+    start, known = ["p0", "p1", "p2", "p3"], work.known
+    work.begin([*moments, *rates, *start], work.given.numbers() if work.given else ())
+    holds = [*conditions_of("steady", known, (*moments, *rates))]
     work.compute("steady", ("omega",))
-    attitude = [known[x] for x in start]
+    dynamics = Dynamics(work.values(*moments), work.values(*start), work.values(*rates))
+    attitude = dynamics.attitude0
     if known["omega"] != 0:
         at = work.work_out("steady", {"t": TIME}, ("omega",))
-        attitude = [at[f"q{k}"] for k in range(4)]
-    if form == "sphere":
-        holds = (*(Eq(known[x], known[y]) for x, y in pairwise(c)), *holds)
+        attitude = tuple(at[f"q{k}"] for k in range(4))
+    if work.form == "sphere":
+        holds = [*(Eq(x, y) for x, y in pairwise(dynamics.moments)), *holds]
     work.compute("theorem1", ("H", "K"))
-    moments, rates, start = (tuple(known[x] for x in part) for part in (c, rates, start))
-    return work.solution(
-        form,
-        given,
-        holds,
-        {},
-        {"energy": known["H"], "momentum": known["K"], "precession_rate": known["omega"]},
-        attitude,
-        rates,
-        Dynamics(moments, start, rates),
-    )
+    quantities = {"energy": known["H"], "momentum": known["K"], "precession_rate": known["omega"]}
+    return work.solution(attitude, dynamics.omega0, holds, {}, quantities, dynamics)
 
 
-@dataclass(frozen=True, slots=True)
-class _Form:
-    make: Maker
-    regimes: tuple[Regime, ...]
-
-
-FORMS: Mapping[str, _Form] = MappingProxyType(
+# Each form by name: its function, and the regimes that it holds in.
+FORMS: Mapping[str, tuple[Maker, tuple[Regime, ...]]] = MappingProxyType(
     {
-        "theorem1": _Form(theorem1, _BETWEEN),
-        "pi": _Form(_regular, _BETWEEN),
-        "theta": _Form(_regular, _BETWEEN),
-        "separatrix": _Form(_regular, (Regime.SEPARATRIX,)),
-        "symmetric": _Form(_regular, (Regime.SYMMETRIC,)),
-        "sphere": _Form(_steady, (Regime.SPHERICAL, Regime.REST)),
-        "spin": _Form(_steady, (Regime.SPIN, Regime.SPHERICAL, Regime.REST)),
+        "theorem1": (theorem1, _BETWEEN),
+        "pi": (_regular, _BETWEEN),
+        "theta": (_regular, _BETWEEN),
+        "separatrix": (_regular, (Regime.SEPARATRIX,)),
+        "symmetric": (_regular, (Regime.SYMMETRIC,)),
+        "sphere": (_steady, (Regime.SPHERICAL, Regime.REST)),
+        "spin": (_steady, (Regime.SPIN, Regime.SPHERICAL, Regime.REST)),
     }
 )

@@ -77,17 +77,13 @@ class Constant(AtomicExpr):
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
 
-    def _sympystr(self, printer: Any) -> str:
-        return printer._print(named(self.name))
-
     def _sympyrepr(self, printer: Any) -> str:
         return f"Constant({self.name!r}, {printer._print(self.value)})"
 
-    def _latex(self, printer: Any) -> str:
+    def _as_symbol(self, printer: Any) -> Any:
         return printer._print(named(self.name))
 
-    def _pretty(self, printer: Any) -> Any:
-        return printer._print(named(self.name))
+    _sympystr = _latex = _pretty = _as_symbol
 
     def _numpycode(self, printer: Any) -> str:
         return f"({float(self)!r})"

@@ -19,11 +19,7 @@ from sympy import Expr, Gt, Integer, Ne, Piecewise, S, asin, cos, elliptic_f, si
 
 from rigidsym.language.functions import jacobi_am, jacobi_dn, jacobi_pi
 from rigidsym.solution import _sines as sines
-from rigidsym.solution._symbolic.calculation import (
-    Calculation,
-    ExactMotion,
-    conditions_of,
-)
+from rigidsym.solution._symbolic.calculation import Calculation, ExactMotion, conditions_of
 from rigidsym.solution._symbolic.symbols import TIME, named
 from rigidsym.solution._symbolic.value import Dynamics, Symbolic
 
@@ -36,13 +32,23 @@ _CHOICES = {
     "half_3": "the same of Omega3",
     "side": "the sign of Omega3, which does not change: where it does, another interval begins",
 }
+# The inputs: moments, rates and the quaternion.
+_INPUTS = [
+    *(f"{letter}{k}" for letter in ("c", "Omega") for k in (1, 2, 3)),
+    "q0",
+    "q1",
+    "q2",
+    "q3",
+]
 
 
-def theorem1(form: str, given: ExactMotion | None) -> Symbolic:
+def theorem1(work: Calculation) -> Symbolic:
     """Return the paper's solution: on one interval, or of a motion at all times."""
-    work = Calculation(exact=given is not None)
-    _begin(work, given)
-    parts = [_sine(work, given, i) for i in range(3)]
+    given = work.given
+    if given:
+        sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
+    work.begin(_INPUTS, given.numbers() if given else ())
+    parts = [_sine(work, i) for i in range(3)]
     constant = [("sn",) if "sn" in part.known else () for part in parts]
     rates = [
         part.work_out("sine_state", {"t": TIME}, names)["Omega_i"]
@@ -56,58 +62,41 @@ def theorem1(form: str, given: ExactMotion | None) -> Symbolic:
         moving["Pi"] = _third_kind_across(work)
     else:
         work.compute("theorem1")
-    side = work.known["side"] = named("side") if given is None else S.One
+    side = work.known["side"] = S.One if given else named("side")
     holds = [*conditions_of("theorem1_motion", work.known, ("side",))]
     for part in parts:
         holds += conditions_of("one_rate", part.known, ("half",))
         work.facts |= part.facts
-    if given is None:
-        at = _turned(work, _by_angles(work, {"t": S.Zero}), _by_angles(work, moving))
-        holds.append(Gt(side * rates[2], 0))
-    else:
+    if given:
         at = _turned(work, *_followed(work, given, moving, parts[2].known))
         holds.append(Ne(rates[2], 0))
-    known = work.known
+    else:
+        at = _turned(work, _by_angles(work, {"t": S.Zero}), _by_angles(work, moving))
+        holds.append(Gt(side * rates[2], 0))
     return work.solution(
-        form,
-        given,
-        holds,
-        {} if given else _CHOICES,
-        {"energy": known["H"], "momentum": known["K"]},
         [at[f"q_{x}"] for x in _ABD],
         rates,
-        Dynamics(
-            tuple(known[f"c{k}"] for k in (1, 2, 3)),
-            tuple(known[f"q{k}"] for k in range(4)),
-            tuple(known[f"Omega{k}"] for k in (1, 2, 3)),
-        ),
+        holds,
+        {} if given else _CHOICES,
+        {"energy": work.known["H"], "momentum": work.known["K"]},
+        Dynamics(work.values(*_INPUTS[:3]), work.values(*_INPUTS[6:]), work.values(*_INPUTS[3:6])),
     )
 
 
-def _begin(work: Calculation, given: ExactMotion | None) -> None:
-    names = [f"{c}{k}" for c in ("c", "Omega") for k in (1, 2, 3)] + [f"q{k}" for k in range(4)]
-    if given is None:
-        work.known |= {name: named(name) for name in names}
-        return
-    sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
-    for name, value in zip(names, (*given.inertia, *given.omega0, *given.attitude0), strict=True):
-        work.name(name, value)
-
-
-def _sine(work: Calculation, given: ExactMotion | None, i: int) -> Calculation:
+def _sine(work: Calculation, i: int) -> Calculation:
     """Return the constants of one rate; their names end with the number of its axis."""
-    j, k = _CYCLIC[i] if given is None else sines.others(given.polhode, i)
+    given = work.given
+    j, k = sines.others(given.polhode, i) if given else _CYCLIC[i]
     known: dict[str, Any] = {
         f"{letter}_{x}": work.known[f"{letter}{n + 1}"]
         for letter in ("c", "Omega")
         for x, n in zip("ijk", (i, j, k), strict=True)
     }
-    name = f"half_{i + 1}"
-    known["half"] = named(name) if given is None else Integer(sines.half(*given.exact, i))
-    part = Calculation(work.exact, dict(known))
+    known["half"] = Integer(sines.half(*given.exact, i)) if given else named(f"half_{i + 1}")
+    part = Calculation(work.form, given, known)
     inner = ("alpha", "root_j", "root_k", "zeta", "xi", "mu", "H", "K_squared")
     names = {n: f"{n}_{i + 1}" for n in inner} | {"C_i": f"C_{i + 1}"}
-    if given is not None and given.polhode.axes[0] == i:
+    if given and given.polhode.axes[0] == i:
         part.compute("sine", ("zeta", "mu", "alpha", "root_k"), names)
         _across_the_line(part, i)
     else:

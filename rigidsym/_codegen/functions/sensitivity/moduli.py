@@ -7,7 +7,7 @@ from rigidsym._codegen.names import DIFFERENCES, INERTIA, NUMBERS
 from rigidsym._codegen.passes import select
 from rigidsym.solution import Solution
 from rigidsym.solution._formulas import AXES
-from rigidsym.solution._signs import HANDEDNESS
+from rigidsym.solution._partition import HANDEDNESS
 
 START = tuple(f"Omega_{x}0" for x in AXES)
 EXTENDED = (*INERTIA, *DIFFERENCES, *START, "E_b")
