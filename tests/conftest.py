@@ -1,4 +1,4 @@
-"""What all tests share: how they are spread over processes, and what is done once for all."""
+"""Fixtures of all tests: processes of a run, and results that are computed once."""
 
 import fcntl
 import os
@@ -14,7 +14,7 @@ import pytest
 
 
 def pytest_configure(config):
-    """Where sources may have no bytecode beside them, it is kept in pytest's own folder.
+    """Keep bytecode in pytest's own folder where sources may have none beside them.
 
     Tests start hundreds of processes, each of which would compile all that it imports again.
     """
@@ -23,22 +23,21 @@ def pytest_configure(config):
         sys.pycache_prefix = str(config.cache.mkdir("bytecode"))
         os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
         os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
-    if (
-        find_spec("casadi") is None
-    ):  # its docstrings cannot be imported; its tests say why they skip
+    # Docstrings that need CasADi cannot be imported; the tests say why they skip.
+    if find_spec("casadi") is None:
         config.option.ignore = [*(config.option.ignore or []), "rigidsym/manoeuvre/_comparison"]
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_xdist_auto_num_workers(config):
-    """No other process for the tests of one file, else one for each processor."""
+    """Run the tests of one file in this process, others in one process for each processor."""
     named = [Path(argument.partition("::")[0]) for argument in config.args]
     return 0 if len(named) == 1 and named[0].is_file() else None
 
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory):
-    """`once(name, make)`: a folder of this run, filled by the process that first asks for it."""
+    """Return `once(name, make)`, a folder of this run that one process fills for all."""
     own = tmp_path_factory.getbasetemp()
     shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
@@ -57,21 +56,36 @@ def once(tmp_path_factory):
 
 @pytest.fixture(params=["numpy", "c"])
 def engine(request):
-    """The name of each engine in turn."""
+    """Return the name of each engine in turn."""
     return request.param
 
 
-@pytest.fixture
-def replayed_once(monkeypatch):
-    """The sealed ledger, which several commands of a test ask for, is replayed for the first."""
+@pytest.fixture(scope="session")
+def sealed_ledger():
+    """Return the sealed ledger, replayed by the kernel once in this process."""
+    from rigidsym.io.ledger import ledger_text
+    from rigidsym.proof.algebra._enclosures import encloses
+    from rigidsym.proof.kernel import replay
+
+    return replay(ledger_text(), encloses)
+
+
+@pytest.fixture(scope="session")
+def _checked():
     from rigidsym._cli import proofs
 
-    monkeypatch.setattr(proofs, "replayed", cache(proofs.replayed))
+    return cache(proofs.replayed)
+
+
+@pytest.fixture
+def replayed_once(monkeypatch, _checked):
+    """Let commands ask the second checker about the sealed ledger once in this process."""
+    monkeypatch.setattr("rigidsym._cli.proofs.replayed", _checked)
 
 
 @pytest.fixture(scope="session")
 def reproduced(once):
-    """What `rigidsym reproduce` leaves, the derivation in it, run once: the files and `stdout`."""
+    """Return a folder with the files of one `rigidsym reproduce` and its `stdout`."""
 
     def run(folder):
         command = [sys.executable, "-m", "rigidsym", "reproduce", "-o", folder / "files"]

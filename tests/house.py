@@ -1,30 +1,29 @@
-"""The house as its imports say it: rooms, the floors they stand on, arrows, and circles.
+"""Import graph of the project: packages, layers, dependencies between packages, and circles.
 
     python tests/house.py
 
-prints them.  A room is a folder of `rigidsym`, or a module at its top.  Imports inside functions
-count, and so do those for type checkers alone, except in `rigidsym.view`: its functions name the
-classes that they show, which import them, and such an import never runs.
+prints them.  A package is a folder of `rigidsym`, or a module at its top; its layer is above all
+that it imports.  Imports inside functions count, and so do those for type checkers alone, except in
+`rigidsym.view`: its functions name the classes that they show, which import them, and such an
+import never runs.
 """
 
 import ast
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
-# What codegen wrote, and what only stands inside of what it writes.
+# What codegen wrote, and what is only printed into it.
 APART = {
-    "rigidsym.generated.torque_free",
-    "rigidsym.generated.torque_free_pi",
+    *("rigidsym.generated.torque_free", "rigidsym.generated.torque_free_pi"),
     "rigidsym.generated.torque_free_step",
-    "rigidsym.codegen.targets.numpy.runtime",
-    "rigidsym.codegen.targets.numpy.sensitivity",
-    "rigidsym.codegen.targets.numpy.step",
+    *(f"rigidsym.codegen.targets.numpy.{name}" for name in ("runtime", "sensitivity", "step")),
 }
+Graph = Mapping[str, set[str]]
 
 
 def plain(name: str) -> str:
@@ -32,11 +31,8 @@ def plain(name: str) -> str:
     return re.sub(r"\._(?!_)", ".", name)
 
 
-Graph = Mapping[str, set[str]]
-
-
 def modules() -> dict[str, Path]:
-    """Every module of the package and of the derivation, by its dotted name."""
+    """Return every module of the package and of the derivation, by its dotted name."""
     found = {}
     for top in ("rigidsym", "derivations"):
         for path in sorted((ROOT / top).rglob("*.py")):
@@ -48,32 +44,24 @@ def modules() -> dict[str, Path]:
 
 @cache
 def imported(path: Path, types: bool = True) -> tuple[str, ...]:
-    """Dotted names that a module imports, what it takes from a module behind that module's name.
+    """Return the dotted names of all that a module imports, for example `package.module.name`.
 
     Without `types`, those under `if TYPE_CHECKING` are left out.
     """
-    return tuple(plain(name) for name in _imported(path, types))
-
-
-def _imported(path: Path, types: bool) -> Iterator[str]:
     every = list(ast.walk(ast.parse(path.read_text("utf-8"))))
-    guarded = (node for node in every if isinstance(node, ast.If) and _is_for_types(node))
-    apart = {id(child) for node in guarded for child in node.body}
+    guards = (x for x in every if isinstance(x, ast.If) and ast.unparse(x.test) == "TYPE_CHECKING")
+    apart = set() if types else {id(child) for node in guards for child in node.body}
+    found: list[str] = []
     for node in every:
-        if id(node) in apart and not types:
-            continue
-        if isinstance(node, ast.ImportFrom) and node.module:
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
-        elif isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-
-
-def _is_for_types(node: ast.If) -> bool:
-    return ast.unparse(node.test) == "TYPE_CHECKING"
+        if isinstance(node, ast.ImportFrom) and node.module and id(node) not in apart:
+            found += (f"{node.module}.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.Import) and id(node) not in apart:
+            found += (alias.name for alias in node.names)
+    return tuple(map(plain, found))
 
 
 def imports() -> Graph:
-    """For each module the modules of the house that it imports; of views, when they run."""
+    """Return the project's modules that each module imports; for views, when they run."""
     every = modules()
 
     def home(name: str) -> str:
@@ -88,8 +76,8 @@ def imports() -> Graph:
     }
 
 
-def room(module: str) -> str:
-    """The folder of a module, as deep as two wings and the kinds of views ask for."""
+def package(module: str) -> str:
+    """Return the folder of a module; within proof, view and codegen the folder inside that."""
     top, *rest = module.split(".")
     if top != "rigidsym" or not rest:
         return top
@@ -98,7 +86,7 @@ def room(module: str) -> str:
 
 
 def circle(graph: Graph) -> list[str]:
-    """Modules that import each other in a circle; none where there is none."""
+    """Return modules that import each other in a circle; none where there is none."""
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -106,42 +94,35 @@ def circle(graph: Graph) -> list[str]:
     return []
 
 
-def arrows(graph: Graph) -> Counter[tuple[str, str]]:
-    """How many imports go from room to room."""
-    return Counter(
-        (room(name), room(other))
-        for name, others in graph.items()
-        for other in others
-        if room(name) != room(other)
-    )
+def dependencies(graph: Graph) -> Counter[tuple[str, str]]:
+    """Count the imports from one package to another."""
+    pairs = ((package(name), package(other)) for name, others in graph.items() for other in others)
+    return Counter(pair for pair in pairs if pair[0] != pair[1])
 
 
-def floors(graph: Graph) -> dict[str, int]:
-    """How high each module stands: above all that it imports."""
+def layers(graph: Graph) -> dict[str, int]:
+    """Return the layer of each package, that of its highest module: above all that it imports."""
+    height: dict[str, int] = {}
     found: dict[str, int] = {}
     for name in TopologicalSorter(graph).static_order():
-        found[name] = 1 + max((found[other] for other in graph[name]), default=0)
+        height[name] = 1 + max((height[other] for other in graph[name]), default=0)
+        found[package(name)] = max(height[name], found.get(package(name), 0))
     return found
 
 
 def main() -> None:
-    """Print rooms by floor, arrows, and the first circle."""
+    """Print the packages by layer with what they import, or the first circle."""
     graph = imports()
-    found = circle(graph)
-    if found:
+    if found := circle(graph):
         print("circle:", " -> ".join(found))
         return
-    height: dict[str, int] = {}
-    for name, floor in floors(graph).items():
-        height[room(name)] = max(height.get(room(name), 0), floor)
-    sizes = Counter(map(room, graph))
-    leaving: dict[str, list[str]] = {}
-    for (begin, end), count in sorted(arrows(graph).items()):
-        leaving.setdefault(begin, []).append(f"{end} {count}")
-    print(f"{len(graph)} modules, {len(sizes)} rooms, {len(arrows(graph))} arrows, no circle")
-    for name in sorted(sizes, key=lambda name: (-height[name], name)):
-        goes = ", ".join(leaving.get(name, ["nothing"]))
-        print(f"{height[name]:3}  {name} ({sizes[name]}) -> {goes}")
+    sizes, between, layer = Counter(map(package, graph)), dependencies(graph), layers(graph)
+    print(f"{len(graph)} modules, {len(sizes)} packages, {len(between)} dependencies, no circle")
+    for name in sorted(sizes, key=lambda name: (-layer[name], name)):
+        goes = [
+            f"{end} {count}" for (begin, end), count in sorted(between.items()) if begin == name
+        ]
+        print(f"{layer[name]:3}  {name} ({sizes[name]}) -> {', '.join(goes or ['nothing'])}")
 
 
 if __name__ == "__main__":

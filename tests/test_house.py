@@ -1,11 +1,11 @@
-"""Imports run downwards only, in no circle; the wings meet in the ledger, and in the seal."""
+"""Imports run downwards only and without circles; only the seal imports the kernel."""
 
 import pytest
-from house import circle, imported, imports, modules, room
+from house import circle, imported, imports, modules, package
 
 GRAPH = imports()
-# What each part of the house may import, itself and `_version` aside; the longest name that fits a
-# module counts.  Names are of folders, with all that is in them, and of modules.
+# What each package may import, itself and `_version` aside; the longest name that fits a module
+# counts.  Names are of folders, with all that is in them, and of modules.
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
@@ -69,7 +69,7 @@ ALLOWED = {
     "rigidsym.cli": f"{NUMBERS} codegen derivations engines fitting generated io manoeuvre motion "
     "proof reproduce validate view",
 }
-# Of other packages: who alone imports them.
+# Third-party packages, each with the only packages that import it.
 OTHERS = {
     "matplotlib": ("rigidsym.view",),
     "plotly": ("rigidsym.view",),
@@ -82,7 +82,7 @@ OTHERS = {
 
 
 def rule(module):
-    """The longest name in ALLOWED that a module is or lies in."""
+    """Return the longest name in ALLOWED that a module is or lies in."""
     while module not in ALLOWED:
         module = module.rpartition(".")[0]
     return module
@@ -92,21 +92,15 @@ def lies_in(module, names):
     return any(module == name or module.startswith(f"{name}.") for name in names)
 
 
-def full(names):
-    return [name if name == "derivations" else f"rigidsym.{name}" for name in names.split()]
-
-
 @pytest.mark.parametrize("module", GRAPH)
-def test_a_module_imports_what_its_room_may(module):
+def test_a_module_imports_what_its_package_may(module):
     own = rule(module)
-    allowed = [*full(ALLOWED[own]), "rigidsym.version"]
-    beyond = {
-        other for other in GRAPH[module] if rule(other) != own and not lies_in(other, allowed)
-    }
-    assert beyond == set()
+    named = (name if name == "derivations" else f"rigidsym.{name}" for name in ALLOWED[own].split())
+    allowed = [*named, "rigidsym.version"]
+    assert [x for x in GRAPH[module] if rule(x) != own and not lies_in(x, allowed)] == []
 
 
-def test_the_seal_alone_imports_the_kernel_into_the_number_wing():
+def test_the_seal_alone_imports_the_kernel_into_the_number_half():
     proving = ("rigidsym.proof", "rigidsym.reproduce", "rigidsym.cli", "derivations")
     across = [
         (name, other)
@@ -127,26 +121,25 @@ def test_every_rule_is_about_something():
     assert {rule(module) for module in GRAPH} == {*ALLOWED}
 
 
-@pytest.mark.parametrize("package", OTHERS)
-def test_a_package_is_imported_where_it_belongs(package):
+@pytest.mark.parametrize("other", OTHERS)
+def test_a_package_is_imported_where_it_belongs(other):
     users = {
         name
         for name, path in modules().items()
-        for other in imported(path)
-        if other.split(".")[0] == package
+        if other in {taken.split(".")[0] for taken in imported(path)}
     }
     assert users
-    assert {name for name in users if not lies_in(name, OTHERS[package])} == set()
+    assert [name for name in users if not lies_in(name, OTHERS[other])] == []
 
 
 def test_the_kernel_imports_the_polynomials_of_sympy_alone():
-    kernel = {name: path for name, path in modules().items() if room(name) == "proof.kernel"}
-    taken = {other for path in kernel.values() for other in imported(path) if "sympy" in other}
+    kernel = [path for name, path in modules().items() if package(name) == "proof.kernel"]
+    taken = [other for path in kernel for other in imported(path) if "sympy" in other]
     assert taken
     assert all(other.startswith("sympy.polys") for other in taken)
 
 
-def test_imports_for_types_are_apart_in_views_alone(tmp_path):
+def test_imports_for_types_are_left_out_for_views_only(tmp_path):
     path = tmp_path / "one.py"
     path.write_text("import a\nif TYPE_CHECKING:\n    from b import c\n")
     assert imported(path) == ("a", "b.c")

@@ -1,9 +1,16 @@
 """Values of single expressions."""
 
+from functools import cache
+
 from rigidsym.language._sequence import FormulaSequence
 
 
+@cache
+def _compiled(expression):
+    return FormulaSequence([("value", expression)])
+
+
 def value_of(expression, values, functions=()):
-    """Of an expression, over any numbers."""
+    """Return the value of an expression over any numbers; functions include powers."""
     known = {"power": pow, **dict(functions)}
-    return FormulaSequence([("value", expression)]).evaluate(values, known)["value"]
+    return _compiled(expression).evaluate(values, known)["value"]

@@ -7,7 +7,7 @@ Processor time is user and system time of a command and of all that it starts; i
 what else the machine does.  The goals are for an idle machine of two cores.  They are compared with
 the processor time, or with the time by the clock where that is less: `reproduce` uses both cores.
 The rounds take turns, and the fastest counts.  The first also writes bytecode, which is kept in a
-temporary folder.
+temporary folder; with --quick, bytecode stays where it is.
 """
 
 import argparse
@@ -43,9 +43,13 @@ def main() -> int:
     commands, rounds = (QUICK, 1) if options.quick else (COMMANDS, options.rounds)
     times = {name: [] for name in commands}
     with tempfile.TemporaryDirectory() as directory:
+        environment = dict(os.environ)
+        if not options.quick:
+            environment["PYTHONPYCACHEPREFIX"] = f"{directory}/bytecode"
+            environment.pop("PYTHONDONTWRITEBYTECODE", None)
         for _ in range(rounds):
             for name, (arguments, _) in commands.items():
-                times[name].append(_seconds(arguments, Path(directory)))
+                times[name].append(_seconds(arguments, Path(directory), environment))
     missed = False
     print(f"{'rigidsym':22}{'goal':>8}{'processor':>11}{'clock':>10}{'slowest clock':>15}")
     for name, (_, goal) in commands.items():
@@ -57,14 +61,14 @@ def main() -> int:
     return int(missed)
 
 
-def _seconds(arguments: list[str], directory: Path) -> tuple[float, float]:
+def _seconds(
+    arguments: list[str], directory: Path, environment: dict[str, str]
+) -> tuple[float, float]:
     """Return the processor's and the clock's seconds of a command that writes to a directory."""
-    kept = {**os.environ, "PYTHONPYCACHEPREFIX": str(directory / "bytecode")}
-    kept.pop("PYTHONDONTWRITEBYTECODE", None)
     command = [sys.executable, "-m", "rigidsym", *arguments]
     command += ["-o", str(directory / arguments[0])] if arguments[0] != "check" else []
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), perf_counter()
-    subprocess.run(command, check=True, capture_output=True, env=kept)
+    subprocess.run(command, check=True, capture_output=True, env=environment)
     clock, after = perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, clock
 

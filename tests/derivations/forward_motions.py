@@ -1,4 +1,4 @@
-"""Motions integrated without the derivation: R' = R Omega, M' = [M, Omega], in matrices alone."""
+"""Motions by numbers, without the derivation: R' = R Omega and M' = [M, Omega] in matrices."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -20,18 +20,18 @@ RATES, MOMENTA = symbols("Omega1 Omega2 Omega3"), symbols("M1 M2 M3")
 
 
 def steps_of(derivation: Derivation) -> dict[str, Step]:
-    """All steps by their facts."""
+    """Return all steps of a derivation by their facts."""
     return {step.fact.id: step for chapter in derivation.chapters for step in chapter.steps}
 
 
 def constants() -> dict[sympy.Symbol, float]:
-    """c1, c2, c3, h1, h2, h3."""
+    """Return the values of c1, c2, c3, h1, h2 and h3."""
     inertia = dict(zip(symbols("c1 c2 c3"), INERTIA, strict=True))
     return {**inertia, **{symbol(name): value for name, value in WHEELS.items()}}
 
 
 def value(expression: sympy.Expr, point: dict[sympy.Symbol, float]) -> float:
-    """The value of an expression, all of whose symbols have one."""
+    """Return the value of an expression at a point."""
     return float(sympy.sympify(expression).subs(point))
 
 
@@ -43,34 +43,34 @@ class Motion:
 
     @cached_property
     def basis(self) -> np.ndarray:
-        """A1, A2, A3."""
+        """The basis A1, A2, A3 as matrices."""
         return np.array([np.array(A.tolist(), dtype=complex) for A in self.setting.basis()])
 
     @cached_property
     def wheel(self) -> np.ndarray:
-        """h along each axis."""
+        """The wheel momentum along each axis."""
         return np.array([value(h, constants()) for h in self.setting.wheel()])
 
     def matrix(self, vector: np.ndarray) -> np.ndarray:
-        """x1 A1 + x2 A2 + x3 A3"""
+        """Return x1 A1 + x2 A2 + x3 A3."""
         return np.einsum("k,kij->ij", vector, self.basis)
 
     def coordinates(self, matrix: np.ndarray) -> np.ndarray:
-        """x1, x2, x3 of x1 A1 + x2 A2 + x3 A3"""
+        """Return x1, x2, x3 of x1 A1 + x2 A2 + x3 A3."""
         norm = float(self.setting.factor) ** 2 * 2
         return np.einsum("kji,ji->k", self.basis.conj(), matrix).real / norm
 
     def rates(self, momentum: np.ndarray) -> np.ndarray:
-        """Omega of M = c Omega + h."""
+        """Return Omega of M = c Omega + h."""
         return (momentum - self.wheel) / INERTIA
 
     def moments(self, momentum: np.ndarray) -> np.ndarray:
-        """M' = [M, Omega]"""
+        """Return M' = [M, Omega]."""
         M, Omega = self.matrix(momentum), self.matrix(self.rates(momentum))
         return self.coordinates(M @ Omega - Omega @ M)
 
     def run(self, phi1_rate) -> tuple[np.ndarray, np.ndarray, float]:
-        """R and M at TIME from R = 1, and the integral of phi1_rate(Omega), by Runge-Kutta."""
+        """Return R and M at TIME from R = 1, and the integral of phi1_rate, by Runge-Kutta."""
 
         def slope(state):
             R, M, _ = state
@@ -92,13 +92,13 @@ class Motion:
         return state
 
     def turn(self, axis: int, angle: float) -> np.ndarray:
-        """exp(angle A), by its series."""
+        """Return exp(angle A) for one axis."""
         w = float(self.setting.factor)
         A = self.basis[axis - 1]
         return np.eye(2) * np.cos(w * angle) + A * np.sin(w * angle) / w
 
     def front(self) -> np.ndarray:
-        """A constant turn of the outer axis onto the target: any will do, so the first is taken."""
+        """Return a constant turn of the outer axis onto the target, the first that is found."""
         outer, target = (self.basis[k - 1] for k in (self.setting.sequence[0], self.setting.target))
         quarter = np.pi / 4 / float(self.setting.factor)
         turns = [self.turn(axis, k * quarter) for axis in (1, 2, 3) for k in range(4)]
@@ -106,7 +106,7 @@ class Motion:
         return next(T for T in pairs if np.allclose(T @ outer @ T.conj().T, target))
 
     def angles(self, steps: dict[str, Step], momentum: np.ndarray) -> tuple[float, float]:
-        """phi2 and phi3 of a momentum, by what the derivation solved for them."""
+        """Return phi2 and phi3 of a momentum by the solutions that the derivation found."""
         K = float(np.linalg.norm(momentum))
         point = {symbol("K"): K, **dict(zip(MOMENTA, momentum, strict=True))}
         double = 2 * self.setting.factor
@@ -117,7 +117,7 @@ class Motion:
         return phi2 / float(double), float(np.arctan2(S, C)) / float(double)
 
     def turned(self, phi: tuple[float, float, float]) -> np.ndarray:
-        """R of the three angles."""
+        """Return R of the three angles."""
         product = self.front()
         for axis, angle in zip(self.setting.sequence, phi, strict=True):
             product = product @ self.turn(axis, angle)
@@ -125,7 +125,7 @@ class Motion:
 
 
 def errors(derivation: Derivation, setting: Setting, fact: str) -> tuple[float, float]:
-    """How far the three angles are from R' = R Omega, and R M R^-1 from K A, at TIME.
+    """Return the errors at TIME of the attitude by three angles, and of R M R^-1 = K A.
 
     `fact` is the step that has phi1' of the rates, K and H.
     """

@@ -1,4 +1,4 @@
-"""The chapters that compute: from any basis, sequence and Lagrangian to phi1, held to numbers."""
+"""Chapters that compute, for any basis, sequence and Lagrangian, against motions by numbers."""
 
 import ast
 import json
@@ -24,9 +24,13 @@ from rigidsym.proof.steps import _linear as linear
 from rigidsym.proof.steps._names import read, symbol
 
 FOLDER = Path(derivations.__file__).parent
-ONE = f"{KINETIC} + h2*Omega2"
-TWO = f"{KINETIC} + h1*Omega1 + h3*Omega3"
-THREE = f"{KINETIC} + h1*Omega1 + h2*Omega2 + h3*Omega3"
+PAPER = Setting()
+OTHER = Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3))
+WHEELS = [
+    Setting(lagrangian=f"{KINETIC} + h2*Omega2"),
+    Setting((2, 1, 2), 1, lagrangian=f"{KINETIC} + h1*Omega1 + h3*Omega3"),
+]
+THREE_WHEELS = Setting((3, 2, 3), lagrangian=f"{KINETIC} + h1*Omega1 + h2*Omega2 + h3*Omega3")
 
 
 @cache
@@ -34,8 +38,13 @@ def derived(setting: Setting) -> Derivation:
     return derive((), setting=setting)
 
 
-# What is typed in the chapters: nothing.
+@cache
+def found(setting: Setting):
+    """Return all steps of a derivation by their facts."""
+    return steps_of(derived(setting))
 
+
+# What is typed in the chapters: nothing.
 
 # What computes: steps that find their value, SymPy, and what a scope or a chapter found.
 COMPUTES = {
@@ -48,6 +57,8 @@ NOTHING = {"One", "Zero", "Identity", "ZeroMatrix"}
 GIVEN = {"rewrite": 3, "nonnegative": 3}
 STEPS = {*GIVEN, "multiply", "coordinates", "determinant", "differentiate", "eliminate", "match"}
 STEPS |= {"roots", "integrate", "solve", "solve_family", "vary"}
+# Calls that state an equation past the steps.
+STATES = {"claim", "refute", "root", "sign", "decide", "model", "carry"}
 
 
 def called(call: ast.Call) -> str:
@@ -55,20 +66,20 @@ def called(call: ast.Call) -> str:
 
 
 def bound(function: ast.FunctionDef) -> dict[str, list[ast.expr]]:
-    """What the names of a function are bound to; None for its parameters."""
-    found: dict[str, list[ast.expr]] = {}
+    """Return the expressions that a function binds to each name; none to its parameters."""
+    values: dict[str, list[ast.expr]] = {}
     for node in ast.walk(function):
         targets = node.targets if isinstance(node, ast.Assign) else []
         if isinstance(node, ast.For | ast.comprehension):
             targets, node.value = [node.target], node.iter
         for name in (n for target in targets for n in ast.walk(target)):
             if isinstance(name, ast.Name):
-                found.setdefault(name.id, []).append(node.value)
-    return found
+                values.setdefault(name.id, []).append(node.value)
+    return values
 
 
 def computed(node: ast.AST, names: dict[str, list[ast.expr]], seen: tuple[str, ...] = ()) -> bool:
-    """Whether an expression has a part that something computed, its names looked up."""
+    """Return True for an expression with a computed part, its names looked up."""
     for part in ast.walk(node):
         if isinstance(part, ast.Call) and called(part) in COMPUTES:
             return not (called(part) == "read" and isinstance(part.args[0], ast.Constant))
@@ -82,48 +93,44 @@ def computed(node: ast.AST, names: dict[str, list[ast.expr]], seen: tuple[str, .
 
 
 def typed(source: str) -> Iterator[str]:
-    """The right sides that a chapter types, and the calls by which it could state one.
+    """Yield the right sides that a chapter types, and the calls by which it could state one.
 
-    Typed is: an equation stated past the steps (`claim`, `refute`, `root`, `sign`, `decide`); a
-    text handed to a step that is neither its fact's name, nor its words; a number in a product of
-    matrices; a right side handed to `rewrite` or `nonnegative` that nothing computed: no part of
-    it, names looked up, was found by a step, by SymPy, or by an earlier chapter.
+    Typed is: an equation stated past the steps; a text handed to a step that is neither its fact's
+    name, nor its words; a number in a product of matrices; a right side handed to `rewrite` or
+    `nonnegative` that nothing computed: no part of it, names looked up, was found by a step, by
+    SymPy, or by an earlier chapter.
     """
     for function in (f for f in ast.walk(ast.parse(source)) if isinstance(f, ast.FunctionDef)):
         names = bound(function)
         for call in (node for node in ast.walk(function) if isinstance(node, ast.Call)):
-            name = called(call)
-            if name in ("claim", "refute", "root", "sign", "decide", "model", "carry"):
-                yield f"{name} in line {call.lineno}"
-            if name == "read" and call.args and isinstance(call.args[0], ast.Constant):
-                is_name = str(call.args[0].value).isidentifier()
-                if not is_name:
-                    yield f"a text is read in line {call.lineno}"
+            name, where = called(call), f"in line {call.lineno}"
+            if name in STATES:
+                yield f"{name} {where}"
+            texts = [x.value for x in call.args[:1] if isinstance(x, ast.Constant)]
+            if name == "read" and any(not str(text).isidentifier() for text in texts):
+                yield f"a text is read {where}"
             if name not in STEPS or not isinstance(call.func, ast.Name):
                 continue
-            texts = [
-                a for a in call.args[2:] if isinstance(a, ast.Constant) and a.value is not None
-            ]
-            words = [a for a in texts if isinstance(a.value, str)]
-            if len(words) > 1 + (len(call.args) > 6) or len(words) < len(texts):
-                yield f"{name} is given a text in line {call.lineno}"
+            constant = [x for x in call.args[2:] if isinstance(x, ast.Constant)]
+            told = [x for x in constant if x.value is not None]
+            words = [x for x in told if isinstance(x.value, str)]
+            if len(words) > 1 + (len(call.args) > 6) or len(words) < len(told):
+                yield f"{name} is given a text {where}"
             if name == "multiply" and any(isinstance(x, ast.Constant) for x in numbers(call)):
-                yield f"a number in a product in line {call.lineno}"
+                yield f"a number in a product {where}"
             if name in GIVEN and not computed(call.args[GIVEN[name]], names):
-                yield f"{name} is given what nothing computed in line {call.lineno}"
+                yield f"{name} is given what nothing computed {where}"
 
 
 def numbers(call: ast.Call) -> Iterator[ast.AST]:
-    """What a product of matrices has in it, but for indices and for the size of 0 and 1."""
+    """Yield the parts of a product of matrices, except for indices and the sizes of 0 and 1."""
     waiting = list(call.args[2:4])
     while waiting:
         node = waiting.pop()
-        if isinstance(node, ast.Subscript) or (
-            isinstance(node, ast.Call) and called(node) in NOTHING
-        ):
-            continue
-        yield node
-        waiting += ast.iter_child_nodes(node)
+        sized = isinstance(node, ast.Call) and called(node) in NOTHING
+        if not (sized or isinstance(node, ast.Subscript)):
+            yield node
+            waiting += ast.iter_child_nodes(node)
 
 
 @pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat"])
@@ -148,51 +155,29 @@ def test_a_right_side_that_is_typed_is_seen(line):
 
 
 def test_what_is_not_a_step_is_the_assumption_about_Pi_alone():
-    last = derived(Setting()).chapters
-    others = {f.id for c in last for f in c.facts} - {*steps_of(derived(Setting()))}
-    assert others == {"windings.rule"}
+    facts = {fact.id for chapter in derived(PAPER).chapters for fact in chapter.facts}
+    assert facts - {*found(PAPER)} == {"windings.rule"}
 
 
 # No fact says nothing.
-
-
-def sides(derivation: Derivation) -> Iterator[tuple[dict, dict, list[tuple[str, str]]]]:
-    """Each fact's context, the fact, and its equations in one spelling."""
-    data = json.loads(derivation.ledger)
-    contexts = {context["name"]: context for context in data["contexts"]}
-    for fact in data["facts"]:
-        pairs = zip(fact["lhs"], fact["rhs"], strict=True)
-        yield contexts[fact["context"]], fact, [(spelled(x), spelled(y)) for x, y in pairs]
 
 
 def spelled(text: str) -> str:
     return to_text(parse(text))
 
 
-SETTINGS = [
-    Setting(),
-    Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3)),
-    Setting(lagrangian=ONE),
-]
-
-
-@pytest.mark.parametrize("setting", SETTINGS, ids=str)
-def test_no_fact_has_the_same_on_both_sides(setting):
-    assert [
-        f["id"] for _, f, pairs in sides(derived(setting)) if any(x == y for x, y in pairs)
-    ] == []
-
-
-@pytest.mark.parametrize("setting", SETTINGS, ids=str)
-def test_no_fact_restates_a_definition_or_a_rate_of_its_context(setting):
-    found = []
-    for context, fact, pairs in sides(derived(setting)):
+@pytest.mark.parametrize("setting", [PAPER, OTHER, WHEELS[0]], ids=str)
+def test_no_fact_has_equal_sides_or_restates_a_definition_or_a_rate_of_its_context(setting):
+    data = json.loads(derived(setting).ledger)
+    contexts = {context["name"]: context for context in data["contexts"]}
+    for fact in data["facts"]:
+        context, sides = contexts[fact["context"]], zip(fact["lhs"], fact["rhs"], strict=True)
+        pairs = [(spelled(x), spelled(y)) for x, y in sides]
         known = {(name, spelled(text)) for name, text in context["definitions"].items()}
         rates = (context["rates"] or {}).items()
         known |= {(f"D({name})", spelled(text)) for name, text in rates if text != "?"}
-        if all(pair in known or pair[::-1] in known for pair in pairs):
-            found.append(fact["id"])
-    assert found == []
+        assert all(x != y for x, y in pairs), fact["id"]
+        assert not all(pair in known or pair[::-1] in known for pair in pairs), fact["id"]
 
 
 def test_the_paper_is_the_default():
@@ -214,24 +199,18 @@ def variants() -> list[Setting]:
     return plain + [Setting(order=order) for order in permutations((1, 2, 3))]
 
 
-DRAWN = [
-    Setting(),
-    Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3)),
-    Setting((2, 3, 2), 3, order=(3, 1, 2)),
-]
-WHEELS = [Setting(lagrangian=ONE), Setting((2, 1, 2), 1, lagrangian=TWO)]
-THREE_WHEELS = Setting((3, 2, 3), lagrangian=THREE)
+DRAWN = [PAPER, OTHER, Setting((2, 3, 2), 3, order=(3, 1, 2)), *WHEELS]
 
 
 def follows(setting: Setting, fact: str) -> None:
-    """The angles of a derivation carry R' = R Omega, and turn the momentum onto the axis."""
+    """Assert that the angles carry R' = R Omega and turn the momentum onto the axis."""
     of_attitude, of_momentum = errors(derived(setting), setting, fact)
     assert of_attitude < 1e-9
     assert of_momentum < 1e-12
 
 
 @pytest.mark.parametrize("fact", ["line32.rate", "line32.by_invariants"])
-@pytest.mark.parametrize("setting", [*DRAWN, *WHEELS], ids=str)
+@pytest.mark.parametrize("setting", DRAWN, ids=str)
 def test_a_derivation_is_a_motion_by_numbers(setting, fact):
     follows(setting, fact)
 
@@ -242,12 +221,12 @@ def test_every_derivation_is_a_motion_by_numbers(setting):
     follows(setting, "line32.by_invariants")
 
 
-@pytest.mark.parametrize("setting", [*DRAWN, *WHEELS], ids=str)
+@pytest.mark.parametrize("setting", DRAWN, ids=str)
 def test_euler_s_equations_are_those_of_the_matrices(setting):
-    steps, motion = steps_of(derived(setting)), Motion(setting)
+    motion = Motion(setting)
     point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
-    found = [value(x, point) for x in steps["variation.euler"].value.values()]
-    assert np.allclose(found, motion.moments(INERTIA * RATES0 + motion.wheel) / INERTIA, atol=1e-14)
+    rates = [value(x, point) for x in found(setting)["variation.euler"].value.values()]
+    assert np.allclose(rates, motion.moments(INERTIA * RATES0 + motion.wheel) / INERTIA, atol=1e-14)
 
 
 # Wheels: the quartic by numbers, and that both quartics are of one curve.
@@ -263,9 +242,9 @@ def test_the_quartic_of_one_wheel_is_the_square_of_its_rate():
     motion = Motion(WHEELS[0])
     momentum = INERTIA * RATES0 + motion.wheel
     rate = motion.moments(momentum)[1] / INERTIA[1]
-    quartic = steps_of(derived(WHEELS[0]))["gyrostat.quartic"].value
-    found = value(quartic, {**invariants(motion), symbol("Omega2"): RATES0[1]})
-    assert found == pytest.approx(rate**2, rel=1e-12)
+    quartic = found(WHEELS[0])["gyrostat.quartic"].value
+    squared = value(quartic, {**invariants(motion), symbol("Omega2"): RATES0[1]})
+    assert squared == pytest.approx(rate**2, rel=1e-12)
 
 
 @pytest.mark.parametrize("setting", WHEELS, ids=str)
@@ -278,14 +257,14 @@ def test_the_quartic_of_any_wheels_is_the_determinant_of_the_pencil(setting):
     corner = np.sum(motion.wheel**2) - K2
     along = mixed.sum(axis=1, keepdims=True)
     momentum = np.block([[np.diag(INERTIA**2), along], [along.T, corner]])
-    quartic = steps_of(derived(setting))["pencil.quartic"].value
+    quartic = found(setting)["pencil.quartic"].value
     for x in (-1.5, 0.3, 4.0):
         expected = np.linalg.det(x * energy - momentum)
         assert value(quartic, {**point, symbol("x"): x}) == pytest.approx(expected, rel=1e-10)
 
 
 def j_invariant(quartic: sympy.Expr, variable: sympy.Symbol) -> sympy.Expr:
-    """That of the elliptic curve y^2 = quartic."""
+    """Return the j-invariant of the elliptic curve y^2 = quartic."""
     a, b, c, d, e = sympy.Poly(quartic, variable).all_coeffs()
     one = 12 * a * e - 3 * b * d + c**2
     two = 72 * a * c * e + 9 * b * c * d - 27 * a * d**2 - 27 * e * b**2 - 2 * c**3
@@ -293,7 +272,7 @@ def j_invariant(quartic: sympy.Expr, variable: sympy.Symbol) -> sympy.Expr:
 
 
 def modular(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
-    """The classical modular polynomial of level 2: 0 where curves have a 2-isogeny."""
+    """Return the classical modular polynomial of level 2: 0 where curves have a 2-isogeny."""
     return (
         x**3 + y**3 - x**2 * y**2 + 1488 * x * y * (x + y) - 162000 * (x**2 + y**2)
         + 40773375 * x * y + 8748000000 * (x + y) - 157464000000000
@@ -302,13 +281,12 @@ def modular(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
 
 def test_one_rate_of_a_gyrostat_is_on_a_quotient_of_the_pencil_s_curve():
     """(Omega1, Omega3) and their negatives have the same Omega2: a curve with half a period."""
-    steps = steps_of(derived(WHEELS[0]))
     names = ("c1", "c2", "c3", "h2", "H", "K_squared")
     values = map(sympy.Rational, ("1", "7/4", "5/2", "1/3", "9/8", "4"))
     exact = dict(zip(map(symbol, names), values, strict=True))
     curves = (("gyrostat.quartic", "Omega2"), ("pencil.quartic", "x"))
     one, two = (
-        j_invariant(sympy.expand(steps[fact].value.subs(exact)), symbol(name))
+        j_invariant(sympy.expand(found(WHEELS[0])[fact].value.subs(exact)), symbol(name))
         for fact, name in curves
     )
     assert modular(one, two) == 0
@@ -317,7 +295,7 @@ def test_one_rate_of_a_gyrostat_is_on_a_quotient_of_the_pencil_s_curve():
 
 
 def test_with_wheels_about_other_axes_phi1_is_no_function_of_one_rate():
-    steps = steps_of(derived(WHEELS[1]))
+    steps = found(WHEELS[1])
     assert steps["line32.by_invariants"].value.free_symbols & {*RATES} > {symbol("Omega2")}
     assert "sine_motion.split" not in steps
 
@@ -326,28 +304,28 @@ def test_with_wheels_about_other_axes_phi1_is_no_function_of_one_rate():
 
 
 def test_the_other_handedness_turns_the_signs_of_euler_s_equations():
-    plain, turned = (steps_of(derived(s)) for s in (Setting(), Setting(order=(2, 1, 3))))
+    plain, turned = found(PAPER), found(Setting(order=(2, 1, 3)))
     for rate, moment in plain["variation.euler"].value.items():
         assert turned["variation.euler"].value[rate] == -moment
 
 
 def test_the_other_sign_and_twice_the_basis_scale_the_brackets():
-    plain = steps_of(derived(Setting()))["quaternions.bracket_12"].value
-    other = Setting((3, 1, 3), 2, sympy.Integer(1), -1)
-    found = steps_of(derive(["lie_algebra"], setting=other))["quaternions.bracket_12"].value
-    assert found == tuple(-2 * x for x in plain)
+    plain = found(PAPER)["quaternions.bracket_12"].value
+    scaled = derive(["lie_algebra"], setting=Setting((3, 1, 3), 2, sympy.Integer(1), -1))
+    bracket = steps_of(scaled)["quaternions.bracket_12"].value
+    assert bracket == tuple(-2 * x for x in plain)
 
 
 def test_another_kinetic_energy_gives_other_equations_and_another_phi1(monkeypatch):
     heavier = KINETIC.replace("c3", "5*c3")
-    plain = steps_of(derived(Setting()))
+    plain = found(PAPER)
     monkeypatch.setattr("derivations.setting.KINETIC", heavier)
     steps = steps_of(derive((), setting=Setting(lagrangian=heavier)))
     heavy: dict = {symbol("c3"): 5 * symbol("c3")}
     for fact in ("variation.euler", "compared.phi3"):
         for one, two in zip(plain[fact].value.values(), steps[fact].value.values(), strict=True):
             assert sympy.cancel(one.subs(heavy) - two) == 0
-    one, two = (found["line32.rate"].value for found in (plain, steps))
+    one, two = (known["line32.rate"].value for known in (plain, steps))
     assert sympy.cancel(one.subs(heavy) - two) == 0
     assert sympy.cancel(one - two) != 0
 

@@ -1,15 +1,14 @@
-"""The facts that the planner names are there, and say of its own numbers what they should."""
+"""Facts that the planner cites: they are proved, and hold for its own numbers."""
 
-import json
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from ledgers import CONTEXTS, FACTS
 from random_manoeuvres import manoeuvre, posed
 from values import value_of
 
-import derivations
 from rigidsym import _engines as engines
 from rigidsym.language._expression import parse
 from rigidsym.manoeuvre import _directions as directions
@@ -17,35 +16,27 @@ from rigidsym.manoeuvre import _problem as problem
 from rigidsym.manoeuvre._directions import is_symmetry
 from rigidsym.manoeuvre._families import families, least
 
-LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
-CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
-FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 PLANNER = [*Path(problem.__file__).parent.glob("*.py")]
 ENGINE = engines.engine("numpy")
 ENDS = [posed(manoeuvre(index), ENGINE) for index in range(10)]
 
 
 def named(path):
-    """The facts that a file of the planner cites."""
+    """Yield the facts that a file of the planner cites."""
     text = " ".join(path.read_text("utf-8").split())
     for cited in re.findall(r"[Ff]acts? ((?:\w+\.\w+(?:, )?)+)", text):
         yield from re.findall(r"\w+\.\w+", cited)
 
 
-def values(context, **given):
-    """Of all names of a context, in float64, from those of its generators."""
-    found = dict(given)
-    for name, text in CONTEXTS[context]["definitions"].items():
+def at_start(posed, momentum):
+    """Return the names of the context `manoeuvre` in float64, for one momentum of a problem."""
+    found = {f"c{k}": float(c) for k, c in enumerate(posed.inertia, 1)}
+    found |= {f"p{k}": float(p) for k, p in enumerate(posed.turn)}
+    found |= {f"M{k}": float(m) for k, m in enumerate(momentum, 1)}
+    found["K"] = float(np.linalg.norm(momentum))
+    for name, text in CONTEXTS["manoeuvre"]["definitions"].items():
         found[name] = value_of(parse(text), found, {})
     return found
-
-
-def at_start(posed, momentum):
-    """What the context `manoeuvre` calls things, for one momentum of a problem."""
-    quantities = {f"c{k}": float(c) for k, c in enumerate(posed.inertia, 1)}
-    quantities |= {f"p{k}": float(p) for k, p in enumerate(posed.turn)}
-    quantities |= {f"M{k}": float(m) for k, m in enumerate(momentum, 1)}
-    return values("manoeuvre", K=float(np.linalg.norm(momentum)), **quantities)
 
 
 def vector(found, name):

@@ -18,15 +18,16 @@ from rigidsym.precise import PreciseMotion
 
 CASES = [(*family, OCTANTS[k % 8]) for k, family in enumerate(FAMILIES)]
 NODES = 400
+every = pytest.mark.parametrize(("order", "about", "signs"), CASES)
 
 
 def over_a_cycle(function, length):
-    """The integral of a smooth periodic function; the trapezoidal rule converges geometrically."""
+    """Return the integral of a smooth periodic function by the trapezoidal rule."""
     return length * mp.fsum(function(length * k / NODES) for k in range(NODES)) / NODES
 
 
 def mean_rate(m):
-    """psi_mean with the complete integral of the third kind."""
+    """Return psi_mean with the complete integral of the third kind."""
     n = -m.k_1 * (m.K - m.B_a) / (m.K + m.B_a)
     e_a = m.c_d * (m.c_a - m.c_d) * (m.B_d / m.c_d) ** 2
     kappa = 2 * e_a * m.B_a / m.c_a * m.k_1 / ((m.K + m.B_a) ** 2 * m.mu)
@@ -35,7 +36,7 @@ def mean_rate(m):
 
 
 def twice_lambda(m):
-    """psi_0 + 2 rho mu Z(i beta)/i, Z being the logarithmic derivative of theta_4."""
+    """Return psi_0 + 2 rho mu Z(i beta)/i; Z is the logarithmic derivative of theta_4."""
     parameter = m.k_1**2
     K_1, K_c = mp.ellipk(parameter), mp.ellipk(1 - parameter)
     g, nome = mp.pi / (2 * K_1), mp.exp(-mp.pi * K_c / K_1)
@@ -45,7 +46,7 @@ def twice_lambda(m):
 
 
 def solid_angle(m):
-    """Of the polhode about sigma e_a: where the momentum sphere meets the energy ellipsoid."""
+    """Return the solid angle of the polhode about sigma e_a, on momentum sphere and ellipsoid."""
     excess = 2 * m.H / m.K**2 - 1 / m.c_a
 
     def cap(phi):
@@ -56,14 +57,20 @@ def solid_angle(m):
 
 
 def sense(m):
-    """+1 where the momentum, seen from the body, goes round sigma e_a right-handedly."""
+    """Return 1 where the momentum goes round sigma e_a right-handedly in the body, else -1."""
     M = [c * w for c, w in zip(m.inertia, m.omega, strict=True)]
     rate = [M[k - 2] * m.omega[k - 1] - M[k - 1] * m.omega[k - 2] for k in range(3)]
     a = m.axes[0]
     return 1 if m.sigma * (M[a - 2] * rate[a - 1] - M[a - 1] * rate[a - 2]) > 0 else -1
 
 
-@pytest.mark.parametrize(("order", "about", "signs"), CASES)
+def in_space(q, inertia, rates):
+    """Return the momentum seen in space."""
+    momentum = [0, *(number(c) * w for c, w in zip(inertia, rates, strict=True))]
+    return multiply(multiply(q, momentum), conjugate(q))[1:]
+
+
+@every
 def test_the_rates_come_back_and_the_attitude_has_turned_about_the_momentum(order, about, signs):
     with workdps(45):
         inertia, omega, attitude = draw(order, about, signs)
@@ -75,14 +82,13 @@ def test_the_rates_come_back_and_the_attitude_has_turned_about_the_momentum(orde
         a, b, d = m.axes
         assert distance(later, now) < 1e-30
         assert distance([half[a], -half[b], -half[d]], [now[a], now[b], now[d]]) < 1e-30
-        momentum = [0, *(number(c) * w for c, w in zip(inertia, now, strict=True))]
-        direction = [x / m.K for x in multiply(multiply(q, momentum), conjugate(q))[1:]]
+        direction = [x / m.K for x in in_space(q, inertia, now)]
         half_turn = mean_rate(m) * m.period / 2
         turn = [mp.cos(half_turn), *(mp.sin(half_turn) * x for x in direction)]
         assert distance(multiply(turn, q), q_later) < 1e-29
 
 
-@pytest.mark.parametrize(("order", "about", "signs"), CASES)
+@every
 def test_the_mean_rate_is_that_of_psi_and_of_the_theta_form(order, about, signs):
     with workdps(45):
         m = Motion(*draw(order, about, signs)[:2])
@@ -96,30 +102,25 @@ def test_the_mean_rate_is_that_of_psi_and_of_the_theta_form(order, about, signs)
         assert abs(mean - twice_lambda(m)) < 1e-35
 
 
-@pytest.mark.parametrize(("order", "about", "signs"), CASES)
+@every
 def test_the_turn_is_that_of_the_energy_less_a_solid_angle(order, about, signs):
     with workdps(45):
         inertia, omega, attitude = draw(order, about, signs)
         m = Motion(inertia, omega)
         phase = 2 * m.H * m.period / m.K - sense(m) * solid_angle(m)
         assert abs(mean_rate(m) * m.period - phase) < 1e-25
-        ((q, w),) = PreciseMotion(inertia, omega, attitude).states([exactly(m.period)], 32)
-        ((q_0, _),) = PreciseMotion(inertia, omega, attitude).states([0], 32)
-        momentum = [0, *(number(c) * x for c, x in zip(inertia, w, strict=True))]
-        along = multiply(multiply(q, momentum), conjugate(q))[1:]
+        motion = PreciseMotion(inertia, omega, attitude)
+        (q_0, _), (q, w) = motion.states([0, exactly(m.period)], 32)
         turn = multiply(q, conjugate(q_0))
-        measured = 2 * mp.atan2(
-            sum(x * y for x, y in zip(turn[1:], along, strict=True)), turn[0] * m.K
-        )
+        pairs = zip(turn[1:], in_space(q, inertia, w), strict=True)
+        measured = 2 * mp.atan2(sum(x * y for x, y in pairs), turn[0] * m.K)
         gap = (measured - phase) / (2 * mp.pi)
         assert abs(gap - mp.nint(gap)) < 1e-25
 
 
-@pytest.mark.parametrize("about", ["largest", "smallest"])
-def test_the_momentum_circulates_one_way_about_the_largest_and_the_other_about_the_smallest(about):
-    senses = {
-        sense(Motion(*draw(order, about, signs)[:2]))
-        for order, kind, signs in CASES
-        if kind == about
-    }
-    assert senses == {-1 if about == "smallest" else 1}
+@pytest.mark.parametrize(("about", "expected"), [("largest", 1), ("smallest", -1)])
+def test_the_momentum_circulates_one_way_about_the_largest_and_the_other_about_the_smallest(
+    about, expected
+):
+    drawn = (draw(order, kind, signs)[:2] for order, kind, signs in CASES if kind == about)
+    assert {sense(Motion(*motion)) for motion in drawn} == {expected}

@@ -1,37 +1,25 @@
-"""The partition that the ledger seals, at exact points: one leaf each, and the one meant."""
+"""The sealed partition of motions at exact points: each is in one leaf, the expected one."""
 
-import json
 from fractions import Fraction
+from functools import cache
 from itertools import permutations, product
-from pathlib import Path
 from random import Random
 
 import pytest
-from values import value_of
+from ledgers import CONTEXTS, FACTS
 
-import derivations
 from rigidsym.language._expression import parse
+from rigidsym.language._sequence import FormulaSequence
 from rigidsym.solution._polhode import Regime, classify
 
-LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
-CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
-FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
-SPLITS = {fact["context"]: fact for fact in LEDGER["facts"] if fact["kind"] == "partition"}
+SPLITS = {fact["context"]: fact for fact in FACTS.values() if fact["kind"] == "partition"}
 LEAVES = {
-    "rest": Regime.REST,
-    "spherical": Regime.SPHERICAL,
-    "prolate_equatorial": Regime.SPIN,
-    "prolate_polar": Regime.SPIN,
-    "prolate_motion": Regime.SYMMETRIC,
-    "oblate_polar": Regime.SPIN,
-    "oblate_equatorial": Regime.SPIN,
-    "oblate_motion": Regime.SYMMETRIC,
-    "spin_1": Regime.SPIN,
-    "spin_2": Regime.SPIN,
-    "spin_3": Regime.SPIN,
-    "separatrix_motion": Regime.SEPARATRIX,
-    "largest": Regime.LARGEST,
-    "smallest": Regime.SMALLEST,
+    **{"rest": Regime.REST, "spherical": Regime.SPHERICAL, "separatrix_motion": Regime.SEPARATRIX},
+    **dict.fromkeys(("spin_1", "spin_2", "spin_3"), Regime.SPIN),
+    **dict.fromkeys(("prolate_equatorial", "prolate_polar"), Regime.SPIN),
+    **dict.fromkeys(("oblate_equatorial", "oblate_polar"), Regime.SPIN),
+    **dict.fromkeys(("prolate_motion", "oblate_motion"), Regime.SYMMETRIC),
+    **{"largest": Regime.LARGEST, "smallest": Regime.SMALLEST},
 }
 # Which of c_1 >= c_2 >= c_3 the motion circulates about.
 CIRCULATES = {"prolate_motion": 3, "oblate_motion": 1, "separatrix_motion": 1}
@@ -45,7 +33,7 @@ GRID = [
 
 
 def random_points(count):
-    """Generic points, and points on the separatrix where E_2 is a difference of squares."""
+    """Draw generic points, and points on the separatrix, where E_2 is a difference of squares."""
     random = Random(11)
     for _ in range(count):
         c_3, c_23, c_12 = (Fraction(random.randint(1, 99), random.randint(1, 9)) for _ in range(3))
@@ -59,7 +47,7 @@ def random_points(count):
 
 
 def valuation(point):
-    """The values of all names at a point given in the order of the generators."""
+    """Return the values of all names at a point given in the order of the generators."""
     context = CONTEXTS["sorted_body"]
     values = dict(zip(context["generators"], map(Fraction, point), strict=True))
     for name, text in context["definitions"].items():
@@ -67,12 +55,17 @@ def valuation(point):
     return values
 
 
+@cache
+def compiled(text):
+    return FormulaSequence([("value", parse(text))])
+
+
 def of_text(text, values):
-    return value_of(parse(text), values)
+    return compiled(text).evaluate(values, {"power": pow})["value"]
 
 
 def holds(name, values):
-    """Whether a point satisfies all that a context assumes."""
+    """Return True for a point that satisfies all hypotheses of a context."""
     context = CONTEXTS[name]
     return (
         all(of_text(text, values) != 0 for text in context["units"])
@@ -82,7 +75,7 @@ def holds(name, values):
 
 
 def walk(values, name="sorted_body"):
-    """The leaf that the decisions of the tree lead to."""
+    """Return the leaf that the decisions of the tree lead to."""
     while name in SPLITS:
         sign = of_text(*SPLITS[name]["lhs"], values)
         cases = SPLITS[name]["certificate"]["cases"]

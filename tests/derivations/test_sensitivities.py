@@ -1,21 +1,18 @@
-"""The changes of rates and attitude, by numbers: against differences of states of many digits."""
+"""Changes of rates and attitude by the ledger's formulas, against differences of precise states."""
 
-import json
 from fractions import Fraction
 from functools import cache
-from pathlib import Path
 
 import pytest
+from ledgers import CONTEXTS
 from mpmath import mp, mpf, workdps
+from textbook import conjugate, multiply, number
 from values import value_of
 
-import derivations
 from rigidsym import TorqueFreeMotion
 from rigidsym.language._expression import parse
 
-LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
-SAID = {context["name"]: context["definitions"] for context in LEDGER["contexts"]}
-STEP = Fraction(1, 10**20)
+STEP, TIME = Fraction(1, 10**20), Fraction(27, 10)
 ATTITUDE = (2, -1, 3, 1)
 NAMES = ("c1", "c2", "c3", "Omega1", "Omega2", "Omega3")
 # Moments and rates, b being axis 2.
@@ -27,25 +24,21 @@ MOTIONS = {
     "about the middle axis": (("3", "2", "1"), ("0", "0.8", "0")),
     "sphere": (("2", "2", "2"), ("0.3", "0.4", "-0.1")),
 }
-TIME = Fraction(27, 10)
 
 
-def read(numbers):
-    return [Fraction(x) for x in numbers]
-
-
-def defined(values, *contexts):
-    """Values of all that contexts define, after what is given."""
+def defined(values, *contexts, only=None):
+    """Add the values of all, or of some, that contexts define, after those that are given."""
     for context in contexts:
-        for name, text in SAID[context].items():
+        definitions = CONTEXTS[context]["definitions"]
+        for name in only or definitions:
             if name not in values:
-                values[name] = value_of(parse(text), values)
+                values[name] = value_of(parse(definitions[name]), values)
     return values
 
 
 @cache
 def functions(p, r, t):
-    """S_t, C_t, D_t by mpmath's functions, and the integrals of S_t^2 and S_t^2/D_t^2."""
+    """Return S_t, C_t, D_t by mpmath's functions, and the integrals of S_t^2 and S_t^2/D_t^2."""
     root = mp.sqrt(p)
 
     @cache
@@ -63,21 +56,18 @@ def functions(p, r, t):
 
 
 def columns(inertia, rates, changed):
-    """The small turn and the change of the rates, by the ledger's formulas, for one input."""
-    c, w, t = [mpf(x.numerator) / x.denominator for x in inertia], [], mpf(27) / 10
-    w = [mpf(x.numerator) / x.denominator for x in rates]
+    """Return the small turn and the change of the rates, by the ledger's formulas, for one input.
+
+    Axes (a, b, d) are (1, 2, 3).
+    """
+    c, w, t = [*map(number, inertia)], [*map(number, rates)], number(TIME)
     change = {f"d{name}": mpf(name == changed) for name in NAMES}
-    values = {"epsilon": mpf(1), **{f"c_{x}": y for x, y in zip("abd", c, strict=True)}}
-    # Axes (a, b, d) = (1, 2, 3).
-    for x, k in zip("abd", "123", strict=True):
-        values[f"Omega_{x}0"] = w[int(k) - 1]
-        values[f"dOmega_{x}0"], values[f"dc_{x}"] = change[f"dOmega{k}"], change[f"dc{k}"]
+    values = {"epsilon": mpf(1), "t": t}
+    for k, x in enumerate("abd"):
+        values |= {f"c_{x}": c[k], f"Omega_{x}0": w[k]}
+        values |= {f"dOmega_{x}0": change[f"dOmega{k + 1}"], f"dc_{x}": change[f"dc{k + 1}"]}
     defined(values, "perturbed_moments")
-    for name in ("g_a", "g_d", "p", "r"):
-        values[name] = value_of(parse(SAID["varied"][name]), values)
-    for name in ("dg_a", "dg_d", "dp", "dr"):
-        values[name] = value_of(parse(SAID["varied"][name]), values)
-    values["t"] = t
+    defined(values, "varied", only=("g_a", "g_d", "p", "r", "dg_a", "dg_d", "dp", "dr"))
     names = ("S_t", "C_t", "D_t", "E_t", "F_t")
     values |= dict(zip(names, functions(values["p"], values["r"], t), strict=True))
     defined(values, "varied_regular", "varied")
@@ -86,20 +76,18 @@ def columns(inertia, rates, changed):
     else:
         values |= {f"I_{x}": values[f"Omega_{x}0"] ** 2 * t for x in "abd"}
     turned = {"t": t, "K": mp.sqrt(sum((x * y) ** 2 for x, y in zip(c, w, strict=True))), **change}
-    for x, k in zip("abd", "123", strict=True):
-        turned |= {f"c{k}": values[f"c_{x}"], f"Omega{k}": values[f"Omega_{x}"]}
-        turned |= {f"dOmega{k}": values[f"dOmega_{x}"], f"I{k}": values[f"I_{x}"]}
+    for k, x in enumerate("abd", 1):
+        names = {f"c{k}": "c_", f"Omega{k}": "Omega_", f"dOmega{k}": "dOmega_", f"I{k}": "I_"}
+        turned |= {name: values[f"{other}{x}"] for name, other in names.items()}
     return turned
 
 
-def momentum_there(turned, q, inertia, rates, changed):
-    """l: the change of R M at t = 0, where the attitude is given, seen in the body at t."""
+def momentum_there(q, inertia, rates, changed):
+    """Return l: the change of R M at t = 0, where the attitude is given, seen in the body at t."""
     k = int(changed[-1]) - 1
-    other = rates if changed.startswith("c") else inertia
     start = [mpf(0)] * 3
-    start[k] = mpf(other[k].numerator) / other[k].denominator
-    first = normed(ATTITUDE)
-    return rotate(conjugate(q), rotate(first, start))
+    start[k] = number((rates if changed.startswith("c") else inertia)[k])
+    return rotate(conjugate(q), rotate(normed(ATTITUDE), start))
 
 
 def normed(q):
@@ -107,39 +95,26 @@ def normed(q):
     return [x / length for x in q]
 
 
-def conjugate(q):
-    return [q[0], -q[1], -q[2], -q[3]]
-
-
-def product(p, q):
-    vector = [p[0] * q[k] + q[0] * p[k] + p[1 + k % 3] * q[1 + (k + 1) % 3]
-              - p[1 + (k + 1) % 3] * q[1 + k % 3] for k in (1, 2, 3)]  # fmt: skip
-    return [p[0] * q[0] - sum(p[k] * q[k] for k in (1, 2, 3)), *vector]
-
-
 def rotate(q, v):
-    return product(product(q, [mpf(0), *v]), conjugate(q))[1:]
+    return multiply(multiply(q, [mpf(0), *v]), conjugate(q))[1:]
 
 
 @pytest.mark.parametrize("kind", MOTIONS)
 @pytest.mark.parametrize("changed", NAMES)
 def test_changes_are_those_of_differences(kind, changed):
-    inertia, rates = map(read, MOTIONS[kind])
-    k = NAMES.index(changed)
+    inertia, rates = ([*map(Fraction, numbers)] for numbers in MOTIONS[kind])
     ends = []
     for step in (STEP, -STEP):
         inputs = [*inertia, *rates]
-        inputs[k] += step
+        inputs[NAMES.index(changed)] += step
         motion = TorqueFreeMotion(inputs[:3], inputs[3:], ATTITUDE)
         ends.append([*map(list, motion.precise(TIME, 70))])
     with workdps(60):
-        wide = 2 * mpf(STEP.numerator) / STEP.denominator
-        dq, dw = (
-            [(x - y) / wide for x, y in zip(*pair, strict=True)] for pair in zip(*ends, strict=True)
-        )
-        q = normed([(x + y) / 2 for x, y in zip(ends[0][0], ends[1][0], strict=True)])
+        pairs = [[*zip(*pair, strict=True)] for pair in zip(*ends, strict=True)]
+        dq, dw = ([(x - y) / (2 * number(STEP)) for x, y in pair] for pair in pairs)
+        q = normed([(x + y) / 2 for x, y in pairs[0]])
         found = columns(inertia, rates, changed)
-        there = momentum_there(found, q, inertia, rates, changed)
+        there = momentum_there(q, inertia, rates, changed)
         found |= {f"l{k}": x for k, x in enumerate(there, 1)} | {"s_0": mpf(0)}
         found |= {f"q{k}": x for k, x in enumerate(q)}
         defined(found, "turned_attitude")

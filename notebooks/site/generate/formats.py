@@ -8,6 +8,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 from generate import fits, manoeuvres
 from generate.form import Format
@@ -190,8 +191,10 @@ def _ledger() -> Any:
 
 
 def _methods() -> Any:
-    """At a time that Taylor series reach soon."""
-    return _json(comparison.compare(_example('times = ["0.1"]'), [15]).to_json())
+    """Return a comparison at a time that Taylor series reach soon, at two distances, run once."""
+    few = {"DISTANCES": ("1e-1", "0"), "REPEATS": 1}
+    with patch.multiple(comparison, **few):
+        return _json(comparison.compare(_example('times = ["0.1"]'), [15]).to_json())
 
 
 def _validation() -> Any:

@@ -1,10 +1,11 @@
-"""Jacobi's functions for SymPy; their table of derivatives is checked with enclosures.
+"""Jacobi's functions for SymPy: values, derivatives by enclosures, printing and `lambdify`.
 
 The enclosures are independent of the table: theta functions over balls (DLMF 22.2), their own
 derivatives in z from Arb, in tau by the heat equation, and Legendre's relation for dtau/dm.
 """
 
 import pickle
+from functools import cache
 
 import flint
 import mpmath
@@ -35,15 +36,19 @@ GRID = [(x, y) for x in ARGUMENTS for y in PARAMETERS + OUTSIDE]
 RADIUS = 1e-20
 
 
+@cache
+def exact(name, x, y):
+    """Return a function of doubles by mpmath, at its own precision."""
+    return MPMATH[name](mp.mpf(x), mp.mpf(y))
+
+
 # --- enclosures -----------------------------------------------------------------------------
 
 
 @pytest.fixture
 def balls():
-    before = flint.ctx.prec
-    flint.ctx.prec = 256
-    yield
-    flint.ctx.prec = before
+    with flint.ctx.workprec(256):
+        yield
 
 
 class Enclosure:
@@ -72,13 +77,10 @@ class Enclosure:
         self.epsilon(dz[0])
 
     def quotient(self, top, over, under):
-        """theta_top(z) / theta_4(z) * theta_over(0) / theta_under(0), by the logarithm."""
-        factors = [
-            (self.theta[0][0][top - 1], 1),
-            (self.theta[0][0][3], -1),
-            (self.theta[1][0][over - 1], 1),
-            (self.theta[1][0][under - 1], -1),
-        ]
+        """Return theta_top(z) / theta_4(z) * theta_over(0) / theta_under(0) and its slopes."""
+        there, at_zero = self.theta[0][0], self.theta[1][0]
+        factors = [(there[top - 1], 1), (there[3], -1), (at_zero[over - 1], 1)]
+        factors.append((at_zero[under - 1], -1))
         value = flint.acb(1)
         for (theta, _), power in factors:
             value *= theta**power
@@ -86,21 +88,18 @@ class Enclosure:
         return value.real, [slope.real for slope in slopes]
 
     def amplitude(self):
-        """am is the angle of (cn, sn), in the turn that u / 4K tells."""
+        """Set am, the angle of (cn, sn) in the turn of u / 4K, and its slopes."""
         sn, cn = self.values["sn"], self.values["cn"]
-        turns = 0
-        if self.m < 1:
-            turns = round(float((self.u / (4 * self.k.real)).mid()))
-            rest = self.u / (4 * self.k.real) - turns
-            assert abs(rest) < 0.4999  # |am - 2 pi turns| < pi: no doubt about the branch
-        else:
-            assert cn > 0
+        part = self.u / (4 * self.k.real)
+        turns = round(float(part.mid())) if self.m < 1 else 0
+        # |am - 2 pi turns| < pi: no doubt about the branch.
+        assert abs(part - turns) < 0.4999 if self.m < 1 else cn > 0
         self.values["am"] = flint.arb.atan2(sn, cn) + 2 * turns * flint.arb.pi()
         pairs = zip(self.slopes["sn"], self.slopes["cn"], strict=True)
         self.slopes["am"] = [cn * ds - sn * dc for ds, dc in pairs]
 
     def epsilon(self, rate):
-        """E u / K and the logarithmic derivative of theta_4 in u (DLMF 22.16.30)."""
+        """Set epsilon, E u / K plus a logarithmic derivative (DLMF 22.16.30), and its slopes."""
         (theta, d_theta), (slope, d_slope) = (order[3] for order in self.theta[0])
         mean, zeta = self.e / self.k, rate * slope / theta
         d_mean = (self.e - self.k) / (2 * self.m * self.k) - mean * self.dk / self.k  # DLMF 19.4.2
@@ -113,9 +112,9 @@ class Enclosure:
 
 
 def theta_and_slopes(z, tau, dz, dtau):
-    """The four theta functions and their four z-derivatives, each with its slopes in u and m.
+    """Return the four theta functions and their z-derivatives, each with its slopes in u and m.
 
-    The heat equation gives the way along tau: dtheta/dtau = theta''/(4 pi i).
+    The heat equation gives the derivative in tau: dtheta/dtau = theta''/(4 pi i).
     """
     orders = [z.modular_theta(tau, r) for r in range(4)]
     heat = 4 * flint.arb.pi()
@@ -188,7 +187,7 @@ def test_derivatives_are_the_numerical_ones(function, index):
 
 
 def central(f, x, y, index):
-    """A central difference of order six, at 110 digits."""
+    """Return a central difference of order six, at 110 digits."""
     with mp.workdps(110):
         h, total = mp.mpf(10) ** -12, mp.mpf(0)
         for k, weight in ((1, 45), (2, -9), (3, 1)):
@@ -268,9 +267,10 @@ def test_assumptions():
     assert jacobi_dn(x, y).is_positive is None
 
 
-@pytest.mark.parametrize("kind", ["sn", "cn", "dn"])
-def test_evalf_is_mpmath_to_fifty_digits(kind):
-    function = {"sn": jacobi_sn, "cn": jacobi_cn, "dn": jacobi_dn}[kind]
+@pytest.mark.parametrize(
+    ("kind", "function"), [("sn", jacobi_sn), ("cn", jacobi_cn), ("dn", jacobi_dn)]
+)
+def test_evalf_is_mpmath_to_fifty_digits(kind, function):
     points = [("7/5", "1/3"), ("100", "9/10"), ("2", "-3"), ("1/2", "5"), ("1+I/2", "1/3+I")]
     for x, y in points:
         x, y = sp.sympify(x), sp.sympify(y)
@@ -295,7 +295,7 @@ def test_epsilon_is_the_integral_of_dn_squared(balls):
 
 
 def integral_of_dn_squared(end, m):
-    """By Arb's rigorous quadrature; dn is the quotient of DLMF 22.2.6."""
+    """Return the integral by Arb's rigorous quadrature; dn is the quotient of DLMF 22.2.6."""
     k = m.elliptic_k()
     tau = flint.acb(0, 1) * (1 - m).elliptic_k() / k
     constants = flint.acb(0).modular_theta(tau)
@@ -309,7 +309,7 @@ def integral_of_dn_squared(end, m):
 
 @pytest.mark.parametrize("parameter", ["-1e300", "-1e6", "-1e-20", "1e-300", "1.0000001", "1e6"])
 def test_epsilon_far_out(parameter):
-    """By Carlson's R_D instead of theta functions: u less the integral of m sn^2 (19.25.13)."""
+    """Compare with Carlson's R_D: epsilon is u less the integral of m sn^2 (19.25.13)."""
 
     def part(sn, cn2, dn2):
         return sn**3 * mp.elliprd(cn2, dn2, 1) / 3
@@ -347,15 +347,12 @@ def test_evalf_keeps_the_complement_of_m():
         assert abs(dn / sp.Float(expected, 50) - 1) < 1e-14
 
 
-def test_evalf_where_nothing_can_be_evaluated():
+def test_evalf_of_symbols_is_none_and_of_floats_at_once():
     assert jacobi_am(u, m).evalf() == jacobi_am(u, m)
     assert jacobi_am(sp.I / 2, sp.Rational(1, 3)).evalf().func is jacobi_am
     with pytest.raises(ValueError, match="many-valued"):
         MPMATH["jacobi_am"](1j, 0.5)
     assert mp.isnan(MPMATH["jacobi_sn"](mp.inf, 0.5))
-
-
-def test_floats_evaluate_at_once():
     assert jacobi_sn(0.5, 0.25) == jacobi_sn(sp.Rational(1, 2), sp.Rational(1, 4)).evalf()
 
 
@@ -369,8 +366,8 @@ def test_am_has_no_jumps(parameter):
     slope = (dn[1:] + dn[:-1]) / 2
     assert np.max(np.abs(np.diff(am) / step - slope)) < 2e-3
     for x in grid[::400]:
-        exact = MPMATH["jacobi_am"](mp.mpf(x), mp.mpf(parameter))
-        assert abs(NUMPY["jacobi_am"](x, parameter) - exact) < 2e-15 * (1 + abs(exact))
+        right = exact("jacobi_am", x, parameter)
+        assert abs(NUMPY["jacobi_am"](x, parameter) - right) < 2e-15 * (1 + abs(right))
 
 
 def test_am_gains_pi_each_half_period():
@@ -406,19 +403,23 @@ def test_am_inverts_the_integral_of_the_first_kind():
 # --- printing -------------------------------------------------------------------------------
 
 
-def test_printing():
-    sn = jacobi_sn(u, m)
-    assert str(sn) == "jacobi_sn(u, m)"
-    assert sp.srepr(sn) == "jacobi_sn(Symbol('u'), Symbol('m'))"
-    assert sp.latex(sn) == r"\operatorname{sn}\left(u \mid m\right)"
-    assert sp.latex(sn**2) == r"\operatorname{sn}^{2}\left(u \mid m\right)"
-    assert sp.latex(1 / sn) == r"\frac{1}{\operatorname{sn}\left(u \mid m\right)}"
-    assert sp.latex(jacobi_am(a * t, m)) == r"\operatorname{am}\left(a t \mid m\right)"
-    assert pickle.loads(pickle.dumps(sn)) == sn
-    epsilon = jacobi_epsilon(u, m)
-    assert str(epsilon) == "jacobi_epsilon(u, m)"
-    assert sp.latex(epsilon) == r"\mathcal{E}\left(u \mid m\right)"
-    assert sp.latex(epsilon**2) == r"\mathcal{E}^{2}\left(u \mid m\right)"
+@pytest.mark.parametrize(
+    ("function", "symbol"),
+    [
+        (jacobi_sn, r"\operatorname{sn}"),
+        (jacobi_am, r"\operatorname{am}"),
+        (jacobi_epsilon, r"\mathcal{E}"),
+    ],
+)
+def test_printing(function, symbol):
+    one, name = function(u, m), function.__name__
+    assert str(one) == f"{name}(u, m)"
+    assert sp.srepr(one) == f"{name}(Symbol('u'), Symbol('m'))"
+    assert sp.latex(one) == rf"{symbol}\left(u \mid m\right)"
+    assert sp.latex(one**2) == rf"{symbol}^{{2}}\left(u \mid m\right)"
+    assert sp.latex(1 / one) == rf"\frac{{1}}{{{symbol}\left(u \mid m\right)}}"
+    assert sp.latex(function(a * t, m)) == rf"{symbol}\left(a t \mid m\right)"
+    assert pickle.loads(pickle.dumps(one)) == one
 
 
 # --- lambdify -------------------------------------------------------------------------------
@@ -431,10 +432,9 @@ def test_lambdify_over_arrays(function, modules):
     grid, parameters = np.linspace(-30, 30, 121)[:, None], np.array([0.0, 0.2, 0.9, 1 - 1e-12, 1.0])
     values = call(grid, parameters)
     assert values.shape == (121, 5)
-    for i, x in enumerate(grid[:, 0]):
-        for j, y in enumerate(parameters):
-            exact = MPMATH[function.__name__](mp.mpf(x), mp.mpf(y))
-            assert abs(values[i, j] - exact) < 1e-14 * (1 + abs(exact))
+    for (i, j), value in np.ndenumerate(values):
+        right = exact(function.__name__, grid[i, 0], parameters[j])
+        assert abs(value - right) < 1e-14 * (1 + abs(right))
     assert call(0.5, 0.2) == pytest.approx(float(function(0.5, 0.2)), rel=1e-15)
 
 
@@ -454,13 +454,11 @@ def test_lambdify_prefers_the_callers_implementation():
 
 
 def test_numpy_is_accurate_up_to_the_end_and_silent_beyond():
-    for y in (1 - 1e-9, 1 - 1e-12, 1 - 1e-15, 1.0, -3.0):
-        for name, call in NUMPY.items():
-            exact = [MPMATH[name](mp.mpf(x), mp.mpf(y)) for x in (0.1, 2.0, 9.0, 15.0)]
-            assert np.allclose(
-                call(np.array([0.1, 2.0, 9.0, 15.0]), y), np.array(exact, dtype=float), 5e-15, 5e-15
-            )
-    for call in NUMPY.values():
+    arguments = np.array([0.1, 2.0, 9.0, 15.0])
+    for name, call in NUMPY.items():
+        for y in (1 - 1e-9, 1 - 1e-12, 1 - 1e-15, 1.0, -3.0):
+            right = np.array([exact(name, x, y) for x in arguments], dtype=float)
+            assert np.allclose(call(arguments, y), right, 5e-15, 5e-15)
         assert np.isnan(call(0.5, 1.5))
         assert np.isnan(call(np.nan, 0.5))
 
@@ -482,11 +480,11 @@ def test_numpy_epsilon_over_strata(stratum):
     )
     parameters = np.array(STRATA[stratum])
     values = NUMPY["jacobi_epsilon"](arguments[:, None], parameters)
-    for i, x in enumerate(arguments):
-        for j, y in enumerate(parameters):
-            exact = MPMATH["jacobi_epsilon"](mp.mpf(x), mp.mpf(y))
-            growth = abs(x * mp.ellipe(y) / mp.ellipk(y)) if y < 0 else 0
-            assert abs(values[i, j] - exact) <= 5e-15 * max(growth, abs(exact))
+    for (i, j), value in np.ndenumerate(values):
+        x, y = arguments[i], parameters[j]
+        right = exact("jacobi_epsilon", x, y)
+        growth = abs(x * mp.ellipe(y) / mp.ellipk(y)) if y < 0 else 0
+        assert abs(value - right) <= 5e-15 * max(growth, abs(right))
 
 
 @every
@@ -514,5 +512,5 @@ def test_lambdify_of_derivatives_in_m(function):
     assert values.shape == (6, 5)
     for (i, j), value in np.ndenumerate(values):
         with mp.workdps(40):
-            exact = over_mpmath(mp.mpf(arguments[i, 0]), mp.mpf(parameters[j]))
-        assert abs(value - exact) < 2e-14 * (1 + abs(arguments[i, 0])) * max(1, abs(exact))
+            right = over_mpmath(mp.mpf(arguments[i, 0]), mp.mpf(parameters[j]))
+        assert abs(value - right) < 2e-14 * (1 + abs(arguments[i, 0])) * max(1, abs(right))
