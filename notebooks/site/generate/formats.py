@@ -192,8 +192,7 @@ def _ledger() -> Any:
 
 def _methods() -> Any:
     """Return a comparison at a time that Taylor series reach soon, at two distances, run once."""
-    few = {"DISTANCES": ("1e-1", "0"), "REPEATS": 1}
-    with patch.multiple(comparison, **few):
+    with patch.multiple(comparison, DISTANCES=("1e-1", "0"), REPEATS=1):
         return _json(comparison.compare(_example('times = ["0.1"]'), [15]).to_json())
 
 
