@@ -119,12 +119,13 @@ def test_a_library_is_compiled_once(wrapped):
 def test_what_determines_a_library_is_in_its_name(wrapped, monkeypatch):
     log = wrapped()
     obtained()
-    monkeypatch.setattr(build, "package_sources", lambda _: stub("b"))
-    obtained()
-    monkeypatch.setattr(build, "processor", lambda: ["another"])
-    obtained()
-    monkeypatch.setattr(build, "FLAGS", (*compiler.FLAGS, "-g"))
-    obtained()
+    for name, value in (
+        ("package_sources", lambda _: stub("b")),
+        ("processor", lambda: ["another"]),
+        ("FLAGS", (*compiler.FLAGS, "-g")),
+    ):
+        monkeypatch.setattr(build, name, value)
+        obtained()
     monkeypatch.setenv("CC", f"{SYSTEM} -g")
     obtained()
     assert len(kept()) == 5
@@ -209,63 +210,54 @@ def test_a_home_that_does_not_exist_is_told(monkeypatch):
     assert obtained() == [f"engine: {reason}: the library serves this process only"]
 
 
-def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch):
-    monkeypatch.setenv("PATH", "")
-    found, remarks = heard()
-    assert isinstance(found, NumpyEngine)
-    expected = "engine: no C compiler found (cc, gcc, clang): states are computed by NumPy"
-    assert remarks == [expected]
-    again, remarks = heard()
-    assert isinstance(again, NumpyEngine)
-    assert remarks == []
-
-
-def test_a_compiler_that_is_named_is_the_only_one_tried(monkeypatch):
-    monkeypatch.setenv("CC", "no-such-compiler -O1")
-    _, remarks = heard()
-    expected = "no C compiler found (CC=no-such-compiler): states are computed by NumPy"
-    assert remarks == [f"engine: {expected}"]
+# What a compiler does, and what a user is told of it; {CC} is the compiler's path.
+BROKEN = {
+    "errors": (
+        'echo "note" >&2; echo "a.c:1: error: boom" >&2; echo "error: more" >&2; exit 1',
+        "{CC} failed: a.c:1: error: boom",
+    ),
+    "no library": (
+        'for last; do case "$last" in *.so) echo "no library" > "$last";; esac; done; exit 0',
+        ".* cannot be loaded .*",
+    ),
+    "nothing": ("exit 0", "{CC} wrote no library"),
+}
 
 
 @needs_compiler
-def test_the_first_error_of_a_compiler_is_told(wrapped):
-    log = wrapped('echo "note" >&2; echo "a.c:1: error: boom" >&2; echo "error: more" >&2; exit 1')
-    found, remarks = heard()
+@pytest.mark.parametrize(("script", "reason"), BROKEN.values(), ids=BROKEN)
+def test_a_compiler_that_fails_is_told_once(wrapped, script, reason):
+    log = wrapped(script)
+    found, (remark,) = heard()
     assert isinstance(found, NumpyEngine)
-    script = os.environ["CC"]
-    reason = f"{script} failed: a.c:1: error: boom"
-    assert remarks == [f"engine: {reason}: states are computed by NumPy"]
+    reason = reason.replace("{CC}", re.escape(os.environ["CC"]))
+    assert re.fullmatch(f"engine: {reason}: states are computed by NumPy", remark)
     assert heard()[1] == []
-    assert len(calls(log)) == 2
+    assert len(calls(log)) == (2 if "error" in script else 1)
     assert kept() == []
 
 
-@needs_compiler
-def test_a_compiler_that_writes_no_library_is_told(wrapped):
-    wrapped('for last; do case "$last" in *.so) echo "no library" > "$last";; esac; done; exit 0')
-    found, remarks = heard()
-    assert isinstance(found, NumpyEngine)
-    (remark,) = remarks
-    assert "cannot be loaded" in remark
-    assert "\n" not in remark
-    assert kept() == []
-
-
-@needs_compiler
-def test_a_compiler_that_does_nothing_is_told(wrapped):
-    wrapped("exit 0")
-    _, remarks = heard()
-    assert remarks == [f"engine: {os.environ['CC']} wrote no library: states are computed by NumPy"]
-
-
-def test_a_file_that_is_no_programme_is_told(monkeypatch, tmp_path):
+@pytest.mark.parametrize(
+    ("variables", "reason"),
+    [
+        ({"PATH": ""}, r"no C compiler found \(cc, gcc, clang\)"),
+        ({"CC": "no-such-compiler -O1"}, r"no C compiler found \(CC=no-such-compiler\)"),
+        ({"CC": "{place}/no-programme"}, "{place}/no-programme cannot be run: .*"),
+    ],
+)
+def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch, tmp_path, variables, reason):
     script = tmp_path / "no-programme"
     script.write_text("#!/no/such/interpreter\n")
     script.chmod(stat.S_IRWXU)
-    monkeypatch.setenv("CC", str(script))
-    _, remarks = heard()
-    (remark,) = remarks
-    assert remark.startswith(f"engine: {script} cannot be run: ")
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value.format(place=tmp_path))
+    expected = reason.format(place=re.escape(str(tmp_path)))
+    found, (remark,) = heard()
+    assert isinstance(found, NumpyEngine)
+    assert re.fullmatch(f"engine: {expected}: states are computed by NumPy", remark)
+    again, remarks = heard()
+    assert isinstance(again, NumpyEngine)
+    assert remarks == []
 
 
 @needs_compiler
@@ -361,23 +353,21 @@ def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
 
 
 @needs_compiler
-def test_options_that_reorder_sums_are_told(monkeypatch):
-    options = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
+@pytest.mark.parametrize(
+    ("engine", "more", "error", "rule"),
+    [
+        ("c", "", (LibraryError, compiler.CompilerError), "reorder"),
+        ("c-step", " -U__ASSOCIATIVE_MATH__", LibraryError,
+         "^the C module refuses: arithmetic: sums are reordered"),
+    ],
+)  # fmt: skip
+def test_options_that_reorder_sums_are_told(monkeypatch, engine, more, error, rule):
+    """Steps ask for what no macro tells."""
+    options = f"-fassociative-math -fno-signed-zeros -fno-trapping-math{more}"
     monkeypatch.setenv("CC", f"{SYSTEM} {options}")
     monkeypatch.setattr(build, "package_sources", OF_THE_PACKAGE)
-    with pytest.raises((LibraryError, compiler.CompilerError), match=r"reorder"):
-        build.library([])
-
-
-@needs_compiler
-def test_steps_ask_for_what_no_macro_tells(monkeypatch):
-    options = "-fassociative-math -fno-signed-zeros -fno-trapping-math -U__ASSOCIATIVE_MATH__"
-    monkeypatch.setenv("CC", f"{SYSTEM} {options}")
-    monkeypatch.setattr(build, "package_sources", OF_THE_PACKAGE)
-    with pytest.raises(
-        LibraryError, match=r"^the C module refuses: arithmetic: sums are reordered"
-    ):
-        build.library([], "c-step")
+    with pytest.raises(error, match=rule):
+        build.library([], engine)
 
 
 def test_a_digest_need_not_be_written():
