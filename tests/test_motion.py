@@ -1,9 +1,11 @@
-"""The public class and `propagate` on the generated module."""
+"""The public class and `propagate`: states on both engines, inputs of every kind, and errors."""
 
+import copy
 import math
 import pickle
 import subprocess
 import sys
+import tracemalloc
 from decimal import Decimal
 from fractions import Fraction
 
@@ -12,24 +14,19 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from textbook import conjugate, multiply
 
 import rigidsym
-from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym import InputError, Regime, TorqueFreeMotion, generate, plan, propagate
 from rigidsym.generated import torque_free
+from rigidsym.io.cases import parse_case
+from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.solution._polhode import classify
 from rigidsym.validate.strata import STRATA, count, draw
 
 BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 MOTION = TorqueFreeMotion(BODY, RATES)
-
-
-def product(p, q):
-    return np.array(
-        [
-            p[0] * q[0] - p[1:] @ q[1:],
-            *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:])),
-        ]
-    )
+DECIMALS, DEGREES, TURNED = ("0.0109", "0.04", "0.0506"), ("3", "2", "-1"), math.pi / 180
 
 
 @pytest.mark.parametrize(
@@ -223,8 +220,7 @@ def test_momentum_stays_where_it_was_by_quaternion_products():
     start = np.array((0.1, 0.2, -0.3, 0.4)) / np.linalg.norm((0.1, 0.2, -0.3, 0.4))
 
     def inertial(q, omega):
-        conjugate = q * [1, -1, -1, -1]
-        return product(product(q, np.array([0, *(np.array(BODY) * omega)])), conjugate)
+        return np.array(multiply(multiply(q, [0, *(np.array(BODY) * omega)]), conjugate(q)))
 
     np.testing.assert_allclose(inertial(q, omega), inertial(start, np.array(RATES)), atol=1e-17)
 
@@ -451,3 +447,220 @@ def test_a_motion_keeps_its_constants_and_travels_without_them():
     assert len(kept._kept) <= 4
     again = pickle.loads(pickle.dumps(motion)).enclose(1)[0]
     assert [str(x) for x in again] == [str(x) for x in before]
+
+
+@pytest.mark.parametrize(
+    "t", [2, 2.0, np.float64(2), np.float32(2), np.int16(2), np.array(2.0), Fraction(2), "2"]
+)
+def test_one_time_of_any_kind(t, engine):
+    motion = TorqueFreeMotion(BODY, RATES, engine=engine)
+    q, omega = motion(t)
+    assert (q.shape, omega.shape) == ((4,), (3,))
+    exact = motion.precise(2, 25)
+    np.testing.assert_allclose(q, exact[0].astype(float), rtol=0, atol=1e-15)
+    np.testing.assert_allclose(omega, exact[1].astype(float), rtol=0, atol=1e-16)
+
+
+def test_memory_beyond_the_output_is_small_for_any_number_of_times(engine):
+    motion = TorqueFreeMotion(BODY, RATES, engine=engine)
+    t = np.linspace(0, 100, 2_000_000)
+    out = np.empty((t.size, 4)), np.empty((t.size, 3))
+    motion(0.0)
+    tracemalloc.start()
+    assert motion(t, out)[0] is out[0]
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 12e6  # less than one more array of times
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega0"),
+    [
+        (("1.1", "2.2", "2.2"), ("1e-140", "1", "0")),
+        (("2.2", "1.1", "2.2"), ("1", "0", "1e-140")),
+        (("1.1", "1.1", "1e-50"), ("0.1", "0.2", "0.3")),
+        (("1.1e305", "1.5e305", "1.2e305"), ("0.1", "0.2", "0.3")),
+        (("1.1e-305", "1.5e-305", "1.2e-305"), ("0.1", "0.2", "0.3")),
+        (("1", "2", "2.5"), ("1e-307", "2e-307", "3e-307")),
+    ],
+)
+def test_decimals_anywhere_in_the_range_of_doubles(inertia, omega0, engine):
+    motion = TorqueFreeMotion(inertia, omega0, engine=engine)
+    times = [0.5, 3.0]
+    exact = motion.precise(times, 25)
+    np.testing.assert_allclose(motion(times)[0], exact[0].astype(float), rtol=0, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega0", "message"),
+    [
+        (("1.1", "1.1", "1e-70"), ("1", "1", "1"), "inertia = .*differ by more than binary64"),
+        (("1.1", "1.2", "1.3"), ("1e-330", "0", "1e-330"), "omega0 = .*beyond the range"),
+        (("1.1", "1.2", "1.3"), ("1e309", "0", "1"), "omega0 = .*beyond the range"),
+    ],
+)
+def test_decimals_that_doubles_cannot_hold(inertia, omega0, message, engine):
+    with pytest.raises(InputError, match=message):
+        TorqueFreeMotion(inertia, omega0, engine=engine)(1.0)
+
+
+def test_a_batch_names_the_body_and_the_time_it_is_refused_for(engine):
+    rates = np.tile(RATES, (3, 4, 1))
+    rates[1, 2] = (1e-130, 1.0, 1e-135)
+    rule = r"nearer to the separatrix than binary64 can follow beyond \d+\.\d+ s \(body 1, 2\)"
+    with pytest.raises(InputError, match=rf"^t\[1\] = 5000.0: {rule}$"):
+        propagate((1.0, 2.0, 2.5), rates, [1.0, 5e3, 6e3], engine=engine)
+    rates[2, 1] = (1e307, 1e306, 1e305)
+    with pytest.raises(InputError, match=r"^omega0\[2, 1\] = \[1.*: rates beyond"):
+        propagate((1.0, 2.0, 2.5), rates, [0.0], engine=engine)
+
+
+def test_engines_and_targets_that_do_not_exist():
+    with pytest.raises(InputError, match="engine = 'fortran': must be one of: numpy, c"):
+        TorqueFreeMotion(BODY, RATES, engine="fortran")
+    with pytest.raises(InputError, match=r"target = \['c'\]: must be one of: numpy, c"):
+        generate(["c"])
+    with pytest.raises(InputError, match="engine = 'rust': must be one of"):
+        propagate(BODY, RATES, 1.0, engine="rust")
+
+
+def test_rates_are_those_in_radians_to_three_hundred_digits():
+    motion = TorqueFreeMotion(DECIMALS, DEGREES, degrees=True)
+    with mpmath.workdps(320):
+        for rate, given in zip(motion.omega0, DEGREES, strict=True):
+            exact = mpmath.mpf(rate.numerator) / rate.denominator
+            assert abs(exact / mpmath.radians(mpmath.mpf(given)) - 1) < mpmath.mpf(10) ** -300
+    radians = motion.replace(omega0=[TURNED * float(x) for x in DEGREES])
+    assert np.allclose(motion(100.0)[0], radians(100.0)[0], rtol=0, atol=1e-14)
+    assert np.allclose(motion(100.0)[1], radians(100.0)[1], rtol=0, atol=1e-16)
+
+
+def test_ratios_stay_exact_and_the_regime_with_them():
+    body, rates = (4, 5, 9), (3, 1, 1)
+    assert 4 * (5 - 4) * rates[0] ** 2 == 9 * (9 - 5) * rates[2] ** 2
+    assert TorqueFreeMotion(body, rates, degrees=True).regime == Regime.SEPARATRIX
+    assert TorqueFreeMotion(body, np.deg2rad(rates)).regime != Regime.SEPARATRIX
+
+
+def test_uncertain_rates_keep_their_part():
+    motion = TorqueFreeMotion(DECIMALS, ("3 +/- 0.03", 2, 1), degrees=True)
+    assert motion.omega0[0].radius * 100 == motion.omega0[0].middle
+    middle = motion.replace(omega0=(3, 2, 1), degrees=True).omega0[0]
+    assert motion.omega0[0].middle == middle
+
+
+def test_batches_take_them():
+    body = [float(x) for x in DECIMALS]
+    q, omega = propagate(body, [3.0, 2.0, -1.0], [0.0, 10.0], degrees=True)
+    same = propagate(body, np.deg2rad([3.0, 2.0, -1.0]), [0.0, 10.0])
+    assert np.array_equal(q, same[0])
+    assert np.array_equal(omega, same[1])
+
+
+def test_files_take_them():
+    text = "inertia = [1, 2, 2.5]\nomega0 = [10, 20, 30]\ntimes = [0]\ndegrees = true\n"
+    motion = parse_case(text).motion
+    assert motion == TorqueFreeMotion((1, 2, 2.5), (10, 20, 30), degrees=True)
+    with pytest.raises(InputError, match=r"^degrees = 'yes': must be true or false$"):
+        parse_case(text.replace("true", "'yes'"))
+
+
+def test_plans_take_them_as_doubles():
+    ends = DECIMALS, (1, 0, 0, 0), ("0.5", "0.5", "0.5", "0.5"), 100
+    limits = {"max_rate": 5, "target_spin": (1, 0, "0.5")}
+    found = plan(*ends, **limits, degrees=True, engine="numpy").manoeuvre
+    assert found.limits.max_rate == Fraction(5 * TURNED)
+    assert np.allclose([float(x) for x in found.target_spin], [TURNED, 0, TURNED / 2], rtol=1e-16)
+    tables = {
+        "inertia": DECIMALS, "start": ends[1], "target": ends[2], "duration": 100, "degrees": True,
+        "spin": {"target": limits["target_spin"]}, "limits": {"max_rate": 5},
+    }  # fmt: skip
+    assert parse(tables) == found
+    assert max(map(len, found.to_data()["spin"]["target"])) < 30
+
+
+@pytest.mark.parametrize("wrong", [1, None, "deg"])
+def test_other_values_are_refused(wrong):
+    with pytest.raises(InputError, match=r"^degrees = .*: must be true or false$"):
+        TorqueFreeMotion(DECIMALS, DEGREES, degrees=wrong)
+    with pytest.raises(InputError, match=r"^degrees = .*: must be true or false$"):
+        propagate((1.0, 2.0, 2.5), (1.0, 2.0, 3.0), 1.0, degrees=wrong)
+
+
+def test_replace_takes_degrees_with_rates_alone():
+    motion = TorqueFreeMotion(DECIMALS, DEGREES, degrees=True)
+    assert motion.replace(engine="c").omega0 == motion.omega0
+    with pytest.raises(InputError, match=r"^degrees = True: is about omega0, which is not given$"):
+        motion.replace(degrees=True)
+
+
+@pytest.mark.parametrize(
+    "name", ["inertia", "omega0", "attitude0", "engine", "anything", "_prepared"]
+)
+def test_nothing_of_a_motion_changes(name):
+    motion = TorqueFreeMotion(DECIMALS, RATES)
+    before = repr(motion), motion(1.0)[0].tolist()
+    rule = rf"^{name}: a motion does not change; motion.replace gives another$"
+    with pytest.raises(AttributeError, match=rule):
+        setattr(motion, name, (1, 2, 3))
+    with pytest.raises(AttributeError, match=rule):
+        delattr(motion, name)
+    assert (repr(motion), motion(1.0)[0].tolist()) == before
+
+
+def test_what_it_was_made_from_may_change():
+    given = [np.array(x, float) for x in (DECIMALS, RATES, (1, 0, 0, 0))]
+    motion = TorqueFreeMotion(*given)
+    for array in given:
+        array[:] = 99
+    assert motion(0.0)[1].tolist() == list(RATES)
+    motion(0.0)[1][:] = 7
+    motion([0.0])[0][:] = 7
+    assert motion(0.0)[1].tolist() == list(RATES)
+    assert motion(0.0)[0].tolist() == [1, 0, 0, 0]
+
+
+def test_equal_numbers_are_equal_motions():
+    motion = TorqueFreeMotion(DECIMALS, RATES)
+    same = TorqueFreeMotion([Fraction(x) for x in DECIMALS], np.array(RATES))
+    motion(1.0)
+    assert motion == same
+    assert hash(motion) == hash(same)
+    assert {motion: 1}[same] == 1
+    others = [
+        TorqueFreeMotion([float(x) for x in DECIMALS], RATES),
+        motion.replace(omega0=(0.05, 0.03, 0.02)),
+        motion.replace(attitude0=(1, 0, 0, 1)),
+        motion.replace(engine="c"),
+    ]
+    assert len({motion, *others}) == 5
+    assert motion != (DECIMALS, RATES)
+
+
+def test_replace_keeps_the_rest():
+    motion = TorqueFreeMotion((1, 1, 5), RATES, (1, 2, 3, 4), allow_nonphysical=True, engine="c")
+    other = motion.replace(omega0=("0.1", 0, 0))
+    assert other.engine == "c"
+    assert other.inertia == motion.inertia
+    assert other.attitude0 == motion.attitude0
+    assert other.omega0 == (Fraction(1, 10), 0, 0)
+    with pytest.raises(InputError, match=r"^inertia = .*larger than the sum"):
+        motion.replace(allow_nonphysical=False)
+    with pytest.raises(InputError, match=r"^omega0\[0\] = 'x'"):
+        motion.replace(omega0=("x", 1, 2))
+    with pytest.raises(TypeError, match="torque"):
+        motion.replace(torque=1)
+
+
+def test_copies_are_the_motion_and_those_sent_elsewhere_equal_it(engine):
+    motion = TorqueFreeMotion(DECIMALS, ("0.05 +/- 1e-9", 0.03, -0.02), engine=engine)
+    assert pickle.loads(pickle.dumps(motion)) == motion
+    assert motion.replace(engine="numpy").replace(engine=engine) == motion
+    exact = motion.replace(omega0=RATES)
+    expected = exact([1.0, 2.0])
+    assert exact._prepared is exact._prepared
+    assert copy.copy(exact) is copy.deepcopy([exact])[0] is exact
+    again = pickle.loads(pickle.dumps(exact))
+    assert again == exact
+    for states in (again([1.0, 2.0]), exact([1.0, 2.0])):
+        assert all(map(np.array_equal, states, expected))

@@ -1,10 +1,54 @@
-"""The coefficients of splitting methods have the orders that are said of them."""
+"""Splitting methods have the orders that are said of them, decided word by word.
+
+A step is a product of exponentials of two operators that do not commute, A the free motion and B
+the torque.  It has the order n when each word of up to n letters has the coefficient it has in
+exp(A + B): 1 over the factorial of its length.  Words with one B make the terms of the first order
+in a weak torque.
+"""
+
+from itertools import product
+from math import factorial
 
 import pytest
-from splitting_words import defect, weak
 
 from rigidsym.errors import InputError
 from rigidsym.splitting._methods import METHODS, Method, checked
+
+
+def coefficients(method, longest, counts):
+    """Return the coefficients of words up to `longest` letters that `counts` accepts."""
+    found = {"": 1.0}
+    for letter, part in letters(method):
+        grown = {}
+        for word, value in found.items():
+            k = 0
+            while len(word) <= longest and counts(word):
+                grown[word] = grown.get(word, 0.0) + value
+                k += 1
+                word, value = word + letter, value * part / k
+        found = grown
+    return found
+
+
+def letters(method):
+    """Yield the operators of a step and their parts, in order."""
+    for drift, kick in zip(method.drifts, method.kicks, strict=False):
+        yield "A", drift
+        yield "B", kick
+    yield "A", method.drifts[-1]
+
+
+def defect(method, order, counts=lambda word: True):
+    """Return the largest difference from exp(A + B) among words of `order` letters."""
+    found = coefficients(method, order, counts)
+    words = filter(counts, map("".join, product("AB", repeat=order)))
+    return max(abs(found.get(word, 0.0) - 1 / factorial(order)) for word in words)
+
+
+def weak(word):
+    """Return True for a word with at most one B."""
+    return word.count("B") <= 1
+
 
 ROUNDING = 1e-14
 CASES = pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
