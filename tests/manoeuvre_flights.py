@@ -9,22 +9,27 @@ from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre._manoeuvre import manoeuvre
 from rigidsym.manoeuvre._transfer import robustness
 from rigidsym.manoeuvre.flight import fly
+from rigidsym.manoeuvre.flight._results import Tracked
 from rigidsym.manoeuvre.flight._settings import Disturbances, Flight, Timing
 
 INERTIA = ("0.0109", "0.04", "0.0506")
+MOMENTS = np.array([float(x) for x in INERTIA])
 OMEGA0 = (-0.016, 0.019, -0.003)
 NOTHING = Disturbances(drag=False, gravity_gradient=False, radiation=False, dipole=False)
+CALM = {"disturbances": NOTHING}
+NO_CONTROL = {"natural_frequency": 0.0}
 
 
 @dataclass(frozen=True)
 class Known:
+    """A motion that takes the place of a transfer."""
+
     duration: float
     motion: TorqueFreeMotion
 
     @property
     def sensitivity(self):
-        burst = [float(c) * w for c, w in zip(INERTIA, self.motion(0.0)[1], strict=True)]
-        return robustness(self.motion, np.array(burst), self.duration)
+        return robustness(self.motion, MOMENTS * self.motion(0.0)[1], self.duration)
 
 
 def known(duration=20, omega0=OMEGA0, start_spin=(0, 0, 0), target_spin=(0, 0, 0)):
@@ -36,9 +41,10 @@ def known(duration=20, omega0=OMEGA0, start_spin=(0, 0, 0), target_spin=(0, 0, 0
     return asked, Known(float(duration), motion)
 
 
-def flight(**parts):
-    """The paper's flight with other settings: a dict of changes for each part."""
-    base = Flight()
+def short(length=40, period="0.1", **parts):
+    """The paper's flight, but short and with other settings: a dict of changes for each part."""
+    timing = Timing(length=Fraction(length), period=Fraction(period), **parts.pop("run", {}))
+    base = Flight(run=timing)
     changed = {
         name: change if not isinstance(change, dict) else replace(getattr(base, name), **change)
         for name, change in parts.items()
@@ -46,13 +52,14 @@ def flight(**parts):
     return replace(base, **changed)
 
 
-def short(length=40, period="0.1", **parts):
-    """A short flight."""
-    timing = Timing(length=Fraction(length), period=Fraction(period), **parts.pop("run", {}))
-    return flight(run=timing, **parts)
-
-
 def flown(length=40, period="0.1", transfer=None, **parts):
     """A short flight along the motion of `known(**transfer)`."""
     asked, track = known(**(transfer or {}))
     return fly(asked, short(length, period, **parts), track)
+
+
+def tracked(length=40, message=None, **parts):
+    """A short flight along a motion of 10 s, with its manoeuvre and its settings."""
+    asked, transfer = known(duration=10, omega0=(0.01, 0.02, -0.01))
+    flight = replace(short(length, **parts), message=message or {})
+    return Tracked(asked, flight, transfer, fly(asked, flight, transfer))

@@ -1,9 +1,11 @@
-"""Random manoeuvres, and a search for the cheapest that knows nothing of the planner's geometry."""
+"""Random manoeuvres, and a search for the cheapest one without the planner's geometry."""
 
 from fractions import Fraction
 
 import numpy as np
 
+from rigidsym import _engines as engines
+from rigidsym.manoeuvre import _manoeuvre as asked_for
 from rigidsym.manoeuvre._families import least
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
 from rigidsym.manoeuvre._problem import Problem, problem
@@ -14,10 +16,23 @@ TARGETS = ("any", "half turn", "middle axis", "small", "near symmetry")
 # The planner evaluates some 150 motions before it refines any; this is a hundred times as many.
 STARTS = 15_000
 REFINED = 1000
+KINDS = len(BODIES) * len(TARGETS)
+BODY, START = (0.0109, 0.04, 0.0506), (1, 0, 0, 0)
+SKEW = np.array([2.0, -1.0, 2.0]) / 3
+
+
+def turn(axis, angle) -> tuple:
+    """Return the quaternion of a turn about a unit vector."""
+    return (np.cos(angle / 2), *(np.sin(angle / 2) * np.asarray(axis)))
+
+
+def turning(inertia, target, engine="c") -> Problem:
+    """Return the problem of a turn from the identity in 1 s."""
+    return posed(asked_for.manoeuvre(inertia, START, target, 1), engines.engine(engine))
 
 
 def manoeuvre(index: int, seed: int = 1) -> Manoeuvre:
-    """A problem of a kind that goes with its index; body, start and target are random."""
+    """Return a random manoeuvre of a kind that goes with its index."""
     rng = np.random.default_rng([seed, index])
     inertia = _body(rng, BODIES[index % len(BODIES)])
     start = rng.normal(size=4)
@@ -36,7 +51,7 @@ def posed(asked: Manoeuvre, engine) -> Problem:
 
 
 def _body(rng, kind):
-    """Moments in any order; the third is never larger than the sum of the others."""
+    """Return random moments of a kind, in any order, of a body that can exist."""
     a, b = rng.uniform(0.1, 1, size=2)
     c = rng.uniform(abs(a - b), a + b)
     if kind == "near symmetric":
@@ -67,13 +82,16 @@ def _turn(rng, inertia, kind):
 
 
 def brute(problem: Problem, rng, starts: int = STARTS, refined: int = REFINED) -> float:
-    """The least momentum that random rates lead to: all are evaluated, the best are refined."""
+    """Return the least momentum with which random rates arrive, once the best are refined."""
     found = arriving(problem, rng, 1.05 * least(problem), starts, refined)
     return float(np.min(problem.momenta(found), initial=np.inf))
 
 
 def arriving(problem: Problem, rng, bound: float, starts: int, refined: int) -> np.ndarray:
-    """Rates (N, 3) that arrive, from random ones with momenta up to a bound, some many times."""
+    """Return rates (N, 3) that arrive, refined from random ones with momenta up to a bound.
+
+    Some are there many times.
+    """
     direction = rng.normal(size=(starts, 3))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
     size = bound * rng.random(starts) ** (1 / 3)

@@ -17,7 +17,7 @@ import numpy as np
 
 from rigidsym.errors import InputError
 from rigidsym.io import _epochs as epochs
-from rigidsym.io._files import check_keys
+from rigidsym.io._files import subtable
 from rigidsym.io._tracks import Track
 
 MISSION_FIELDS = ("object_name", "object_id", "originator", "creation_date", "ref_frame_b")
@@ -183,11 +183,8 @@ def message_fields(table: object, known: Collection[str] = MESSAGE_FIELDS) -> Me
     Dates are strings or TOML's own.  Raises InputError for the first unknown key, and for text that
     the standard does not allow.
     """
-    if not isinstance(table, Mapping):
-        raise InputError("message", repr(table), f"must be a table of {', '.join(sorted(known))}")
-    check_keys("message", table, known)
     found = {}
-    for name, value in table.items():
+    for name, value in subtable("message", table, known).items():
         if isinstance(value, datetime):
             utc = value if value.tzinfo is None else value.astimezone(UTC)
             value = utc.replace(tzinfo=None).isoformat()

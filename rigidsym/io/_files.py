@@ -46,6 +46,14 @@ def parse_toml(field: str, text: str) -> TomlTable:
         raise InputError(field, "the file", f"is not TOML: {error}") from None
 
 
+def subtable(field: str, value: object, known: Collection[str]) -> TomlTable:
+    """Return a field that is a table with known keys; raise InputError otherwise."""
+    if not isinstance(value, Mapping):
+        raise InputError(field, repr(value), f"must be a table of {', '.join(sorted(known))}")
+    check_keys(field, value, known)
+    return value
+
+
 def check_keys(
     field: str, table: TomlTable, known: Collection[str], needed: Collection[str] = ()
 ) -> None:

@@ -1,18 +1,30 @@
-"""The cheapest motions within limits, the shortest duration, and limits that cannot be kept."""
+"""The cheapest motions within limits, the shortest duration, and limits that cannot be kept.
+
+Where the turn is a symmetry of the body, motions come in one-parameter families: each motion that
+arrives has others beside it, with the same momentum and energy, all round its polhode (facts
+ring.kinematics, ring.momentum, ring.euler).  They differ in their bursts where there are spins, and
+in their largest rates.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
 from decimal import ROUND_UP, Context, Decimal
 from fractions import Fraction
+from itertools import product
 from typing import NoReturn
 
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre import _one_parameter_families as one_parameter_families
 from rigidsym.manoeuvre._bursts import Bursts
+from rigidsym.manoeuvre._directions import is_symmetry
 from rigidsym.manoeuvre._families import families, least
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._problem import IDENTITY
+from rigidsym.manoeuvre._transit import phases
+
+# From rates (N, 3) to a value (N,) of each motion.
+Values = Callable[[np.ndarray], np.ndarray]
 
 _NEVER = "found no natural motion that keeps to it, at any duration, up to some twenty turns"
 # Durations are longer by this part than the shortest, so that rounding does not break limits.
@@ -23,6 +35,12 @@ _ROUNDING = 1e-12
 # ends here, at momenta of some twenty turns.
 _LARGEST = 30.0
 _SHOWN = Context(prec=6, rounding=ROUND_UP)
+# Samples of a one-parameter family; the rounds that follow reach a part of 3e-14 of it.
+_PHASES = 64
+_FINER, _ROUNDS = 8, 13
+_ARRIVED = 1e-9
+# Half turns about the principal axes take polhodes to polhodes.
+_IMAGES = np.array([signs for signs in product((1, -1), repeat=3) if np.prod(signs) == 1])
 
 
 def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
@@ -36,9 +54,7 @@ def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
     most = bursts.most(duration)
     bound = min(least(bursts.problem) + spins, most)
     while True:
-        known = families(bursts.problem, bound)
-        if one_parameter_families.matter(bursts):
-            known = one_parameter_families.cheapest(bursts, known, duration)
+        known = _all(bursts, bound, lambda known: _within_limits(bursts, known, duration))
         allowed = known[bursts.allowed(known, duration)]
         costs = bursts.sizes(allowed, duration).sum(axis=1)
         order = np.argsort(costs, kind="stable")[:count]
@@ -91,10 +107,85 @@ def _shortest(bursts: Bursts) -> float:
     """Return the shortest duration, s; motions of larger momentum than those found need longer."""
     bound = least(bursts.problem)
     while True:
-        known = families(bursts.problem, bound)
-        if one_parameter_families.matter(bursts):
-            known = one_parameter_families.least(bursts, known, bursts.shortest)
+        known = _all(bursts, bound, lambda known: _least(bursts, known, bursts.shortest))
         found = float(np.min(bursts.shortest(known), initial=np.inf))
         if found <= bound / bursts.most(1.0) * (1 + _ROOM) or bound > _LARGEST:
             return found
         bound = found * bursts.most(1.0) if np.isfinite(found) else _GROWTH * bound + 0.1
+
+
+def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    """Return all motions up to a momentum, rates (N, 3).
+
+    Where motions of a one-parameter family differ in cost or in the limits they need, `best`
+    replaces each motion by one of its family.
+    """
+    known = families(bursts.problem, bound)
+    differ = bursts.spin > 0 or np.isfinite(bursts.max_rate)
+    return best(known) if differ and is_symmetry(bursts.problem) else known
+
+
+def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
+    """Return the cheapest motion within the limits of the family of each motion, rates (N, 3).
+
+    Where none is within them, it is the one nearest to the limits.
+    """
+
+    def excess(found: np.ndarray) -> np.ndarray:
+        return bursts.excess(found, duration)
+
+    def cost(found: np.ndarray) -> np.ndarray:
+        return np.where(excess(found) <= 1, bursts.sizes(found, duration).sum(axis=1), np.inf)
+
+    found = _least(bursts, rates, cost)
+    beyond = ~bursts.allowed(found, duration)
+    found[beyond] = _least(bursts, rates[beyond], excess)
+    return found
+
+
+def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
+    """Return the motion of least value of the family of each motion, rates (N, 3)."""
+
+    def arrived(found: np.ndarray) -> np.ndarray:
+        missed = np.linalg.norm(bursts.problem.misses(found), axis=1)
+        return np.where(missed < _ARRIVED, values(found), np.inf)
+
+    chosen = []
+    for one in rates:
+        shares = np.arange(_PHASES) / _PHASES
+        images = _along(bursts, one, shares) * _IMAGES[:, None]
+        image, place = divmod(int(np.argmin(arrived(images.reshape(-1, 3)))), _PHASES)
+        share, width, found = shares[place], 1 / _PHASES, images[image]
+        for _ in range(_ROUNDS):
+            near = share + width * np.arange(-_FINER, _FINER + 1) / _FINER
+            found = _along(bursts, one, near) * _IMAGES[image]
+            place = int(np.argmin(arrived(found)))
+            share, width = near[place], width / _FINER
+        chosen.append(found[place] if np.isfinite(arrived(found[place : place + 1])[0]) else one)
+    return np.array(chosen).reshape(-1, 3)
+
+
+def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """Return rates (N, 3) in the family of rates (3,), shares (N,) of it further on."""
+    problem, size = bursts.problem, bursts.problem.momenta(rates)
+    if size == 0:
+        return np.zeros((len(shares), 3))
+    period = phases(problem, (problem.inertia * rates / size)[None]).period[0] / size
+    if np.isfinite(period):
+        _, later = problem.engine.propagate(problem.inertia, rates, IDENTITY, shares * period)
+        return later
+    # Whole turns also arrive about other axes of the same moment; other spins have no family.
+    axes = None if problem.angle else _equal_axes(bursts, rates)
+    if axes is None:
+        return np.tile(rates, (len(shares), 1))
+    angles = 2 * np.pi * shares
+    return np.linalg.norm(rates) * np.stack([np.cos(angles), np.sin(angles)], axis=-1) @ axes
+
+
+def _equal_axes(bursts: Bursts, rates: np.ndarray) -> np.ndarray | None:
+    """Return two axes (2, 3) of the moment of a spin; of a sphere, those nearest to both spins."""
+    c = bursts.problem.inertia
+    if c.min() == c.max():
+        return np.linalg.svd([bursts.before, bursts.after])[2][:2]
+    equal = c == c[np.argmax(np.abs(rates))]
+    return np.eye(3)[equal] if equal.sum() == 2 else None

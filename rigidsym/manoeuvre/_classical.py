@@ -51,7 +51,7 @@ class EulerAngles:
 
 
 def euler_angles(motion: TorqueFreeMotion, t: np.ndarray) -> EulerAngles:
-    """Return the angles at increasing times (N,).
+    """Return the angles at increasing times (N,), the precession integrated by Gauss's rule.
 
     The momentum must never lie along the third axis of the body.
     """
@@ -63,7 +63,10 @@ def euler_angles(motion: TorqueFreeMotion, t: np.ndarray) -> EulerAngles:
     first = float(np.arctan2(b * d + a * c, a * b - c * d))
     nutation = np.arccos(np.clip(body[:, 2] / size, -1, 1))
     spin = np.arctan2(body[:, 0], body[:, 1])
-    turned = first + _precession(motion, t)
+    half = np.diff(t) / 2
+    nodes = (t[:-1] + half)[:, None] + half[:, None] * NODES
+    rate = _rate(motion, nodes.ravel()).reshape(nodes.shape)
+    turned = first + np.concatenate([[0.0], np.cumsum(half * (rate @ WEIGHTS))])
     # Above -pi and up to pi.
     precession = np.pi - np.mod(np.pi - turned, 2 * np.pi)
     return EulerAngles(precession, nutation, spin)
@@ -83,15 +86,8 @@ def _fixed_momentum(motion: TorqueFreeMotion) -> np.ndarray:
     return rotated(motion(0.0)[0], momentum(motion))
 
 
-def _precession(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
-    """Integrate the precession's rate (N,) from the first time on, by Gauss's rule."""
-    half = np.diff(t) / 2
-    nodes = (t[:-1] + half)[:, None] + half[:, None] * NODES
-    rate = _rate(motion, nodes.ravel()).reshape(nodes.shape)
-    return np.concatenate([[0.0], np.cumsum(half * (rate @ WEIGHTS))])
-
-
 def _rate(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
+    """Return the rate (N,) of the precession, rad/s."""
     body, rates = moments(motion)[:2], motion(t)[1][:, :2]
     size = float(np.linalg.norm(momentum(motion)))
     across = body * rates

@@ -12,6 +12,7 @@ import numpy as np
 from rigidsym.io._files import write_bytes, write_text
 from rigidsym.manoeuvre._classical import EulerAngles, difference, euler_angles
 from rigidsym.manoeuvre.flight._results import Tracked, track
+from rigidsym.view._pages import render
 from rigidsym.view._plots import figure as drawing
 from rigidsym.view._plots import flights as pictures
 
@@ -88,7 +89,9 @@ class Figures:
         for name, figure in self.drawn().items():
             for suffix, data in drawing.rendered(figure).items():
                 written.append(write_bytes(directory / f"{name}.{suffix}", data))
-        return [*written, write_text(directory / "figures.md", page(self.numbers()))]
+        page = render("figures.md", **self.numbers()).rstrip("\n")
+        text = "\n\n".join(fill(part, 100) for part in page.split("\n\n")) + "\n"
+        return [*written, write_text(directory / "figures.md", text)]
 
 
 def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> Figures:
@@ -109,57 +112,3 @@ def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
     axes.set_yticks(range(-180, 181, 60))
     drawing.legend(axes)
     return figure
-
-
-def page(n: dict[str, Any]) -> str:
-    """Return figures.md, from the numbers of `Figures.numbers`."""
-    jumps = ", ".join(f"{count} of the {name}" for name, count in n["jumps"].items())
-    error, (first, coast, last) = n["tracking"], n["burst"]
-    text = f"""# Figures
-
-Written by `rigidsym figures`.  The manoeuvre and the flight are those of `rigidsym track paper`
-(`rigidsym/manoeuvre/paper.toml`): the inertia, the orbit, the disturbances and the limits of the
-wheels are the paper's (caption of Figure 3); attitudes, duration, gains and all else are chosen
-here, since the paper does not print them.  So the curves differ from the paper's point for point,
-and can be compared in what they are drawn to show.
-
-## Figure 1
-
-![Euler's angles](figure1.svg)
-
-The paper: the natural motion by the classical solution in Euler's angles ([2], (B5) and (B10));
-"Figure 1 shows discontinuities which make them unfeasible for direct application".
-
-Here: the same motion as in Figure 2, by the classical formulas for the angles about the fixed
-momentum (nutation by an arccosine, spin by an arctangent, precession by an integral), principal
-values in degrees.  Jumps within {n["length"]:g} s: {jumps}.  As rotations, the angles agree
-with the library's quaternions to {n["apart"]:.1e} degrees: the angles jump, the motion does not.
-
-## Figure 2
-
-![Attitude](figure2.svg)
-
-The paper: the same motion by the quaternions of Theorem 1, dashed, and the track flown by a
-spacecraft under a PD controller, continuous; the dashed line goes on after the target has been
-reached, where the natural motion is no longer the reference.
-
-Here: the same.  The target is reached at {n["arrival"]:g} s.  The natural motion changes by
-{n["step"]:.4f} at most in any component in {n["period"]:g} s: no jump.  The spacecraft starts at
-rest, so it falls behind and catches up: the error is {error["max"]:.2f} degrees at most and
-{error["rms"]:.2f} (rms) until the target, {error["last"]:.2f} when it is reached; then it settles
-(from {n["settled_at"]:g} s on) and ends {n["final_error"]:.3f} degrees from the target.
-
-## Figure 3
-
-![Control torques](figure3.svg)
-
-The paper: the torques of the three reaction wheels over 180 s, on axes from -3e-4 to 5e-4 N m;
-close to a scheme of two bursts.
-
-Here: from {n["lowest"]:.2e} to {n["highest"]:.2e} N m over {n["length"]:g} s; the limit of the
-wheels is {n["limit"]:g} N m.  The first burst peaks at {first:.2e}, the last at {last:.2e}; between
-them {coast:.1e} at most, {coast / min(first, last):.1%} of the smaller burst; all disturbances
-together peak at {n["disturbance"]:.1e} N m.  The wheels have stored the momentum of the body, so
-that the total momentum is zero and the body feels no gyroscopic torque.  To follow the natural
-motion the wheels must supply that torque, {n["gyroscopic"]:.1e} N m at most."""
-    return "\n\n".join(fill(part, 100) for part in text.split("\n\n")) + "\n"

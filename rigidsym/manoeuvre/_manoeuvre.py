@@ -1,6 +1,6 @@
 """A manoeuvre, from one attitude to another in a given time, within limits, and its file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from importlib import resources
@@ -17,10 +17,7 @@ PAPER = "paper.toml"
 "The file of the package."
 REST = (0, 0, 0)
 FLIGHT = frozenset(
-    {
-        *("orbit", "wheels", "thrusters", "controller", "spacecraft", "disturbances", "run"),
-        "message",
-    }
+    ("orbit", "wheels", "thrusters", "controller", "spacecraft", "disturbances", "run", "message")
 )
 "Tables of a file for the flight, fields of `flight.settings.Flight`; planners leave them alone."
 _NEEDED = ("inertia", "start", "target")
@@ -31,7 +28,7 @@ _LARGEST = 10**60
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits of the spacecraft; None where there is none."""
+    """Greatest rate and greatest burst of a spacecraft; None where there is no limit."""
 
     max_rate: Fraction | None = None
     "Greatest body rate at any time of the motion, |omega|, rad/s."
@@ -69,20 +66,22 @@ class Manoeuvre:
         return not (turned or any(self.start_spin) or any(self.target_spin))
 
     def to_data(self) -> dict[str, Any]:
-        """Return the tables of a manoeuvre file, numbers as strings that mean them exactly."""
+        """Return the tables of a manoeuvre file, with exact numbers as strings."""
+
+        def text(value: Fraction | tuple[Fraction, ...] | None) -> Any:
+            if isinstance(value, tuple):
+                return [inputs.exact_text(one) for one in value]
+            return None if value is None else inputs.exact_text(value)
+
         limits = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
         return {
-            "inertia": _texts(self.inertia),
-            "start": _texts(self.start),
-            "target": _texts(self.target),
-            "duration": None if self.duration is None else inputs.exact_text(self.duration),
-            "spin": {"start": _texts(self.start_spin), "target": _texts(self.target_spin)},
-            "limits": {k: inputs.exact_text(x) for k, x in limits.items() if x is not None},
+            "inertia": text(self.inertia),
+            "start": text(self.start),
+            "target": text(self.target),
+            "duration": text(self.duration),
+            "spin": {"start": text(self.start_spin), "target": text(self.target_spin)},
+            "limits": {name: text(x) for name, x in limits.items() if x is not None},
         }
-
-
-def _texts(values: tuple[Fraction, ...]) -> list[str]:
-    return [inputs.exact_text(value) for value in values]
 
 
 def manoeuvre(
@@ -97,7 +96,7 @@ def manoeuvre(
     max_burst: ExactNumber | None = None,
     degrees: bool = False,
 ) -> Manoeuvre:
-    """Make a manoeuvre from numbers of users; raises InputError for the first bad one.
+    """Return the manoeuvre with a user's numbers; raise InputError for the first bad one.
 
     degrees: spins and `max_rate` are in deg/s, and are rounded to doubles in rad/s.
     """
@@ -109,13 +108,18 @@ def manoeuvre(
     length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_burst"])
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
-    spins = _spin("spin.start", start_spin), _spin("spin.target", target_spin)
+    spins = []
+    for field, values in (("spin.start", start_spin), ("spin.target", target_spin)):
+        spin = inputs.certain(field, inputs.vector(field, values, 3))
+        if any(abs(x) > _LARGEST for x in spin):
+            raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
+        spins.append(_in_radians(spin) if turned else spin)
     return Manoeuvre(
         _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, next_step=""))),
         inputs.certain("start", inputs.attitude(start, "start")),
         inputs.certain("target", inputs.attitude(target, "target")),
         length,
-        *(_in_radians(spin) if turned else spin for spin in spins),
+        *spins,
         limits,
     )
 
@@ -128,13 +132,6 @@ def above_zero(field: str, value: ExactNumber) -> Fraction:
     return _moderate(field, (number,))[0]
 
 
-def _spin(field: str, values: Vector3) -> tuple[Fraction, ...]:
-    spin = inputs.certain(field, inputs.vector(field, values, 3))
-    if any(abs(x) > _LARGEST for x in spin):
-        raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
-    return spin
-
-
 def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
     """Return rates in rad/s, rounded to doubles, which files can hold in a few digits."""
     exact = inputs.certain("degrees", inputs.in_radians(values))
@@ -142,16 +139,17 @@ def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
 
 
 def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
-    """Return the same numbers; raises InputError for one that is too large or too small."""
+    """Return numbers unchanged; raise InputError for one that is too large or too small."""
     if any(not 1 <= x * _LARGEST <= _LARGEST**2 for x in values):
         raise InputError(field, inputs.shown(values), "must be from 1e-60 to 1e60")
     return values
 
 
 def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
-    """Read a file, `paper` being that of the package: the manoeuvre, and all tables as they are.
+    """Return the manoeuvre of a file, and all tables of the file as TOML gives them.
 
-    Raises InputError about the first error in the manoeuvre itself.
+    The name `paper` means the file of the package.  Raises InputError about the first error in the
+    manoeuvre itself.
     """
     if name == "paper":
         text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
@@ -162,13 +160,13 @@ def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
 
 
 def parse(tables: files.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
-    """Make a manoeuvre from the tables of a file; numbers may be floats or strings of decimals.
+    """Return the manoeuvre in the tables of a file; numbers may be floats or decimal strings.
 
     others: names of further tables that the file may have.
     """
     files.check_keys("manoeuvre", tables, OWN | others, _NEEDED)
-    spin = _table(tables, "spin", {"start", "target"})
-    limits = _table(tables, "limits", {"max_rate", "max_burst"})
+    spin = files.subtable("spin", tables.get("spin", {}), ("start", "target"))
+    limits = files.subtable("limits", tables.get("limits", {}), Limits.__slots__)
     return manoeuvre(
         *(tables[key] for key in _NEEDED),
         tables.get("duration"),
@@ -177,11 +175,3 @@ def parse(tables: files.TomlTable, others: frozenset[str] = frozenset()) -> Mano
         **limits,
         degrees=tables.get("degrees", False),
     )
-
-
-def _table(tables: files.TomlTable, name: str, known: set[str]) -> files.TomlTable:
-    table = tables.get(name, {})
-    if not isinstance(table, Mapping):
-        raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(known))}")
-    files.check_keys(name, table, known)
-    return table

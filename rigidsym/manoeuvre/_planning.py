@@ -11,7 +11,7 @@ from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym._inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.errors import InputError, PrecisionError
-from rigidsym.io._files import remove, write_bytes, write_text
+from rigidsym.io._files import remove, write_bytes
 from rigidsym.manoeuvre._bursts import Bursts
 from rigidsym.manoeuvre._cheapest import cheapest, refuse, shortest
 from rigidsym.manoeuvre._directions import arcs, is_symmetry
@@ -123,20 +123,18 @@ class Plan:
         list of Path
             The files written.
         """
-        texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
-        paths = [write_text(directory / name, text) for name, text in texts.items()]
-        for path in directory.glob("transfer-*.toml"):
-            if path.name not in texts:
-                remove(path)
         from rigidsym.view._plots.figure import rendered
         from rigidsym.view._plots.flights import transfers
 
-        pictures = rendered(transfers(self.transfers)).items()
-        return [
-            write_text(directory / "plan.json", self.to_json()),
-            *paths,
-            *(write_bytes(directory / f"transfers.{suffix}", x) for suffix, x in pictures),
-        ]
+        files = {"plan.json": self.to_json().encode()}
+        for k, one in enumerate(self.transfers, 1):
+            files[f"transfer-{k}.toml"] = one.to_case().encode()
+        for suffix, picture in rendered(transfers(self.transfers)).items():
+            files[f"transfers.{suffix}"] = picture
+        for path in directory.glob("transfer-*.toml"):
+            if path.name not in files:
+                remove(path)
+        return [write_bytes(directory / name, data) for name, data in files.items()]
 
     def to_json(self) -> str:
         """Return the plan as JSON, schema rigidsym.plan/1."""
@@ -232,12 +230,12 @@ def plan(
 
 
 def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
-    """Plan a manoeuvre that is a value; arguments and errors are those of `plan`."""
+    """Plan a `Manoeuvre`; arguments and errors are those of `plan`."""
     count = inputs.whole("families", families, MOST_FAMILIES)
     try:
         return _solve(asked, count, engine)
     except TooManyError:
-        raise InputError(*_too_many(asked, count)) from None
+        raise _too_many(asked, count) from None
 
 
 def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
@@ -259,17 +257,17 @@ def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
     return Plan(asked, tuple(Transfer(asked, *one, peak, engine) for one, peak in ways), count)
 
 
-def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
-    """Return field, value and rule where there are too many motions to search."""
+def _too_many(asked: Manoeuvre, count: int) -> InputError:
+    """Return the error about what makes too many motions to search: spins, count or body."""
     spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
     fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
     if any(spins[fastest]):
         rule = "turns the body so often that there are too many motions: take a shorter duration"
-        return fastest, inputs.shown(spins[fastest]), rule
+        return InputError(fastest, inputs.shown(spins[fastest]), rule)
     if count > 1:
-        return "families", str(count), "there are too many motions to search: take fewer"
+        return InputError("families", count, "there are too many motions to search: take fewer")
     rule = "a needle turns so often that there are too many motions to search"
-    return "inertia", inputs.shown(asked.inertia), rule
+    return InputError("inertia", inputs.shown(asked.inertia), rule)
 
 
 def directions_of(plan: Plan) -> "Figure":

@@ -14,18 +14,18 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym._engines import Engine
-from rigidsym.quaternions import inverse_left_jacobian, rotation_vectors
+from rigidsym.quaternions import inverse_left_jacobian, matrices, rotation_vectors
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """The task to find rates that turn a body by a given turn, of either sign, in time 1.
+    """The task to find rates that turn a body by a given rotation in time 1.
 
     inertia (3,): moments over the largest of them.  turn (4,): unit quaternion from the body axes
-    of the target to those of the start, with a scalar part that is not negative.  engine: the
-    generated module that states come from.
+    of the target to those of the start, with a scalar part that is not negative; motions may reach
+    it or its negative.  engine: the generated module that states come from.
     """
 
     inertia: np.ndarray
@@ -52,9 +52,7 @@ class Problem:
     @cached_property
     def rotation(self) -> np.ndarray:
         """The turn as a matrix (3, 3): a momentum that begins at m ends at m @ rotation."""
-        scalar, vector = self.turn[0], self.turn[1:]
-        cross = np.cross(np.eye(3), vector)
-        return np.eye(3) + 2 * scalar * cross + 2 * cross @ cross
+        return matrices(self.turn)
 
     @cached_property
     def _undo(self) -> np.ndarray:
@@ -63,12 +61,12 @@ class Problem:
         return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
 
     def arrivals(self, rates: np.ndarray) -> np.ndarray:
-        """Return quaternions (..., 4) from the turn to where rates (..., 3) lead in time 1."""
+        """Return the quaternions (..., 4) by which rates (..., 3) miss the turn in time 1."""
         q, _ = self.engine.propagate(self.inertia, rates, IDENTITY, np.ones(1))
         return q[..., 0, :] @ self._undo
 
     def misses(self, rates: np.ndarray) -> np.ndarray:
-        """Return arrivals as rotation vectors (..., 3), rad, by the shorter way round."""
+        """Return the rotation vectors (..., 3), rad, by which rates (..., 3) miss the turn."""
         return rotation_vectors(self.arrivals(rates))
 
     def slopes(self, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -93,7 +91,7 @@ def problem(
     target: Sequence[Fraction],
     engine: Engine,
 ) -> Problem:
-    """Return the problem of a body and two attitudes, from exact numbers."""
+    """Return the dimensionless problem of a body and two attitudes, from exact numbers."""
     largest = max(inertia)
     moments = np.array([float(c / largest) for c in inertia])
     turn = unit(between(start, target))
@@ -101,7 +99,7 @@ def problem(
 
 
 def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Return the quaternion p* q: p^-1 q, but for its length."""
+    """Return conj(p) q, which is p^-1 q but for its length."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return (
@@ -113,7 +111,7 @@ def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...
 
 
 def unit(quaternion: Sequence[Fraction]) -> np.ndarray:
-    """Return the same direction, (4,), of length 1."""
+    """Return a quaternion (4,) scaled to length 1, as doubles."""
     largest = max(map(abs, quaternion))
     scaled = np.array([float(x / largest) for x in quaternion])
     return scaled / np.linalg.norm(scaled)

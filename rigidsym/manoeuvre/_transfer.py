@@ -75,7 +75,7 @@ def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
         return 0.0
 
     def beyond(c: float) -> float:
-        """K^2 - 2 H c."""
+        """Return K^2 - 2 H c."""
         return float(np.sum(inertia * (inertia - c) * omega0**2))
 
     a, d = (high, low) if beyond(middle) >= 0 else (low, high)

@@ -33,7 +33,7 @@ _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 @dataclass(frozen=True, slots=True)
 class Phases:
-    """Places of momenta of size 1 on their polhodes; arrays (N,).
+    """Places of momenta of size 1 on their polhodes, as arrays (N,).
 
     u: the argument of Jacobi's functions.  quarter: K(m).  speed: du/dt.  branch: which of the
     four families of polhodes, about either end of the axis of largest or of smallest moment.
@@ -46,7 +46,7 @@ class Phases:
 
     @property
     def period(self) -> np.ndarray:
-        """Time after which momenta return."""
+        """Period of the momenta on their polhodes."""
         return 4 * self.quarter / self.speed
 
 
@@ -54,41 +54,24 @@ class Phases:
 def phases(problem: Problem, momenta: np.ndarray) -> Phases:
     """Return the phases of momenta (N, 3) of size 1; NaN where the momentum does not move."""
     low, middle, high = problem.axes
-    rates = momenta / problem.inertia
-    sides = _sides(problem.inertia, rates, (high, middle, low))
+    c, rates = problem.inertia, momenta / problem.inertia
+    # 1 or -1 where rates circulate about the axis of largest or smallest moment, 0 for constant
+    # rates; the ledger's formulas want the axes sorted by their moments, largest first.
+    differences = [c[j] - c[k] for j, k in combinations((high, middle, low), 2)]
+    asked = [*differences, *(rates[:, k] for k in (high, middle, low))]
+    signs = [*(np.sign(np.abs(x)) for x in asked), discriminant([*c], [*rates.T])]
+    partition: dict[str, np.ndarray | int] = dict(zip(GIVEN, signs, strict=True)) | ONES
+    sides = np.asarray(sequence("decisions").evaluate(partition, _FUNCTIONS)[ROOT])
     found = np.full((4, len(momenta)), np.nan)
     for side, axes in ((1, (high, middle, low)), (-1, (low, middle, high))):
         chosen = sides == side
         if chosen.any():
-            found[:, chosen] = _circulating(problem.inertia, rates[chosen], axes)
+            found[:, chosen] = _circulating(c, rates[chosen], axes)
     return Phases(*found)
 
 
-def _sides(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
-    """Return 1 or -1 where rates (N, 3) circulate about the axis of largest or smallest moment.
-
-    0 stands for constant rates.  Axes are sorted by their moments, largest first.
-    """
-    differences = [c[j] - c[k] for j, k in combinations(axes, 2)]
-    asked = [*differences, *(rates[:, k] for k in axes)]
-    signs = [*(np.sign(np.abs(x)) for x in asked), discriminant([*c], [*rates.T])]
-    known: dict[str, np.ndarray | int] = dict(zip(GIVEN, signs, strict=True)) | ONES
-    return np.asarray(sequence("decisions").evaluate(known, _FUNCTIONS)[ROOT])
-
-
 def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
-    known = _constants(c, rates, axes)
-    sn, cn, dn = known["sn"], known["cn"], known["dn"]
-    quarter = elliprf(0.0, np.clip(known["m_1"], 0.0, 1.0), 1.0)
-    within = sn * elliprf(cn * cn, dn * dn, 1.0)
-    u = np.where(cn < 0, np.copysign(2 * quarter, sn) - within, within)
-    return np.array([u, quarter, known["lambda_"], known["sigma"] * (1.5 + 0.5 * known["rho"])])
-
-
-def _constants(
-    c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]
-) -> dict[str, np.ndarray | int]:
-    """Evaluate the ledger's formulas of constants over arrays.
+    """Return the phases (4, N) of rates (N, 3) that circulate about the first of the axes.
 
     chi is 1 for all, so that phases are counted from the same point.
     """
@@ -98,7 +81,12 @@ def _constants(
     begin = {"epsilon": handedness(*axes), "c_ad": c[axes[0]] - c[axes[2]]}
     signs = sequence("signs").evaluate(known | begin, _FUNCTIONS)
     known |= {name: signs[name] for name in SIGNS} | {"chi": 1}
-    return sequence("constants").up_to(_WANTED).evaluate(known, _FUNCTIONS)
+    known = sequence("constants").up_to(_WANTED).evaluate(known, _FUNCTIONS)
+    sn, cn, dn = known["sn"], known["cn"], known["dn"]
+    quarter = elliprf(0.0, np.clip(known["m_1"], 0.0, 1.0), 1.0)
+    within = sn * elliprf(cn * cn, dn * dn, 1.0)
+    u = np.where(cn < 0, np.copysign(2 * quarter, sn) - within, within)
+    return np.array([u, quarter, known["lambda_"], known["sigma"] * (1.5 + 0.5 * known["rho"])])
 
 
 @np.errstate(divide="ignore", invalid="ignore")
@@ -124,11 +112,10 @@ def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
     sizes = problem.momenta(rates)
     momenta = problem.inertia * rates / np.where(sizes > 0, sizes, 1.0)[:, None]
     where = phases(problem, momenta)
+    u, quarter, speed = where.u[:, None], where.quarter[:, None], where.speed[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        passed = np.ceil(where.u / where.quarter)[:, None] + np.arange(2)
-        times = (passed * where.quarter[:, None] - where.u[:, None]) / (where.speed * sizes)[
-            :, None
-        ]
+        passed = np.ceil(u / quarter) + np.arange(2)
+        times = (passed * quarter - u) / (speed * sizes[:, None])
     # Time 1 replaces times that never come, or come too late.
     times = np.concatenate([times, np.ones((len(rates), 1))], axis=1)
     times = np.where((times > 0) & (times < 1), times, 1.0)

@@ -1,4 +1,4 @@
-"""`rigidsym plan`, `track` and `figures`: what they print, leave behind and refuse."""
+"""Tests of `rigidsym plan`, `track` and `figures`: what they print, write and refuse."""
 
 import json
 import os
@@ -8,8 +8,6 @@ import sys
 
 import numpy as np
 import pytest
-
-from rigidsym._cli import main
 
 PLANNED = """
 inertia = ["0.0109", "0.04", "0.0506"]
@@ -24,34 +22,14 @@ length = 50
 [message]
 creation_date = 2026-01-01T00:00:00Z
 """
+AT_TARGET = ("[0.9, 0.1, -0.2, 0.3]", "[-2, 0, 0, 0]")
 TARGET = np.array([0.9, 0.1, -0.2, 0.3]) / np.linalg.norm([0.9, 0.1, -0.2, 0.3])
-
-
-@pytest.fixture
-def short(tmp_path):
-    path = tmp_path / "short.toml"
-    path.write_text(SHORT)
-    return path
-
-
-def run(code, *words, cwd=None, **environment):
-    """Run Python code in a process of its own."""
-    command = [sys.executable, "-W", "error", "-c", code, *map(str, words)]
-    environment = {**os.environ, **environment}
-    return subprocess.run(
-        command, env=environment, capture_output=True, text=True, check=False, cwd=cwd
-    )
-
-
-def contents(directory):
-    return {path.name: path.read_bytes() for path in directory.iterdir()}
-
-
 COMMANDS = """
 import sys
 from rigidsym._cli import main
-for command in sys.argv[1].split(","):
-    assert main([command, *sys.argv[2:]]) == 0
+status, commands, *words = sys.argv[1:]
+for command in commands.split(","):
+    assert main([*command.split(), *words]) == int(status)
 """
 # Settings of matplotlib that change lines, texts, backgrounds, sizes and ids.
 SETTINGS = """
@@ -66,6 +44,28 @@ svg.hashsalt: another
 """
 
 
+@pytest.fixture
+def short(tmp_path):
+    path = tmp_path / "short.toml"
+    path.write_text(SHORT)
+    return path
+
+
+def process(status, commands, *words, before="", cwd=None, **environment):
+    """Run commands in a process of its own; each has to end with a status."""
+    command = [sys.executable, "-W", "error", "-c", before + COMMANDS, str(status), commands]
+    done = subprocess.run(
+        [*command, *map(str, words)], env={**os.environ, **environment}, capture_output=True,
+        text=True, check=False, cwd=cwd,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done
+
+
+def contents(directory):
+    return {path.name: path.read_bytes() for path in directory.iterdir()}
+
+
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory):
     """The files of `rigidsym plan` and `rigidsym track`, and what they print."""
@@ -73,69 +73,52 @@ def flown(tmp_path_factory):
     short = directory / "short.toml"
     short.write_text(SHORT)
     own = {"PYTHONHASHSEED": "0", "OMP_NUM_THREADS": "1"}
-    done = run(COMMANDS, "plan,track", short, "-o", directory / "out", **own)
-    assert done.returncode == 0, done.stderr
-    return directory / "out", done
+    return directory / "out", process(0, "plan,track", short, "-o", directory / "out", **own)
 
 
 @pytest.fixture(scope="module")
 def figures(tmp_path_factory):
     """The files of `rigidsym figures`, and what it prints."""
     directory = tmp_path_factory.mktemp("figures")
-    done = run(COMMANDS, "figures", "-o", directory)
-    assert done.returncode == 0, done.stderr
-    return directory, done.stdout
+    return directory, process(0, "figures", "-o", directory).stdout
 
 
-def test_plan(short, capsys):
-    assert main(["plan", str(short), "--all", "3"]) == 0
-    printed = capsys.readouterr()
+def test_plan(short, run):
+    printed = run("plan", short, "--all", "3")
     assert "rigidsym plan: 20 s" in printed.out
     assert "miss (rad)" in printed.out
     assert printed.out.count("< 1e-1") == 3  # rounding, whose digits differ between processors
     assert printed.err == ""
 
 
-def test_json_is_the_same_each_time(short, capsys):
-    texts = []
-    for _ in range(2):
-        assert main(["plan", str(short), "--all", "2", "--json"]) == 0
-        texts.append(capsys.readouterr().out)
+def test_json_is_the_same_each_time(short, run):
+    texts = [run("plan --all 2 --json", short).out for _ in range(2)]
     assert texts[0] == texts[1]
     data = json.loads(texts[0])
     assert data["schema"] == "rigidsym.plan/1"
     assert len(data["transfers"]) == 2
 
 
-def test_its_case_files_reach_the_target(flown, capsys):
+def test_its_case_files_reach_the_target(flown, run):
     directory, done = flown
     assert f"wrote {directory / 'plan.json'}" in done.stderr
-    assert main(["propagate", str(directory / "transfer-1.toml")]) == 0
-    last = capsys.readouterr().out.strip().splitlines()[-1]
+    last = run("propagate", directory / "transfer-1.toml").out.strip().splitlines()[-1]
     numbers = [float(x) for x in last.replace(",", " ").split()]
     assert numbers[0] == 20
     assert abs(np.array(numbers[1:5]) @ TARGET) == pytest.approx(1, abs=1e-9)
 
 
-def test_its_picture_has_a_row_for_each_of_the_cheapest(short, tmp_path, capsys):
-    for count in (2, 8):
-        assert main(["plan", str(short), "--all", str(count), "-o", str(tmp_path)]) == 0
-        text = (tmp_path / "transfers.svg").read_text("utf-8")
-        titles = [f"transfer {k}: " in text for k in range(1, 9)]
-        assert titles == [True] * min(count, 6) + [False] * (8 - min(count, 6))
-        assert (tmp_path / "transfers.png").stat().st_size > 10_000
-    capsys.readouterr()
+@pytest.mark.parametrize("count", [2, 8])
+def test_its_picture_has_a_row_for_each_of_the_cheapest(count, short, tmp_path, run):
+    run("plan", short, "--all", count, "-o", tmp_path)
+    text = (tmp_path / "transfers.svg").read_text("utf-8")
+    titles = [f"transfer {k}: " in text for k in range(1, 9)]
+    assert titles == [True] * min(count, 6) + [False] * (8 - min(count, 6))
+    assert (tmp_path / "transfers.png").stat().st_size > 10_000
 
 
-def test_the_file_of_the_package_can_be_planned(capsys):
-    assert main(["plan", "paper", "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["transfers"][0]["residual"] <= 1e-12
-
-
-def test_nothing_to_do_is_said(short, capsys):
-    short.write_text(PLANNED.replace("[0.9, 0.1, -0.2, 0.3]", "[-1, 0, 0, 0]"))
-    assert main(["plan", str(short)]) == 0
-    assert "start equals target, nothing to do" in capsys.readouterr().out
+def test_the_file_of_the_package_can_be_planned(run):
+    assert json.loads(run("plan paper --json").out)["transfers"][0]["residual"] <= 1e-12
 
 
 def test_track(flown):
@@ -149,9 +132,8 @@ def test_track(flown):
     assert q @ TARGET == pytest.approx(1, abs=1e-6)
 
 
-def test_track_as_json(flown, short, capsys):
-    assert main(["track", str(short), "--json"]) == 0
-    text = capsys.readouterr().out
+def test_track_as_json(flown, short, run):
+    text = run("track --json", short).out
     summary = json.loads(text)
     assert summary["schema"] == "rigidsym.track/1"
     assert summary["transfer"]["duration"] == 20
@@ -160,16 +142,18 @@ def test_track_as_json(flown, short, capsys):
 
 
 @pytest.mark.parametrize(
-    ("changed", "status", "message"),
+    ("command", "changed", "status", "message"),
     [
-        (("length = 50", "length = 21"), 1, r"not within 0\.1 deg at the end"),
-        (("[0.9, 0.1, -0.2, 0.3]", "[-2, 0, 0, 0]"), 0, r"start equals target\W+nothing to do"),
+        ("track", ("length = 50", "length = 21"), 1, r"not within 0\.1 deg at the end"),
+        ("plan", AT_TARGET, 0, "start equals target, nothing to do"),
+        ("track", AT_TARGET, 0, r"start equals target\W+nothing to do"),
     ],
 )
-def test_a_target_that_is_missed_or_is_the_start_is_told(short, changed, status, message, capsys):
+def test_a_target_that_is_missed_or_is_the_start_is_told(
+    short, command, changed, status, message, run
+):
     short.write_text(SHORT.replace(*changed))
-    assert main(["track", str(short)]) == status
-    assert re.search(message, capsys.readouterr().out)
+    assert re.search(message, run(command, short, status=status).out)
 
 
 BOTH = [
@@ -190,6 +174,7 @@ BY_TRACK = [
     (SHORT + "[orbit]\naltitude = -1", "orbit.altitude = -1: must be above the surface, km"),
     (SHORT.replace("start", "begin"), "manoeuvre = begin: is not one of: "),
     (SHORT.replace("0.9", "nan"), "target[0] = nan: must be finite"),
+    (None, "manoeuvre = {path}: cannot be read"),
 ]
 
 
@@ -197,35 +182,22 @@ BY_TRACK = [
     ("command", "text", "message"),
     [("plan", *one) for one in BOTH + BY_PLAN] + [("track", *one) for one in BOTH + BY_TRACK],
 )
-def test_bad_files_are_refused_in_one_line(short, command, text, message, capsys):
-    short.write_text(text)
-    assert main([command, str(short)]) == 2
-    printed = capsys.readouterr()
-    assert printed.err.startswith(f"rigidsym {command}: {message}")
+def test_bad_files_are_refused_in_one_line(short, command, text, message, run):
+    if text is None:
+        short.unlink()
+    else:
+        short.write_text(text)
+    printed = run(command, short, status=2)
+    assert printed.err.startswith(f"rigidsym {command}: {message.format(path=short)}")
     assert printed.err.count("\n") == 1
     assert printed.out == ""
-
-
-def test_a_file_that_is_not_there(capsys):
-    assert main(["track", "nowhere.toml"]) == 2
-    assert "manoeuvre = nowhere.toml: cannot be read" in capsys.readouterr().err
-
-
-WITHOUT = """
-import sys
-sys.modules[sys.argv[1]] = None
-from rigidsym._cli import main
-for command in sys.argv[2:]:
-    assert main(command.split()) == 2
-"""
 
 
 @pytest.mark.parametrize("package", ["scipy", "erfa", "ppigrf", "pydantic", "matplotlib"])
 def test_missing_packages_are_named_in_one_line(package, tmp_path):
     commands = ["track paper", "figures"] + (["plan paper"] if package == "scipy" else [])
-    done = run(WITHOUT, package, *commands, cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
-    lines = done.stderr.splitlines()
+    hidden = f"import sys\nsys.modules[{package!r}] = None\n"
+    lines = process(2, ",".join(commands), before=hidden, cwd=tmp_path).stderr.splitlines()
     assert len(lines) == len(commands)
     for line in lines:
         assert f"packages = {package}: " in line
@@ -241,22 +213,25 @@ def test_the_figures(figures):
 
 def test_the_figures_show_what_the_papers_show(figures):
     text = " ".join((figures[0] / "figures.md").read_text().split())
-    low, high = map(float, re.search(r"from (\S+) to (\S+) N m over 180 s", text).groups())
+
+    def numbers(pattern):
+        return map(float, re.search(pattern, text).groups())
+
+    low, high = numbers(r"from (\S+) to (\S+) N m over 180 s")
     assert -5e-4 < low < -3e-4
     assert 3e-4 < high < 5e-4
-    bursts = r"first burst peaks at (\S+), the last at (\S+); between them (\S+) at most"
-    first, last, coast = map(float, re.search(bursts, text).groups())
-    assert coast < 0.1 * min(first, last)
-    settled, final = map(
-        float, re.search(r"\(from (\S+) s on\) and ends (\S+) degrees", text).groups()
+    first, last, coast = numbers(
+        r"first burst peaks at (\S+), the last at (\S+); between them (\S+) at most"
     )
+    assert coast < 0.1 * min(first, last)
+    settled, final = numbers(r"\(from (\S+) s on\) and ends (\S+) degrees")
     assert 120 < settled < 180
     assert final < 0.1
-    assert float(re.search(r"quaternions to (\S+) degrees", text)[1]) < 1e-10
+    assert next(numbers(r"quaternions to (\S+) degrees")) < 1e-10
 
 
-def test_the_figures_are_the_same_each_time(figures, tmp_path, capsys):
-    assert main(["figures", "-o", str(tmp_path)]) == 0
+def test_the_figures_are_the_same_each_time(figures, tmp_path, run):
+    run("figures", "-o", tmp_path)
     for path in tmp_path.iterdir():
         assert path.read_bytes() == (figures[0] / path.name).read_bytes(), path.name
 
@@ -266,8 +241,7 @@ def test_files_are_the_same_in_all_environments(flown, short, tmp_path):
     settings = tmp_path / "matplotlibrc"
     settings.write_text(SETTINGS)
     own = {"MATPLOTLIBRC": str(settings), "PYTHONHASHSEED": "7", "OMP_NUM_THREADS": "2"}
-    done = run(COMMANDS, "plan,track", short, "-o", tmp_path / "other", **own)
-    assert done.returncode == 0, done.stderr
+    process(0, "plan,track", short, "-o", tmp_path / "other", **own)
     one, other = contents(flown[0]), contents(tmp_path / "other")
     assert {"plan.json", "run.npz", "attitude.svg", "attitude.png", "torques.svg"} <= set(one)
     assert one.keys() == other.keys()

@@ -1,32 +1,30 @@
-"""What transfers miss by: beside motions with the errors made, and where errors grow."""
+"""Tests of what transfers miss by: beside motions with the errors made, and where errors grow."""
 
 import numpy as np
 import pytest
-from random_manoeuvres import manoeuvre
+from random_manoeuvres import BODY, START, manoeuvre, turn
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre import plan, solve
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
 
-BODY = np.array([0.0109, 0.04, 0.0506])
-START, STEP = (1, 0, 0, 0), 1e-6
+INERTIA, STEP = np.array(BODY), 1e-6
+SPIN = np.array([0.004, -0.002, 0.003])
 
 
 @pytest.fixture(scope="module")
 def best():
-    spin = (0.004, -0.002, 0.003)
-    return plan(BODY, START, (0.5, 0.5, 0.5, 0.5), 180, start_spin=spin).best
-
-
-def arrival(one, burst, attitude=START, inertia=BODY):
-    spin = np.array([float(x) for x in one.manoeuvre.start_spin])
-    rates = spin + (one.bursts[0] + burst) / inertia
-    return TorqueFreeMotion(inertia, rates.tolist(), attitude)(one.duration)[0]
+    return plan(BODY, START, (0.5, 0.5, 0.5, 0.5), 180, start_spin=SPIN).best
 
 
 def turned(one, errors):
-    """Of motions with an error added and taken away: the turn in space by it."""
-    ends = [arrival(one, **{"burst": np.zeros(3), **error}) for error in errors]
+    """The turn in space from the arrival with one error to that with another."""
+    ends = []
+    for error in errors:
+        given = {"burst": np.zeros(3), "attitude": START, "inertia": INERTIA} | error
+        rates = SPIN + (one.bursts[0] + given["burst"]) / given["inertia"]
+        motion = TorqueFreeMotion(given["inertia"], rates.tolist(), given["attitude"])
+        ends.append(motion(one.duration)[0])
     return rotation_vectors(product(ends[0], conjugate(ends[1])))
 
 
@@ -39,15 +37,14 @@ def test_by_burst_attitude_and_moments_as_differences_have_it(best, k):
     attitudes = [of_rotation_vectors(s * STEP * unit) for s in (1, -1)]
     by_attitude = turned(best, [{"attitude": q.tolist()} for q in attitudes]) / (2 * STEP)
     assert by_attitude == pytest.approx(found.by_attitude[:, k], abs=1e-8)
-    moments = [{"inertia": BODY * (1 + s * STEP * unit)} for s in (1, -1)]
+    moments = [{"inertia": INERTIA * (1 + s * STEP * unit)} for s in (1, -1)]
     by_moments = turned(best, moments) / (2 * STEP * BODY[k])
     assert by_moments == pytest.approx(found.by_moments[:, k], rel=1e-6, abs=1e-4)
 
 
 def test_the_worst_direction_is_worse_than_any_and_is_reached(best):
     found, burst = best.sensitivity, best.bursts[0]
-    rng = np.random.default_rng(3)
-    axes = rng.normal(size=(4000, 3))
+    axes = np.random.default_rng(3).normal(size=(4000, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
     missed = np.linalg.norm(np.cross(axes, burst) @ found.by_burst.T, axis=1)
     assert 0.98 * found.direction < missed.max() <= found.direction * (1 + 1e-12)
@@ -56,23 +53,20 @@ def test_the_worst_direction_is_worse_than_any_and_is_reached(best):
 
 
 def test_turns_about_the_middle_axis_are_warned_of():
-    found = plan((1, 2, 3), START, (np.cos(1.5), 0, np.sin(1.5), 0), 10, families=40)
+    found = plan((1, 2, 3), START, turn((0, 1, 0), 3.0), 10, families=40)
     spins = [one for one in found.transfers if one.growth_exponent]
     assert spins
     assert "errors grow by up to e^" in found.title
     for one in spins:
         assert one.missed.endswith("grows exponentially")
         assert abs(one.omega0[1]) > 0.9 * np.linalg.norm(one.omega0)
-    calm = solve(manoeuvre(0), 1)
-    assert calm.best.growth_exponent == 0
+    assert solve(manoeuvre(0), 1).best.growth_exponent == 0
 
 
 def test_the_exponent_is_that_of_the_linear_equations():
     """About the middle axis of (1, 2, 3) rates across it grow by lambda^2 = omega^2 / 3."""
-    one = max(
-        plan((1, 2, 3), START, (0, 0, 1, 0), 10, families=40).transfers,
-        key=lambda one: one.growth_exponent,
-    )
+    several = plan((1, 2, 3), START, (0, 0, 1, 0), 10, families=40).transfers
+    one = max(several, key=lambda one: one.growth_exponent)
     assert one.growth_exponent == pytest.approx(10 * abs(one.omega0[1]) / 3**0.5, rel=0.02)
 
 

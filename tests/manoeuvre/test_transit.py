@@ -1,20 +1,15 @@
-"""Cone, transit times and largest rates, of motions that are propagated, not planned."""
+"""Tests of the cone, transit times and largest rates, on motions that are propagated."""
 
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from random_manoeuvres import BODIES, TARGETS, manoeuvre
+from random_manoeuvres import BODIES, KINDS, START, manoeuvre, turning
 
-from rigidsym import _engines as engines
 from rigidsym.manoeuvre import plan, solve
 from rigidsym.manoeuvre._directions import arcs, quadratic_form
-from rigidsym.manoeuvre._problem import problem
 from rigidsym.manoeuvre._transit import transits
 from rigidsym.motion import TorqueFreeMotion
-
-ENGINE = engines.engine("numpy")
-START = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
 
 
 def flown(index):
@@ -26,8 +21,7 @@ def flown(index):
     direction /= np.linalg.norm(direction)
     size = rng.uniform(1, 30)
     q, _ = TorqueFreeMotion(moments, size * direction / moments)(1)
-    exact = tuple(map(Fraction, moments)), tuple(map(Fraction, q))
-    return problem(exact[0], START, exact[1], ENGINE), size, direction
+    return turning(moments, q, "numpy"), size, direction
 
 
 @pytest.mark.parametrize("index", range(6 * len(BODIES)))
@@ -56,13 +50,12 @@ def test_directions_of_arcs_lie_on_the_cone(index):
 
 @pytest.mark.parametrize("axis", [0, 2])
 def test_a_momentum_that_does_not_move_has_no_transit(axis):
-    turn = (Fraction(3), Fraction(1), Fraction(2), Fraction(1))
-    posed = problem((Fraction(1), Fraction(2), Fraction(5, 2)), START, turn, ENGINE)
+    posed = turning((1, 2, Fraction(5, 2)), (3, 1, 2, 1), "numpy")
     first, period = transits(posed, np.eye(3)[[axis]])
     assert np.isnan(first[0]) or not np.isfinite(period[0])
 
 
-@pytest.mark.parametrize("index", range(len(BODIES) * len(TARGETS)))
+@pytest.mark.parametrize("index", range(KINDS))
 def test_no_sample_is_faster_and_one_is_as_fast(index):
     for one in solve(manoeuvre(index, 31), 4).transfers:
         omega = one.motion(np.linspace(0, one.duration, 4001))[1]
@@ -73,5 +66,5 @@ def test_no_sample_is_faster_and_one_is_as_fast(index):
 
 @pytest.mark.parametrize("size", [1e-6, 1e-12, 1e-15])
 def test_it_is_no_less_than_at_the_start(size):
-    best = plan((1, 2, 2.5), (1, 0, 0, 0), (1, size, 0, -size), 10).best
+    best = plan((1, 2, 2.5), START, (1, size, 0, -size), 10).best
     assert best.peak_rate >= np.linalg.norm(best.omega0) * (1 - 1e-12) > 0

@@ -26,11 +26,17 @@ _DIGITS = 6
 
 @dataclass(frozen=True)
 class Case:
-    """The manoeuvre of an index; body: "paper" or "random"."""
+    """A random manoeuvre by its index; body: "paper" or "random"."""
 
     index: int
     body: str
     manoeuvre: Manoeuvre
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The dimensionless problem; it computes no motions here, so that any engine will do."""
+        asked = self.manoeuvre
+        return problem(asked.inertia, asked.start, asked.target, engine("numpy"))
 
     @cached_property
     def inertia(self) -> np.ndarray:
@@ -47,27 +53,18 @@ class Case:
         """Attitude (4,) at t = 0, of length 1."""
         return unit(self.manoeuvre.start)
 
-    @cached_property
-    def turn(self) -> np.ndarray:
-        """The target's attitude (4,) relative to the start, by the shorter way round."""
-        return _posed(self.manoeuvre).turn
-
-    @cached_property
-    def rotation_vector(self) -> np.ndarray:
-        """The turn as axis times angle (3,), rad; the axis is the eigenaxis."""
-        return self.angle * self.turn[1:] / np.linalg.norm(self.turn[1:])
-
     @property
-    def angle(self) -> float:
-        """Angle from start to target, rad."""
-        return _posed(self.manoeuvre).angle
+    def rotation_vector(self) -> np.ndarray:
+        """The turn from start to target as axis times angle (3,), rad, by the shorter way."""
+        vector = self.problem.turn[1:]
+        return self.problem.angle * vector / np.linalg.norm(vector)
 
     def to_data(self) -> dict[str, Any]:
         """Return the entries of the schema rigidsym.comparison/1."""
         return {
             "index": self.index,
             "body": self.body,
-            "angle": float(np.degrees(self.angle)),
+            "angle": float(np.degrees(self.problem.angle)),
             "manoeuvre": self.manoeuvre.to_data(),
         }
 
@@ -83,16 +80,11 @@ def draw(index: int, seed: int) -> Case:
         x, y, z = rng.uniform(0.05, 1, size=3)
         moments = np.array([y + z, z + x, x + y])
         inertia = _rounded(moments * rng.uniform(*LARGEST_MOMENTS) / moments.max())
-    largest = max(map(float, inertia))
-    angle = _posed(manoeuvre(inertia, start, target, SHORTEST)).angle
-    duration = max(SHORTEST, ROUNDED * ceil(largest * angle / IMPULSE / ROUNDED))
+    quickest = Case(index, body, manoeuvre(inertia, start, target, SHORTEST))
+    impulse = quickest.inertia.max() * quickest.problem.angle
+    duration = max(SHORTEST, ROUNDED * ceil(impulse / IMPULSE / ROUNDED))
     return Case(index, body, manoeuvre(inertia, start, target, duration))
 
 
 def _rounded(values: np.ndarray) -> tuple[str, ...]:
     return tuple(f"{x:.{_DIGITS}f}" for x in values.tolist())
-
-
-def _posed(asked: Manoeuvre) -> Problem:
-    """Return the problem of a manoeuvre; it computes no motions, so that any engine will do."""
-    return problem(asked.inertia, asked.start, asked.target, engine("numpy"))

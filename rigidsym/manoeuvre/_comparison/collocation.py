@@ -1,4 +1,4 @@
-"""Direct collocation of time-fixed optimal control: tasks, meshes, trajectories, first guesses.
+"""Direct collocation of optimal control in a fixed time.
 
 Units: time 1 for the duration, moments of inertia over the largest, so that rates are in 1 over
 the duration and impulses in the largest moment over the duration.  Attitudes are relative to the
@@ -7,7 +7,6 @@ order 2s for s points; quadratic invariants, such as the length of a quaternion,
 Source: Hairer, Lubich, Wanner, Geometric Numerical Integration, sections II.1 and IV.2.
 """
 
-from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import StrEnum
@@ -18,7 +17,6 @@ from scipy.integrate import OdeSolution, solve_ivp
 
 from rigidsym.manoeuvre.flight._rotation import cross
 
-INTERVALS, POINTS = 80, 2
 STATES, AXES = 7, 3
 "Sizes of a state, attitude (4) and rates (3), and of a torque."
 _TOLERANCE = 1e-10
@@ -28,7 +26,7 @@ Guess = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 class Model(StrEnum):
-    """Actuators, by what their torques act against."""
+    """Models of actuators: thrusters or wheels."""
 
     THRUSTERS = "thrusters"
     "The outside: J w' = -w x J w + u.  Coasting is a natural motion and free."
@@ -38,7 +36,7 @@ class Model(StrEnum):
 
 
 class Cost(StrEnum):
-    """Integrals to minimise, summed over the axes of the body."""
+    """Integrals to minimise, each summed over the axes of the body."""
 
     FUEL = "fuel"
     "The integral of |u|."
@@ -107,8 +105,8 @@ class Mesh:
     those in the middle 0.02.
     """
 
-    intervals: int = INTERVALS
-    points: int = POINTS
+    intervals: int = 80
+    points: int = 2
 
     @cached_property
     def nodes(self) -> np.ndarray:
@@ -121,14 +119,13 @@ class Mesh:
         return np.diff(self.nodes)
 
     @property
-    def tableau(self) -> Tableau:
-        """Coefficients that hold on each interval."""
-        return gauss(self.points)
-
-    @property
     def inner(self) -> np.ndarray:
         """Points of collocation (N, s)."""
-        return self.nodes[:-1, None] + self.steps[:, None] * self.tableau.c
+        return self.nodes[:-1, None] + self.steps[:, None] * gauss(self.points).c
+
+
+MESH = Mesh()
+"The mesh of the comparison."
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,7 +142,7 @@ class Trajectory:
 
     @classmethod
     def of_unknowns(cls, mesh: Mesh, unknowns: np.ndarray) -> "Trajectory":
-        """Return the trajectory that a vector made by `unknowns` stands for."""
+        """Return the trajectory whose `unknowns` are a vector."""
         count, points = mesh.intervals, mesh.points
         sizes = [STATES * (count + 1), STATES * points * count, AXES * count]
         nodes, inner, up, down = np.split(unknowns, np.cumsum(sizes))
@@ -167,12 +164,12 @@ class Trajectory:
 
 
 def still(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the guess that stays at the start."""
+    """Return attitudes and rates that stay at the start, as a first guess."""
     return np.tile([1.0, 0.0, 0.0, 0.0], (len(t), 1)), np.zeros((len(t), 3))
 
 
 def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Trajectory:
-    """Put a motion on a mesh, with the torques that its rates need, whatever the limits.
+    """Sample a motion on a mesh, with the torques that its rates need, whatever the limits.
 
     The first and the last interval start and stop it where it does not begin and end at rest.
     """
@@ -183,7 +180,7 @@ def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Tra
     if model is Model.THRUSTERS:
         rates = inner[..., 4:]
         gyroscopic = np.cross(rates, inertia * rates)
-        impulses += mesh.steps[:, None] * np.einsum("j,kja->ka", mesh.tableau.b, gyroscopic)
+        impulses += mesh.steps[:, None] * np.einsum("j,kja->ka", gauss(mesh.points).b, gyroscopic)
     return Trajectory(nodes, inner, impulses)
 
 
@@ -194,9 +191,7 @@ class Driven:
     """
 
     def __init__(self, model: Model, inertia: np.ndarray, impulses: np.ndarray, mesh: Mesh) -> None:
-        self._nodes = mesh.nodes.tolist()
-        self._pieces: list[OdeSolution] = []
-        state = np.array([1.0, *np.zeros(6)])
+        state, pieces = np.array([1.0, *np.zeros(6)]), []
         for k, torque in enumerate(impulses / mesh.steps[:, None]):
 
             def derivative(t: float, state: np.ndarray, torque: np.ndarray = torque) -> np.ndarray:
@@ -205,27 +200,25 @@ class Driven:
                 turn = [-(q[1:] @ w) / 2, *(q[0] * w + cross(q[1:], w)) / 2]
                 return np.concatenate([turn, felt / inertia])
 
-            span = self._nodes[k], self._nodes[k + 1]
             found = solve_ivp(
                 derivative,
-                span,
+                mesh.nodes[k : k + 2].tolist(),
                 state,
                 method="DOP853",
                 rtol=_TOLERANCE,
                 atol=_TOLERANCE,
-                first_step=span[1] - span[0],
+                first_step=mesh.steps[k],
                 dense_output=True,
             )
             state = found.y[:, -1]
-            self._pieces.append(found.sol)
+            pieces.append(found.sol)
+        # At a node the piece that begins there counts.
+        self._states = OdeSolution(mesh.nodes, pieces, alt_segment=True)
         self.end = state[:4], state[4:]
         "Attitude (4,) and rates (3,) at time 1."
 
     def __call__(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return attitudes (N, 4) and rates (N, 3) at times (N,) from 0 to 1."""
-        times, last = np.clip(t, 0.0, 1.0).tolist(), len(self._pieces)
-        states = np.array(
-            [self._pieces[min(bisect_right(self._nodes, x), last) - 1](x) for x in times]
-        )
+        states = self._states(np.clip(t, 0.0, 1.0)).T
         length = np.linalg.norm(states[:, :4], axis=1, keepdims=True)
         return states[:, :4] / length, states[:, 4:]

@@ -4,22 +4,22 @@ The work is cut into pieces of a second or two, which processes share well and s
 piece draws and plans its manoeuvre anew, or takes it from a cache.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import asdict
 from functools import lru_cache, partial
-from itertools import islice, product
-from typing import TypeVar
+from itertools import count, islice, product
+from typing import Any, TypeVar
 
 import numpy as np
 
 from rigidsym import _inputs as inputs
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre._comparison import flights, optima
+from rigidsym.manoeuvre._comparison import flights, optimiser
 from rigidsym.manoeuvre._comparison.cases import Case, draw
 from rigidsym.manoeuvre._comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre._comparison.flights import METHODS, Flown, Ways
-from rigidsym.manoeuvre._comparison.optima import TASKS, Solved
+from rigidsym.manoeuvre._comparison.flights import METHODS, Ways
+from rigidsym.manoeuvre._comparison.optimiser import TASKS
 from rigidsym.manoeuvre._comparison.results import Comparison, Record
 from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.validate._executors import Place, local
@@ -61,48 +61,52 @@ def compare(
     InputError
         For a number out of range, or where a flight or an optimum fails.
     """
-    count = inputs.whole("manoeuvres", manoeuvres, MOST_MANOEUVRES)
+    indices = range(inputs.whole("manoeuvres", manoeuvres, MOST_MANOEUVRES))
     chosen = inputs.whole("seed", seed, MOST_SEED)
-    total = count * (len(TASKS) + len(_WAYS) + 1)
+    total, done = len(indices) * (len(TASKS) + len(_WAYS) + 1), count(1)
     with local(workers) as place:
-        work = _Work(place, total, progress)
-        return Comparison(chosen, tuple(_records(work, chosen, range(count))))
+        work = partial(results, place, lambda: progress(next(done), total))
+        return Comparison(chosen, tuple(_records(work, chosen, indices)))
 
 
-def _records(work: "_Work", seed: int, indices: Sequence[int]) -> list[Record]:
+def _records(
+    work: Callable[[Sequence[Callable[[], Any]]], list[Any]], seed: int, indices: Sequence[int]
+) -> list[Record]:
     """Solve optimal control first, since its motions are flown."""
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
-    solved = dict(
-        zip(tasks, work.done([partial(_solved, seed, *one) for one in tasks]), strict=True)
-    )
+    solved = dict(zip(tasks, work([partial(_solved, seed, *one) for one in tasks]), strict=True))
     calls = [
         partial(_flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
         for k, (model, method) in ways
     ]
-    flown = dict(zip(ways, work.done(calls), strict=True))
-    ideals = work.done([partial(_ideals, seed, k) for k in indices])
+    flown = dict(zip(ways, work(calls), strict=True))
+    ideals = work([partial(_ideals, seed, k) for k in indices])
     return [
-        Record(
-            draw(k, seed),
-            {model.value: {way: flown[k, (model, way)] for way in METHODS} for model in Model},
-            ideals[k],
-            {task.name: solved[k, task][0] for task in TASKS},
-        )
+        {
+            **draw(k, seed).to_data(),
+            "flown": {
+                model.value: {way: flown[k, (model, way)] for way in METHODS} for model in Model
+            },
+            "ideal": ideals[k],
+            "optimal": {task.name: solved[k, task][0] for task in TASKS},
+        }
         for k in indices
     ]
 
 
-def _solved(seed: int, index: int, task: Task) -> tuple[Solved, np.ndarray]:
+def _solved(seed: int, index: int, task: Task) -> tuple[dict[str, Any], np.ndarray]:
     case, transfer = _planned(seed, index)
-    return optima.solved(case, task, optima.guesses(case, transfer))
+    return optimiser.solved(case, task, optimiser.guesses(case, transfer))
 
 
-def _flown(seed: int, index: int, model: Model, method: str, impulses: np.ndarray) -> Flown:
+def _flown(
+    seed: int, index: int, model: Model, method: str, impulses: np.ndarray
+) -> dict[str, Any]:
     case, transfer = _planned(seed, index)
-    return flights.flown(method, Ways(case, model, transfer, impulses))
+    return asdict(flights.flown(method, Ways(case, model, transfer, impulses)))
 
 
-def _ideals(seed: int, index: int) -> Mapping[str, Mapping[str, float]]:
+def _ideals(seed: int, index: int) -> dict[str, dict[str, float]]:
     case, transfer = _planned(seed, index)
     return {model.value: flights.ideal(case, model, transfer) for model in Model}
 
@@ -113,26 +117,21 @@ def _planned(seed: int, index: int) -> tuple[Case, Transfer]:
     return case, solve(case.manoeuvre).best
 
 
-@dataclass(slots=True)
-class _Work:
-    """Pieces of work in one place, some of them ahead; how many of all are done."""
+def results(
+    place: Place, tell: Callable[[], None], calls: Sequence[Callable[[], Found]]
+) -> list[Found]:
+    """Return the results of calls, in their order; `tell` is called after each.
 
-    place: Place
-    total: int
-    progress: Callable[[int, int], None]
-    finished: int = field(default=0)
-
-    def done(self, calls: Sequence[Callable[[], Found]]) -> list[Found]:
-        """Return the results of calls, in their order."""
-        left = iter(enumerate(calls))
-        pending: dict[Future[Found], int] = {}
-        found: dict[int, Found] = {}
-        while len(found) < len(calls):
-            for k, call in islice(left, self.place.ahead - len(pending)):
-                pending[self.place.submit(call)] = k
-            ended, _ = wait(pending, return_when=FIRST_COMPLETED)
-            for future in ended:
-                found[pending.pop(future)] = future.result()
-                self.finished += 1
-                self.progress(self.finished, self.total)
-        return [found[k] for k in range(len(calls))]
+    The place gets some calls ahead, and no more once one has failed.
+    """
+    left = iter(enumerate(calls))
+    pending: dict[Future[Found], int] = {}
+    found: dict[int, Found] = {}
+    while len(found) < len(calls):
+        for k, call in islice(left, place.ahead - len(pending)):
+            pending[place.submit(call)] = k
+        ended, _ = wait(pending, return_when=FIRST_COMPLETED)
+        for future in ended:
+            found[pending.pop(future)] = future.result()
+            tell()
+    return [found[k] for k in range(len(calls))]

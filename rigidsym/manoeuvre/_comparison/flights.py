@@ -18,9 +18,9 @@ from scipy.special import lambertw
 
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison.cases import Case
-from rigidsym.manoeuvre._comparison.collocation import Driven, Guess, Mesh, Model
+from rigidsym.manoeuvre._comparison.collocation import MESH, Driven, Guess, Model
 from rigidsym.manoeuvre._transfer import Transfer
-from rigidsym.manoeuvre.flight._control import Motion, Track
+from rigidsym.manoeuvre.flight._control import Track
 from rigidsym.manoeuvre.flight._fly import fly
 from rigidsym.manoeuvre.flight._rotation import angle
 from rigidsym.manoeuvre.flight._run import Run
@@ -33,18 +33,12 @@ PERIOD = Fraction(1, 5)
 "Period of control, s: a sixteenth of the loop's time, and half the work of the paper's flight."
 FAMILIES = 10
 "Number of natural motions from which the least sum over axes is taken."
+AHEAD = Controller(feedforward=True, track_feedforward=True)
+"Feedback with the torque of the track, bursts included, fed forward."
 _SAMPLES = 2001
 
 # From times from 0 to 1 (N,) to shares of a turn and their derivatives.
 Profile = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
-
-
-@dataclass(frozen=True, slots=True)
-class Followed:
-    """A track that takes as long as the manoeuvre."""
-
-    duration: float
-    motion: Motion
 
 
 def constant(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -76,12 +70,12 @@ def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndar
     return np.hstack([np.cos(half), np.sin(half) * axis]), rate[:, None] * vector
 
 
-def eigenaxis(case: Case, profile: Profile) -> Followed:
+def eigenaxis(case: Case, profile: Profile) -> Track:
     """Return the turn about the eigenaxis of start and target, the shorter way round."""
-    return _followed(case, partial(turned, case.rotation_vector, profile))
+    return _track(case, partial(turned, case.rotation_vector, profile))
 
 
-def _followed(case: Case, motion: Guess) -> Followed:
+def _track(case: Case, motion: Guess) -> Track:
     """Return the track of a motion of times from 0 to 1, relative to the start."""
 
     def at(t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
@@ -90,7 +84,7 @@ def _followed(case: Case, motion: Guess) -> Followed:
         found = product(case.start, q), omega / case.duration
         return found if np.ndim(t) else (found[0][0], found[1][0])
 
-    return Followed(case.duration, at)
+    return Track(case.duration, at)
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,42 +100,35 @@ class Ways:
     transfer: Transfer
     impulses: np.ndarray
 
-    @property
-    def flight(self) -> Flight:
-        """The paper's flight, as long as the manoeuvre takes, by feedback alone."""
-        length = Fraction(self.case.duration) + HOLD
-        controller = Controller(feedforward=self.actuators is Model.THRUSTERS)
-        return Flight(run=Timing(length=length, period=PERIOD), controller=controller)
-
-    @property
-    def foreseen(self) -> Flight:
-        """A flight with the torque of the track, bursts included, fed forward."""
-        controller = Controller(feedforward=True, track_feedforward=True)
-        return replace(self.flight, controller=controller)
+    def flight(self, controller: Controller | None = None) -> Flight:
+        """Return the paper's flight, as long as the manoeuvre takes; by feedback alone if None."""
+        plain = Controller(feedforward=self.actuators is Model.THRUSTERS)
+        timing = Timing(length=Fraction(self.case.duration) + HOLD, period=PERIOD)
+        return Flight(run=timing, controller=controller or plain)
 
     @property
     def slow(self) -> Flight:
         """A flight by feedback alone with gains so low that a step takes the duration."""
-        flight = self.flight
-        frequency = slowest(self.case.angle, np.radians(flight.run.settled)) / self.case.duration
-        controller = replace(flight.controller, natural_frequency=frequency)
-        return replace(flight, controller=controller)
+        flight, case = self.flight(), self.case
+        settled = np.radians(flight.run.settled)
+        frequency = slowest(case.problem.angle, settled) / case.duration
+        return self.flight(replace(flight.controller, natural_frequency=frequency))
 
     @property
-    def optimum(self) -> Followed:
+    def optimum(self) -> Track:
         """The motion of least fuel."""
         inertia = self.case.inertia / self.case.inertia.max()
-        return _followed(self.case, Driven(self.actuators, inertia, self.impulses, Mesh()))
+        return _track(self.case, Driven(self.actuators, inertia, self.impulses, MESH))
 
 
-METHODS: Mapping[str, Callable[[Ways], tuple[Track, Flight]]] = {
-    "natural": lambda ways: (ways.transfer, ways.foreseen),
-    "natural, feedback alone": lambda ways: (ways.transfer, ways.flight),
-    "eigenaxis": lambda ways: (eigenaxis(ways.case, constant), ways.foreseen),
-    "eigenaxis, smooth": lambda ways: (eigenaxis(ways.case, smooth), ways.foreseen),
-    "optimum": lambda ways: (ways.optimum, ways.foreseen),
+METHODS: Mapping[str, Callable[[Ways], tuple[Transfer | Track, Flight]]] = {
+    "natural": lambda ways: (ways.transfer, ways.flight(AHEAD)),
+    "natural, feedback alone": lambda ways: (ways.transfer, ways.flight()),
+    "eigenaxis": lambda ways: (eigenaxis(ways.case, constant), ways.flight(AHEAD)),
+    "eigenaxis, smooth": lambda ways: (eigenaxis(ways.case, smooth), ways.flight(AHEAD)),
+    "optimum": lambda ways: (ways.optimum, ways.flight(AHEAD)),
     # With the gains of all others a step is much faster than the duration.
-    "step": lambda ways: (eigenaxis(ways.case, step), ways.flight),
+    "step": lambda ways: (eigenaxis(ways.case, step), ways.flight()),
     "step, slow": lambda ways: (eigenaxis(ways.case, step), ways.slow),
 }
 "Track and flight of each way, by its name in the report."
@@ -171,7 +158,7 @@ def flown(method: str, ways: Ways) -> Flown:
 
 
 def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
-    """Measure a flight."""
+    """Measure the torques and the errors of a flight."""
     size = np.abs(exerted(run, actuators))
     errors = np.degrees(angle(run.reference.q[-1], run.q))
     return Flown(
@@ -200,7 +187,7 @@ def slowest(turn: float, within: float) -> float:
     return float(-1 - lambertw(-within / turn / e, -1).real) if turn > within else 1.0
 
 
-def ideal(case: Case, model: Model, transfer: Transfer) -> Mapping[str, float]:
+def ideal(case: Case, model: Model, transfer: Transfer) -> dict[str, float]:
     """Return the cost of ways if bursts took no time and nothing disturbed.
 
     It is the integral of |torque|, summed over the axes, N m s, by way.  Wheels have to exert the

@@ -1,25 +1,46 @@
 """Optimal control as a nonlinear programme in CasADi's symbols, solved by IPOPT.
 
-One programme serves all bodies and targets: they are its parameters.
+One programme serves all bodies and targets: they are its parameters.  A case is solved for each
+task from each first guess, with each of the optimiser's settings.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
+from typing import Any
 
 import casadi as ca
 import numpy as np
 
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre._comparison.cases import Case
 from rigidsym.manoeuvre._comparison.collocation import (
     AXES,
+    MESH,
     STATES,
     Cost,
+    Driven,
+    Guess,
     Mesh,
     Model,
     Task,
     Trajectory,
+    gauss,
+    guessed,
+    still,
 )
+from rigidsym.manoeuvre._comparison.flights import constant, turned
+from rigidsym.manoeuvre._transfer import Transfer
+from rigidsym.manoeuvre.flight._rotation import angle, relative
+from rigidsym.manoeuvre.flight._settings import Wheels
 
+TASKS = tuple(
+    Task(model, cost, limited)
+    for model in Model
+    for cost, limited in ((Cost.FUEL, True), (Cost.FUEL, False), (Cost.ENERGY, True))
+)
+SAME = 1e-4
+"Relative difference below which two costs count as the same."
 TOLERANCE = 1e-8
 "Of optimality and constraints, IPOPT's own default."
 MOST_ITERATIONS = 500
@@ -62,12 +83,68 @@ class Optimum:
     trajectory: Trajectory
 
 
+def solved(case: Case, task: Task, begin: Mapping[str, Guess]) -> tuple[dict[str, Any], np.ndarray]:
+    """Solve a task from each guess, and return the results and the impulses of the best.
+
+    The results are the entries of the schema rigidsym.comparison/1: the least cost of all attempts
+    that converged, N m s for fuel, N^2 m^2 s for energy; the miss of the best torques by another
+    integrator, degrees; the attempts by setting and guess.  Impulses are without units, on the
+    mesh.  The limit of torques is the wheels'.  Raises InputError where no attempt converges.
+    """
+    largest = float(case.inertia.max())
+    inertia, target = case.inertia / largest, case.problem.turn
+    posed = Posed(inertia, target, Wheels().max_torque * case.duration**2 / largest)
+    points = {name: guessed(MESH, inertia, task.model, motion) for name, motion in begin.items()}
+    found = {
+        setting: {name: optimum(task, posed, point, setting) for name, point in points.items()}
+        for setting in SETTINGS
+    }
+    every = [one for several in found.values() for one in several.values() if one.converged]
+    if not every:
+        rule = f"{task.name}: no optimum was found; another seed has other manoeuvres"
+        raise InputError("manoeuvre", case.index, rule)
+    best = min(every, key=lambda one: one.cost)
+    impulses = best.trajectory.impulses
+    arrived, _ = Driven(task.model, inertia, impulses, MESH).end
+    # Impulses are in the largest moment over the duration.
+    impulse = largest / case.duration
+    unit = impulse if task.cost is Cost.FUEL else impulse**2 / case.duration
+    least = best.cost * unit
+    attempts = {
+        setting: {name: attempt(one, unit, least) for name, one in several.items()}
+        for setting, several in found.items()
+    }
+    miss = float(np.degrees(angle(target, arrived)))
+    return {"best": least, "miss": miss, "attempts": attempts}, impulses
+
+
+def attempt(found: Optimum, unit: float, least: float) -> dict[str, Any]:
+    """Return the entry of an attempt; `best` is true where it found the least cost."""
+    cost = found.cost * unit
+    return {
+        "cost": cost,
+        "iterations": found.iterations,
+        "converged": found.converged,
+        "best": found.converged and cost <= least * (1 + SAME),
+    }
+
+
+def guesses(case: Case, transfer: Transfer) -> Mapping[str, Guess]:
+    """Return the first guesses by name; times from 0 to 1, attitudes relative to the start."""
+
+    def natural(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        q, omega = transfer.motion(t * case.duration)
+        return relative(case.start, q), omega * case.duration
+
+    eigenaxis = partial(turned, case.rotation_vector, constant)
+    return {"natural": natural, "eigenaxis": eigenaxis, "still": still}
+
+
 def optimum(
-    task: Task, posed: Posed, begin: Trajectory, settings: str = "default", mesh: Mesh | None = None
+    task: Task, posed: Posed, begin: Trajectory, settings: str = "default", mesh: Mesh = MESH
 ) -> Optimum:
     """Search a local optimum from a trajectory on the same mesh."""
-    mesh = mesh or Mesh()
-    solve = _solver(task, settings, mesh.intervals, mesh.points)
+    solve = _solver(task, settings, mesh)
     low, high = _bounds(task, posed, mesh)
     found = solve(
         x0=begin.unknowns(task.cost is Cost.FUEL),
@@ -87,7 +164,7 @@ def optimum(
 
 
 @cache
-def _solver(task: Task, settings: str, intervals: int, points: int) -> ca.Function:
+def _solver(task: Task, settings: str, mesh: Mesh) -> ca.Function:
     options = {
         "print_time": False,
         "ipopt.print_level": 0,
@@ -95,8 +172,7 @@ def _solver(task: Task, settings: str, intervals: int, points: int) -> ca.Functi
         "ipopt.tol": TOLERANCE,
         "ipopt.max_iter": MOST_ITERATIONS,
     }
-    nlp = _programme(task, Mesh(intervals, points))
-    return ca.nlpsol("optimum", "ipopt", nlp, {**options, **SETTINGS[settings]})
+    return ca.nlpsol("optimum", "ipopt", _programme(task, mesh), {**options, **SETTINGS[settings]})
 
 
 def _bounds(task: Task, posed: Posed, mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
@@ -147,23 +223,22 @@ def defects(model: Model, mesh: Mesh) -> ca.Function:
     Its arguments: the state at the begin, those inside, that at the end, the impulse, the length
     of the interval, and the moments of inertia.
     """
-    tableau = mesh.tableau
     begin, end = ca.SX.sym("begin", STATES), ca.SX.sym("end", STATES)
     inner = ca.SX.sym("inner", STATES, mesh.points)
     impulse, step, inertia = ca.SX.sym("p", AXES), ca.SX.sym("h"), ca.SX.sym("J", 3)
-    slopes = [_derivative(model, inertia, impulse / step, x) for x in ca.horzsplit(inner)]
+
+    def derivative(state: ca.SX) -> ca.SX:
+        """Return q' = q (0, w) / 2 and w'."""
+        q, w, torque = state[:4], state[4:], impulse / step
+        turn = ca.vertcat(-ca.dot(q[1:], w), q[0] * w + ca.cross(q[1:], w)) / 2
+        felt = torque - ca.cross(w, inertia * w) if model is Model.THRUSTERS else torque
+        return ca.vertcat(turn, felt / inertia)
+
+    slopes = [derivative(x) for x in ca.horzsplit(inner)]
     # (points + 1) sums: to each point, and to the end.
-    rows = [*tableau.a, tableau.b]
+    rows = [*gauss(mesh.points).a, gauss(mesh.points).b]
     sums = [sum(w * f for w, f in zip(row.tolist(), slopes, strict=True)) for row in rows]
     states = [*ca.horzsplit(inner), end]
     found = [x - begin - step * total for x, total in zip(states, sums, strict=True)]
     arguments = [begin, ca.vec(inner), end, impulse, step, inertia]
     return ca.Function("defects", arguments, [ca.vertcat(*found)])
-
-
-def _derivative(model: Model, inertia: ca.SX, torque: ca.SX, state: ca.SX) -> ca.SX:
-    """Return q' = q (0, w) / 2 and w', of a state (7,)."""
-    q, w = state[:4], state[4:]
-    turn = ca.vertcat(-ca.dot(q[1:], w), q[0] * w + ca.cross(q[1:], w)) / 2
-    felt = torque - ca.cross(w, inertia * w) if model is Model.THRUSTERS else torque
-    return ca.vertcat(turn, felt / inertia)

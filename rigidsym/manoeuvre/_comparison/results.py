@@ -1,4 +1,4 @@
-"""A comparison: the records of all manoeuvres, their statistics by pandas, and the files."""
+"""A comparison: the results of all manoeuvres, their statistics by pandas, and the files."""
 
 import json
 from collections.abc import Callable, Iterable, Mapping
@@ -13,12 +13,9 @@ from pandas import DataFrame
 
 from rigidsym._version import __version__
 from rigidsym.io._files import write_bytes, write_text
-from rigidsym.manoeuvre._comparison import flights, optima, page
-from rigidsym.manoeuvre._comparison.cases import IMPULSE, Case
-from rigidsym.manoeuvre._comparison.collocation import INTERVALS, POINTS, Cost, Model, Task
-from rigidsym.manoeuvre._comparison.flights import Flown
-from rigidsym.manoeuvre._comparison.optima import Solved
-from rigidsym.manoeuvre._comparison.optimiser import MOST_ITERATIONS, SETTINGS, TOLERANCE
+from rigidsym.manoeuvre._comparison import flights, optimiser, page
+from rigidsym.manoeuvre._comparison.cases import IMPULSE
+from rigidsym.manoeuvre._comparison.collocation import MESH, Cost, Model, Task
 from rigidsym.manoeuvre.flight._settings import Controller, Wheels
 from rigidsym.view._plots.figure import rendered
 from rigidsym.view._plots.spreads import Panel, spreads
@@ -31,39 +28,14 @@ _SPREADS = (
 )
 _DRAWN = Task(Model.THRUSTERS, Cost.FUEL)
 
-
-@dataclass(frozen=True, slots=True)
-class Record:
-    """The results of one manoeuvre.
-
-    flown: by actuators and method.  ideal: by actuators and way, N m s.  solved: by task.
-    """
-
-    case: Case
-    flown: Mapping[str, Mapping[str, Flown]]
-    ideal: Mapping[str, Mapping[str, float]]
-    solved: Mapping[str, Solved]
-
-    def least(self, model: str, cost: Cost = Cost.FUEL, limited: bool = True) -> float:
-        """Return the least cost that was found, N m s of fuel, N^2 m^2 s of energy."""
-        return self.solved[Task(Model(model), cost, limited).name].best
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the entries of the schema rigidsym.comparison/1."""
-        return {
-            **self.case.to_data(),
-            "flown": {
-                model: {name: asdict(one) for name, one in methods.items()}
-                for model, methods in self.flown.items()
-            },
-            "ideal": {name: dict(ways) for name, ways in self.ideal.items()},
-            "optimal": {name: one.to_data() for name, one in self.solved.items()},
-        }
+# The entry of a manoeuvre in the schema.  flown: measures by actuators and method.  ideal: N m s by
+# actuators and way.  optimal: best, miss and attempts by task.
+Record = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Records of the manoeuvres from 0 on of a seed."""
+    """The results of the manoeuvres of a seed, from the first one on."""
 
     seed: int
     records: tuple[Record, ...]
@@ -73,16 +45,16 @@ class Comparison:
         """A row for each flight: manoeuvre, actuators, method, measures and their ratios."""
         return DataFrame(
             {
-                "manoeuvre": record.case.index,
+                "manoeuvre": record["index"],
                 "actuators": model,
                 "method": method,
-                **asdict(one),
-                "over_natural": one.torque_integral / methods["natural"].torque_integral,
-                "over_least_fuel": one.torque_integral / record.least(model),
-                "over_least_square": one.torque_square / record.least(model, Cost.ENERGY),
+                **one,
+                "over_natural": one["torque_integral"] / methods["natural"]["torque_integral"],
+                "over_least_fuel": one["torque_integral"] / _least(record, model),
+                "over_least_square": one["torque_square"] / _least(record, model, Cost.ENERGY),
             }
             for record in self.records
-            for model, methods in record.flown.items()
+            for model, methods in record["flown"].items()
             for method, one in methods.items()
         )
 
@@ -91,13 +63,13 @@ class Comparison:
         """A row for each way with ideal bursts: its ratio to the least fuel without limits."""
         return DataFrame(
             {
-                "manoeuvre": record.case.index,
+                "manoeuvre": record["index"],
                 "actuators": model,
                 "method": way,
-                "ratio": cost / record.least(model, limited=False),
+                "ratio": cost / _least(record, model, limited=False),
             }
             for record in self.records
-            for model, ways in record.ideal.items()
+            for model, ways in record["ideal"].items()
             for way, cost in ways.items()
         )
 
@@ -105,18 +77,10 @@ class Comparison:
     def attempts(self) -> DataFrame:
         """A row for each search: iterations, and whether it converged, was best, was quickest."""
         frame = DataFrame(
-            {
-                "manoeuvre": record.case.index,
-                "task": task,
-                "setting": setting,
-                "guess": guess,
-                "iterations": one.iterations,
-                "converged": one.converged,
-                "best": solved.is_best(one),
-            }
+            {"manoeuvre": record["index"], "task": task, "setting": setting, "guess": guess, **one}
             for record in self.records
-            for task, solved in record.solved.items()
-            for setting, guesses in solved.attempts.items()
+            for task, solved in record["optimal"].items()
+            for setting, guesses in solved["attempts"].items()
             for guess, one in guesses.items()
         )
         done = frame["iterations"].where(frame["converged"])
@@ -134,7 +98,7 @@ class Comparison:
             ),
             "optimal": {
                 task: {
-                    "miss": max(record.solved[task].miss for record in self.records),
+                    "miss": max(record["optimal"][task]["miss"] for record in self.records),
                     "attempts": attempts,
                 }
                 for task, attempts in optimal.items()
@@ -146,9 +110,9 @@ class Comparison:
         """The command that makes this comparison."""
         return f"rigidsym compare --manoeuvres {len(self.records)} --seed {self.seed}"
 
-    def to_data(self) -> dict[str, Any]:
+    def to_json(self) -> str:
         """Return the schema rigidsym.comparison/1: no times, so that it is the same on each run."""
-        return {
+        data = {
             "schema": SCHEMA,
             "command": self.command,
             "settings": {
@@ -157,21 +121,17 @@ class Comparison:
                 "period": float(flights.PERIOD),
                 "wheels": asdict(Wheels()),
                 "controller": asdict(Controller()),
-                "intervals": INTERVALS,
-                "points": POINTS,
-                "tolerance": TOLERANCE,
-                "most_iterations": MOST_ITERATIONS,
-                "same": optima.SAME,
-                "optimiser": {name: dict(options) for name, options in SETTINGS.items()},
+                **asdict(MESH),
+                "tolerance": optimiser.TOLERANCE,
+                "most_iterations": optimiser.MOST_ITERATIONS,
+                "same": optimiser.SAME,
+                "optimiser": optimiser.SETTINGS,
             },
             "packages": {"rigidsym": __version__, **{name: version(name) for name in PACKAGES}},
             "summary": self.summary,
-            "manoeuvres": [record.to_data() for record in self.records],
+            "manoeuvres": self.records,
         }
-
-    def to_json(self) -> str:
-        """Return the same as text."""
-        return json.dumps(self.to_data(), indent=1) + "\n"
+        return json.dumps(data, indent=1) + "\n"
 
     def tables(self) -> list[page.Table]:
         """Return titles, columns and rows for terminals."""
@@ -185,14 +145,12 @@ class Comparison:
     def write(self, directory: Path) -> list[Path]:
         """Write comparison.json, comparison.md and the picture; raises InputError."""
         text = page.page(self.command, len(self.records), self.summary)
-        written = [
+        pictures = rendered(spreads(self._panels(), "one manoeuvre", "the least fuel"))
+        return [
             write_text(directory / "comparison.json", self.to_json()),
             write_text(directory / "comparison.md", text),
+            *(write_bytes(directory / f"comparison.{kind}", x) for kind, x in pictures.items()),
         ]
-        picture = spreads(self._panels(), "one manoeuvre", "the least fuel")
-        for suffix, data in rendered(picture).items():
-            written.append(write_bytes(directory / f"comparison.{suffix}", data))
-        return written
 
     def _panels(self) -> list[Panel]:
         """Return a dot for each manoeuvre: costs by method, iterations by guess."""
@@ -209,6 +167,11 @@ class Comparison:
             *(Panel(f"flown with {one}", label, costs[one], True) for one in reversed(Model)),
             Panel(title, "iterations of IPOPT", iterations, False),
         ]
+
+
+def _least(record: Record, model: str, cost: Cost = Cost.FUEL, limited: bool = True) -> float:
+    """Return the least cost that was found, N m s of fuel, N^2 m^2 s of energy."""
+    return record["optimal"][Task(Model(model), cost, limited).name]["best"]
 
 
 def spread(values: Iterable[float]) -> dict[str, float]:
@@ -231,7 +194,7 @@ def _grouped(frame: DataFrame, columns: list[str], measure: Callable[[DataFrame]
 
 
 def _measures(flown: DataFrame) -> dict[str, Any]:
-    """Return spreads of the flights by one method, and in how many something is so."""
+    """Return spreads of the flights by one method, and counts of cheaper, dearer and saturated."""
     return {
         **{name: spread(flown[name]) for name in _SPREADS},
         "cheaper_than_natural": int((flown["over_natural"] < 1).sum()),

@@ -11,6 +11,7 @@ import numpy as np
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre.flight._control import Track
 from rigidsym.manoeuvre.flight._settings import Flight, Wheels
 
@@ -67,33 +68,33 @@ class Burns:
         return [*pairwise([begin, *inner, end])]
 
 
-def of_thrusters(flight: Flight, manoeuvre: Manoeuvre, track: Track) -> Burns | None:
-    """Return the burns of thrusters; None where there are none.
+def planned(flight: Flight, manoeuvre: Manoeuvre, track: Transfer | Track) -> Burns | None:
+    """Return the burns of thrusters, or of wheels that feed the bursts forward; None without.
 
-    A component below half of the minimum impulse is left out, others are at least that impulse.
-    Raises InputError where burns last too long.
+    Thrusters leave out a component below half of the minimum impulse; others are at least that
+    impulse.  Raises InputError where burns last too long.
     """
-    thrusters = flight.thrusters
-    if thrusters is None:
+    instants, wanted = np.array([0.0, track.duration]), bursts(manoeuvre, track)
+    if thrusters := flight.thrusters:
+        size, least = np.abs(wanted), thrusters.min_impulse
+        fired = np.where(2 * size < least, 0.0, np.copysign(np.maximum(size, least), wanted))
+        before = 0.5 if thrusters.centred else 0.0
+        field, burns = "thrusters.torque", Burns(instants, fired, thrusters.torque, before)
+    elif flight.controller.track_feedforward:
+        field, burns = (
+            "wheels.max_torque",
+            Burns(instants, wanted, WHEELS * flight.wheels.max_torque),
+        )
+    else:
         return None
-    wanted = bursts(manoeuvre, track)
-    size, least = np.abs(wanted), thrusters.min_impulse
-    fired = np.where(2 * size < least, 0.0, np.copysign(np.maximum(size, least), wanted))
-    instants = np.array([0.0, track.duration])
-    before = 0.5 if thrusters.centred else 0.0
-    return _fitting("thrusters.torque", Burns(instants, fired, thrusters.torque, before))
+    if burns.overlap:
+        took = float(np.ptp(burns.spans, axis=2).max())
+        rule = f"makes burns of {took:.3g} s, too long for {burns.instants[1]:g} s"
+        raise InputError(field, burns.torque, rule)
+    return burns
 
 
-def of_wheels(flight: Flight, manoeuvre: Manoeuvre, track: Track) -> Burns | None:
-    """Return the burns that wheels feed forward: with `track_feedforward`, without thrusters."""
-    if flight.thrusters is not None or not flight.controller.track_feedforward:
-        return None
-    instants = np.array([0.0, track.duration])
-    found = Burns(instants, bursts(manoeuvre, track), WHEELS * flight.wheels.max_torque)
-    return _fitting("wheels.max_torque", found)
-
-
-def bursts(manoeuvre: Manoeuvre, track: Track) -> np.ndarray:
+def bursts(manoeuvre: Manoeuvre, track: Transfer | Track) -> np.ndarray:
     """Return the changes of momentum (2, 3) at the ends of a track, body axes, N m s."""
     inertia, before, after = (
         np.array([float(x) for x in values])
@@ -101,14 +102,6 @@ def bursts(manoeuvre: Manoeuvre, track: Track) -> np.ndarray:
     )
     _, omega = track.motion(np.array([0.0, track.duration]))
     return inertia * np.stack([omega[0] - before, after - omega[1]])
-
-
-def _fitting(field: str, burns: Burns) -> Burns:
-    if burns.overlap:
-        took = float(np.ptp(burns.spans, axis=2).max())
-        rule = f"makes burns of {took:.3g} s, too long for {burns.instants[1]:g} s"
-        raise InputError(field, burns.torque, rule)
-    return burns
 
 
 def next_torque(
@@ -120,40 +113,23 @@ def next_torque(
     ever is beyond its limit.  `momentum` (3,) is that of the wheels at the beginning, N m s.
     """
     change = wheels.max_torque_rate * period
-    wanted = command
-    if wheels.max_momentum is not None:
-        wanted = _storable(wheels, wheels.max_momentum, torque, momentum, command, period)
-    limited = np.clip(wanted, -wheels.max_torque, wheels.max_torque)
-    return np.clip(limited, torque - change, torque + change)
-
-
-def _storable(
-    wheels: Wheels,
-    most: float,
-    torque: np.ndarray,
-    momentum: np.ndarray,
-    wanted: np.ndarray,
-    period: float,
-) -> np.ndarray:
-    """Limit a torque so that the wheels can stop gaining before they store more than `most`."""
-    below, above = (
-        _gain(
-            wheels.max_torque_rate * period,
-            period,
-            most - side * momentum + side * torque * period / 2,
+    if (most := wheels.max_momentum) is not None:
+        below, above = (
+            _gain(change, period, most - side * momentum + side * torque * period / 2)
+            for side in (1.0, -1.0)
         )
-        for side in (1.0, -1.0)
-    )
-    return np.clip(wanted, -below, above)
+        command = np.clip(command, -below, above)
+    limited = np.clip(command, -wheels.max_torque, wheels.max_torque)
+    return np.clip(limited, torque - change, torque + change)
 
 
 def _gain(change: float, period: float, room: np.ndarray) -> np.ndarray:
     """Return the greatest rates g of gaining momentum at the end of a period, by the `room` left.
 
-    In that period g adds period g / 2.  Then it goes down by `change` in each period, and to zero
-    in the last: k periods and one add the trapezoids of g, g - change, .., g - k change, 0.  All
-    of it, as a function of g, has straight pieces between the multiples k change, where it is
-    change period k (k + 1) / 2.
+    Wheels that gain no faster can stop gaining before they are full.  In that period g adds
+    period g / 2.  Then it goes down by `change` in each period, and to zero in the last: k periods
+    and one add the trapezoids of g, g - change, .., g - k change, 0.  All of it, as a function of
+    g, has straight pieces between the multiples k change, where it is change period k (k + 1) / 2.
     """
     left = np.maximum(room, 0.0)
     unit = change * period

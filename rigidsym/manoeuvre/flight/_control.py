@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre.flight._rotation import cross, matrix, relative
 from rigidsym.manoeuvre.flight._settings import Controller
 from rigidsym.motion import TorqueFreeMotion
@@ -16,18 +16,12 @@ from rigidsym.motion import TorqueFreeMotion
 Motion = Callable[[ArrayLike], tuple[np.ndarray, np.ndarray]]
 
 
-class Track(Protocol):
-    """A motion that can be followed to the target."""
+@dataclass(frozen=True, slots=True)
+class Track:
+    """A motion to follow from the start to the target, which it reaches after `duration` s."""
 
-    @property
-    def duration(self) -> float:
-        """Time from the start to the target, s."""
-        ...
-
-    @property
-    def motion(self) -> Motion:
-        """Attitude and rates to follow until then."""
-        ...
+    duration: float
+    motion: Motion
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +44,7 @@ class Wanted:
     torque: np.ndarray
 
 
-def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
+def reference(manoeuvre: Manoeuvre, track: Transfer | Track, t: np.ndarray) -> Reference:
     """Return the start until t = 0, the track until the target is reached, then the target.
 
     A start and a target that spin do so as free bodies.  The attitudes are continuous in the double
@@ -66,7 +60,7 @@ def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
     return Reference(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
-def torques(inertia: np.ndarray, track: Track, t: np.ndarray) -> np.ndarray:
+def torques(inertia: np.ndarray, track: Transfer | Track, t: np.ndarray) -> np.ndarray:
     """Return I omega' + omega x I omega (N, 3) of a track at evenly spaced times, N m.
 
     It vanishes on a natural motion.  Values are means about each time, so that lines between them

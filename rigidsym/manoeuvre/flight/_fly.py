@@ -10,10 +10,11 @@ from scipy.integrate import solve_ivp
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre.flight import _control as control
-from rigidsym.manoeuvre.flight._actuators import Burns, next_torque, of_thrusters, of_wheels
+from rigidsym.manoeuvre.flight._actuators import Burns, next_torque, planned
 from rigidsym.manoeuvre.flight._environment import Environment
-from rigidsym.manoeuvre.flight._rotation import cross, matrix, size
+from rigidsym.manoeuvre.flight._rotation import cross, matrix
 from rigidsym.manoeuvre.flight._run import Run
 from rigidsym.manoeuvre.flight._settings import Flight
 from rigidsym.motion import TorqueFreeMotion
@@ -53,7 +54,7 @@ class _Ramp:
 def fly(
     manoeuvre: Manoeuvre,
     flight: Flight,
-    track: control.Track,
+    track: Transfer | control.Track,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Run:
     """Follow a track, such as a transfer, from t = 0, then hold the target.
@@ -66,10 +67,10 @@ def fly(
     anew from each sample by SciPy's DOP853, together with the impulse from outside (inertial axes)
     and the work of all torques, which the checks of a `Run` need.
 
-    Bursts of thrusters or with `track_feedforward` are burns centred on
-    their instants: the flight begins when the first does, before t = 0, and feedback waits while
-    one lasts.  Wheels exert the mean of a burn about each sample, so that their straight lines
-    have its impulse; thrusters are on or off, and steps end where they change.
+    Bursts of thrusters or with `track_feedforward` are burns centred on their instants: the flight
+    begins when the first does, before t = 0, and feedback waits while one lasts.  Wheels exert the
+    mean of a burn about each sample, so that their straight lines have its impulse; thrusters are
+    on or off, and steps end where they change.
 
     Parameters
     ----------
@@ -93,11 +94,11 @@ def fly(
         For torques too wild to follow, naming the greatest, and for burns that last too long.
     """
     inertia = np.array([float(x) for x in manoeuvre.inertia])
-    ahead = of_wheels(flight, manoeuvre, track)
-    burns = of_thrusters(flight, manoeuvre, track)
+    burns = planned(flight, manoeuvre, track)
+    thrusting = burns if flight.thrusters else None
     # Whole periods from t = 0; the first before all burns, or at zero.
-    first, period = burns or ahead, flight.run.period
-    early = ceil(-first.begin / float(period)) if first else 0
+    period = flight.run.period
+    early = ceil(-burns.begin / float(period)) if burns else 0
     count = flight.run.length // period + 1
     t = np.array([float(k * period) for k in range(-early, count)])
     reference = control.reference(manoeuvre, track, t)
@@ -109,8 +110,8 @@ def fly(
     samples = [_Sample(state, np.zeros(3), np.array(flight.wheels.momentum))]
     for k, span in enumerate(pairwise(t.tolist())):
         wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
-        ramp = _steered(flight, inertia, samples[-1], wanted, span, ahead or burns)
-        state = _flown(inertia, ramp, environment, burns, flight.run.tolerance)
+        ramp = _steered(flight, inertia, samples[-1], wanted, span, burns)
+        state = _flown(inertia, ramp, environment, thrusting, flight.run.tolerance)
         if state is None:
             causes = _causes(flight, environment, ramp, wanted.omega)
             name = max(causes, key=causes.__getitem__)
@@ -135,7 +136,7 @@ def fly(
         disturbances=environment.each(t, states[:, _Q]),
         impulse=states[:, _IMPULSE],
         work=states[:, _WORK],
-        burns=burns,
+        burns=thrusting,
     )
 
 
@@ -152,7 +153,7 @@ def _steered(
     q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
     command = control.feedforward(controller, q, omega, now.momentum, wanted)
     half = (end - begin) / 2
-    burst = burns.between(end - half, end + half) if burns else np.zeros(3)
+    burst = burns.between(end - half, end + half) if burns else _NONE
     if not burst.any():
         command = command + control.feedback(controller, inertia, q, omega, wanted)
     elif flight.thrusters is None:
@@ -168,15 +169,30 @@ def _flown(
     burns: Burns | None,
     tolerance: float,
 ) -> np.ndarray | None:
-    """Return the state at the next sample; None where the integration fails."""
-    state, pieces = ramp.now.state, [(ramp.begin, ramp.end)]
-    if burns:
-        pieces = burns.pieces(ramp.begin, ramp.end)
-    for piece in pieces:
+    """Return the state at the next sample, q of unit length; None where the integration fails.
+
+    Steps end where the torque of thrusters changes.
+    """
+    state = ramp.now.state
+    for piece in burns.pieces(ramp.begin, ramp.end) if burns else [(ramp.begin, ramp.end)]:
         burning = burns.between(*piece) if burns else _NONE
-        state = _advance(_equations(inertia, ramp, environment, burning), state, piece, tolerance)
-        if state is None:
+        try:
+            with np.errstate(over="raise", invalid="raise"):
+                found = solve_ivp(
+                    _equations(inertia, ramp, environment, burning),
+                    piece,
+                    state,
+                    method="DOP853",
+                    rtol=tolerance,
+                    atol=tolerance * _SIZES,
+                    first_step=piece[1] - piece[0],
+                )
+        except ArithmeticError:
             return None
+        if not found.success:
+            return None
+        state = found.y[:, -1]
+        state[_Q] /= np.linalg.norm(state[_Q])
     return state
 
 
@@ -209,33 +225,6 @@ def _turn(q: np.ndarray, omega: np.ndarray) -> np.ndarray:
     )
 
 
-def _advance(
-    equations: Callable[[float, np.ndarray], np.ndarray],
-    state: np.ndarray,
-    span: tuple[float, float],
-    tolerance: float,
-) -> np.ndarray | None:
-    """Return the state at the end of a span, q of unit length; None where the integration fails."""
-    try:
-        with np.errstate(over="raise", invalid="raise"):
-            found = solve_ivp(
-                equations,
-                span,
-                state,
-                method="DOP853",
-                rtol=tolerance,
-                atol=tolerance * _SIZES,
-                first_step=span[1] - span[0],
-            )
-    except ArithmeticError:
-        return None
-    if not found.success:
-        return None
-    after = found.y[:, -1]
-    after[_Q] /= np.linalg.norm(after[_Q])
-    return after
-
-
 @np.errstate(all="ignore")
 def _causes(
     flight: Flight, environment: Environment, ramp: _Ramp, turning: np.ndarray
@@ -245,12 +234,11 @@ def _causes(
     Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum with
     its gyroscopic torque at the wanted rates (3,), since the rates flown come of all torques.
     """
-    q = ramp.now.state[_Q]
-    each = environment.each(np.array([ramp.begin]), q[None])
-    stored = float(np.linalg.norm(flight.wheels.momentum))
+    size = np.linalg.norm
+    each = environment.each(np.array([ramp.begin]), ramp.now.state[None, _Q])
     found = {
         "control (lower gains or limits)": max(map(size, (ramp.now.torque, ramp.then))),
-        "wheels.momentum": stored * size(turning),
+        "wheels.momentum": size(flight.wheels.momentum) * size(turning),
         **{name.replace("_", " "): size(torque) for name, torque in each.items()},
     }
     return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}

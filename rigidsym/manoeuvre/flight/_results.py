@@ -2,7 +2,7 @@
 
 import io
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from fractions import Fraction
@@ -30,13 +30,7 @@ _UTC_BEGINS = 1972
 _MESSAGE = "attitude.aem"
 _FRAME = "GCRF"
 "The geocentric celestial frame, that of the sky, by its name in CCSDS's registry (SANA)."
-_PICTURES = {
-    "attitude": pictures.attitude,
-    "error": pictures.error,
-    "rates": pictures.rates,
-    "torques": pictures.torques,
-    "disturbances": pictures.disturbances,
-}
+_PICTURES = ("attitude", "error", "rates", "torques", "disturbances")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +43,7 @@ class Tracked:
     run: Run
 
     def summary(self) -> dict[str, Any]:
-        """Return the schema rigidsym.track/1: SI units and radians, settings as in the file."""
+        """Return the schema rigidsym.track/1: SI units and radians, settings as in `Flight`."""
         run, burns, transfer = self.run, self.run.burns, self.transfer
         return {
             "schema": SCHEMA,
@@ -77,12 +71,12 @@ class Tracked:
                 "energy_defect": run.energy_defect(),
             },
             "manoeuvre": self.manoeuvre.to_data(),
-            "flight": _plain(asdict(self.flight)),
+            "flight": asdict(self.flight),
         }
 
     def to_json(self) -> str:
         """Return the summary as text, of the schema rigidsym.track/1."""
-        return json.dumps(self.summary(), indent=1) + "\n"
+        return json.dumps(self.summary(), indent=1, default=_plain) + "\n"
 
     @property
     def missed(self) -> bool:
@@ -96,19 +90,16 @@ class Tracked:
         target = self.run.holding(settled)
         return target["final_error"] is not None and target["settled_at"] is None
 
-    def rows(self) -> Rows:
-        """Return pairs of name and figure, the most important first."""
-        return [*self._measured(), *self.run.check_rows()]
-
-    def _measured(self) -> Rows:
-        """Return these without the checks of the integration."""
+    def rows(self, checks: bool = True) -> Rows:
+        """Return pairs of name and figure, the most important first, the checks last."""
         rows = self.run.rows(self.flight.run.settled)
         missed = self.transfer.sensitivity
         flown = [name for name, _ in rows].index("error at arrival")
         rows.insert(flown + 1, predicted(missed.size, missed.direction))
         rows += self.run.saturation_rows(self.flight.wheels, self.missed)
-        nothing = ("start equals target", "nothing to do: the target is held")
-        return [nothing, *rows] if self.manoeuvre.trivial else rows
+        if self.manoeuvre.trivial:
+            rows.insert(0, ("start equals target", "nothing to do: the target is held"))
+        return rows + self.run.check_rows() if checks else rows
 
     def __repr__(self) -> str:
         return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
@@ -116,7 +107,7 @@ class Tracked:
     def _repr_html_(self) -> str:
         from rigidsym.view._html.motions import tracked_html
 
-        return tracked_html(self, self._measured())
+        return tracked_html(self, self.rows(checks=False))
 
     def to_npz(self) -> bytes:
         """Return float64 arrays, a row for each sample; names as those of `Run`."""
@@ -132,8 +123,8 @@ class Tracked:
         """
         run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
         # Any, because another keyword of `aem` is not text.
-        names: dict[str, Any] = {**UNNAMED, **self.flight.message}
-        return aem(Track(run.t, run.q, run.omega), epoch, ref_frame_a=_FRAME, **names)
+        names: dict[str, Any] = {**UNNAMED, **self.flight.message, "ref_frame_a": _FRAME}
+        return aem(Track(run.t, run.q, run.omega), epoch, **names)
 
     def contents(self) -> dict[str, bytes]:
         """Return files by name: run.npz, from 1972 on attitude.aem, pictures, summary.json.
@@ -143,7 +134,7 @@ class Tracked:
         found = {"run.npz": self.to_npz()}
         if self.flight.orbit.epoch.year >= _UTC_BEGINS:
             found[_MESSAGE] = self.to_aem().encode()
-        drawn = {name: draw(self.run) for name, draw in _PICTURES.items()}
+        drawn = {name: getattr(pictures, name)(self.run) for name in _PICTURES}
         drawn["wheels"] = pictures.wheels(self.run, self.flight.wheels.rotor_inertia)
         for name, figure in drawn.items():
             for suffix, data in drawing.rendered(figure).items():
@@ -174,12 +165,6 @@ def track(name: str, progress: Callable[[int, int], None] = lambda done, total: 
     return Tracked(plan.manoeuvre, flight, plan.best, run)
 
 
-def _plain(value: Any) -> Any:
-    """Return settings as JSON can hold them."""
-    if isinstance(value, Mapping):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, datetime):
-        return value.isoformat()
-    return float(value) if isinstance(value, Fraction) else value
+def _plain(value: datetime | Fraction) -> str | float:
+    """Return a setting that JSON has no type for as one that it has."""
+    return value.isoformat() if isinstance(value, datetime) else float(value)

@@ -37,8 +37,3 @@ def cross(a: Numbers, b: Numbers) -> np.ndarray:
     a0, a1, a2 = map(float, a)
     b0, b1, b2 = map(float, b)
     return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
-
-
-def size(vector: np.ndarray) -> float:
-    """Return |vector| of (3,)."""
-    return float(np.linalg.norm(vector))

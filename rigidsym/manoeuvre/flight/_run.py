@@ -8,7 +8,7 @@ import numpy as np
 
 from rigidsym.manoeuvre.flight._actuators import Burns
 from rigidsym.manoeuvre.flight._control import Reference
-from rigidsym.manoeuvre.flight._rotation import angle, matrix, relative, size
+from rigidsym.manoeuvre.flight._rotation import angle, matrix, relative
 from rigidsym.manoeuvre.flight._settings import Timing, Wheels
 from rigidsym.view._html.motions import run_html
 from rigidsym.view._tables import columns
@@ -81,8 +81,8 @@ class Run:
     def tracking(self) -> dict[str, float]:
         """Return greatest (`max`), root mean square and last angle of error until arrival, rad."""
         error = self.error[self.t < self.arrival]
-        rms = float(np.sqrt(np.mean(error**2)))
-        return {"max": float(np.max(error)), "rms": rms, "last": float(error[-1])}
+        found = {"max": np.max(error), "rms": np.sqrt(np.mean(error**2)), "last": error[-1]}
+        return {name: float(angle) for name, angle in found.items()}
 
     def holding(self, settled: float) -> dict[str, float | None]:
         """Return how the target is held after arrival; None where nothing is flown by then.
@@ -114,7 +114,11 @@ class Run:
         slip = self.omega[k] - self.reference.omega[k] @ matrix(
             relative(self.reference.q[k], self.q[k])
         )
-        return {"t": float(self.t[k]), "error": float(self.error[k]), "rate": size(slip)}
+        return {
+            "t": float(self.t[k]),
+            "error": float(self.error[k]),
+            "rate": float(np.linalg.norm(slip)),
+        }
 
     def effort(self) -> dict[str, list[float]]:
         """Return peaks and integrals of |torque|, and peaks of the wheels' momentum, by axis."""
@@ -144,22 +148,20 @@ class Run:
             near = np.abs(values) >= limit * (1 - _NEAR)
             return (period * np.count_nonzero(near, axis=0)).tolist()
 
-        most = np.inf if wheels.max_momentum is None else wheels.max_momentum
         body = self.inertia * self.reference.omega
         whole = matrix(self.q[0]) @ (self.inertia * self.omega[0] + self.wheel_momentum[0])
         needed = np.array([whole @ matrix(q) for q in self.reference.q]) - body
         return {
             "torque": at(self.torque, wheels.max_torque),
-            "momentum": at(self.wheel_momentum, most),
+            "momentum": at(self.wheel_momentum, wheels.max_momentum or np.inf),
             "momentum_needed": np.abs(needed).max(axis=0).tolist(),
         }
 
     def rows(self, settled: float = _SETTLED) -> Rows:
         """Return pairs of name and figure; `settled` is what counts as settled, degrees."""
         error, target, effort = self.tracking(), self.holding(radians(settled)), self.effort()
-        last = self.last_burn()
         burnt = []
-        if last is not None:
+        if last := self.last_burn():
             off = f"{_deg(last['error'])} off, {degrees(last['rate']):.4f} deg/s left"
             burnt = [("when thrusters end", f"{last['t']:g} s: {off}")]
         held = f"not within {settled:g} deg at the end"

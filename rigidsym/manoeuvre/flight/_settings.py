@@ -45,42 +45,33 @@ Triple = tuple[float, float, float]
 Rule = tuple[Callable[[Any], bool], str]
 
 
-def _check(suffix: str, value: object, number: float | Fraction, rules: tuple[Rule, ...]) -> None:
-    for holds, rule in rules:
-        if not holds(number):
-            raise InputError(suffix, value, rule)
+def _read(read: Callable[[Any], Any], *rules: Rule) -> PlainValidator:
+    """Return the validator of a value as `read` gives it; it, or each part of it, keeps rules."""
+
+    def found(value: Any) -> Any:
+        number = read(value)
+        several = isinstance(number, tuple)
+        for k, one in enumerate(number if several else (number,)):
+            for holds, rule in rules:
+                if not holds(one):
+                    raise InputError(f"[{k}]" if several else "", one if several else value, rule)
+        return number
+
+    return PlainValidator(found)
 
 
 def _number(*rules: Rule) -> PlainValidator:
     """Return the validator of a double that keeps rules."""
-
-    def read(value: Any) -> float:
-        number = inputs.doubles("", [inputs.exact("", value)])[0]
-        _check("", value, number, rules)
-        return number
-
-    return PlainValidator(read)
+    return _read(lambda value: inputs.doubles("", [inputs.exact("", value)])[0], *rules)
 
 
 def _triple(*rules: Rule) -> PlainValidator:
     """Return the validator of three doubles, each of which keeps rules."""
 
-    def read(value: Any) -> Triple:
-        x, y, z = inputs.doubles("", inputs.certain("", inputs.vector("", value, 3)))
-        for k, number in enumerate((x, y, z)):
-            _check(f"[{k}]", number, number, rules)
-        return x, y, z
+    def read(value: Any) -> tuple[float, ...]:
+        return tuple(inputs.doubles("", inputs.certain("", inputs.vector("", value, 3))))
 
-    return PlainValidator(read)
-
-
-def _seconds(value: Any) -> Fraction:
-    number = inputs.exact("", value)
-    longest = 0 < number <= LONGEST, f"must be above zero, and at most {LONGEST} s"
-    for holds, rule in (longest, (number >= SHORTEST, f"must be at least {float(SHORTEST):g} s")):
-        if not holds:
-            raise InputError("", value, rule)
-    return number
+    return _read(read, *rules)
 
 
 def _instant(value: object) -> datetime:
@@ -96,37 +87,32 @@ def _within(most: float, unit: str) -> Rule:
     return lambda x: abs(x) <= most, f"must be at most {most:g} {unit}"
 
 
-def _between(low: float, high: float, unit: str = "") -> PlainValidator:
-    return _number((lambda x: low <= x <= high, f"must be from {low:g} to {high:g}{unit}"))
+def _between(low: float, high: float, what: str = "", unit: str = "") -> PlainValidator:
+    """Return the validator of a double in a range; `what` is for words before it."""
+    return _number((lambda x: low <= x <= high, f"must be {what}from {low:g} to {high:g}{unit}"))
 
 
 _ABOVE: Rule = (lambda x: x > 0, "must be above zero")
 _LENGTH = _within(MOST_METRES, "m")
+_ALTITUDE = (
+    (lambda x: x > 0, "must be above the surface, km"),
+    (lambda x: x >= LOWEST, f"must be at least {LOWEST:.0f} km: no circular orbit lasts below"),
+    (lambda x: x <= HIGHEST, f"must be at most {HIGHEST:.0f} km"),
+)
+_STORABLE = (
+    lambda x: 0 < x <= MOST_MOMENTUM,
+    f"must be above zero, and at most {MOST_MOMENTUM:g} N m s",
+)
+_SECONDS = (
+    (lambda x: 0 < x <= LONGEST, f"must be above zero, and at most {LONGEST} s"),
+    (lambda x: x >= SHORTEST, f"must be at least {float(SHORTEST):g} s"),
+)
+_TOLERANCE = (lambda x: 1e-14 <= x <= 1e-3, "must be from 1e-14 to 1e-3")
 Positive = Annotated[float, _number(_ABOVE)]
 NotNegative = Annotated[float, _number((lambda x: x >= 0, "must not be negative"))]
-Share = Annotated[float, _number((lambda x: 0 <= x <= 1, "must be a share, from 0 to 1"))]
-Turn = Annotated[
-    float,
-    _number((lambda x: -360 <= x <= 360, "must be an angle in degrees, from -360 to 360")),
-]
-Altitude = Annotated[
-    float,
-    _number(
-        (lambda x: x > 0, "must be above the surface, km"),
-        (lambda x: x >= LOWEST, f"must be at least {LOWEST:.0f} km: no circular orbit lasts below"),
-        (lambda x: x <= HIGHEST, f"must be at most {HIGHEST:.0f} km"),
-    ),
-]
-Storable = Annotated[
-    float,
-    _number(
-        (
-            lambda x: 0 < x <= MOST_MOMENTUM,
-            f"must be above zero, and at most {MOST_MOMENTUM:g} N m s",
-        )
-    ),
-]
-Seconds = Annotated[Fraction, PlainValidator(_seconds)]
+Share = Annotated[float, _between(0, 1, "a share, ")]
+Turn = Annotated[float, _between(-360, 360, "an angle in degrees, ")]
+Seconds = Annotated[Fraction, _read(lambda value: inputs.exact("", value), *_SECONDS)]
 Switch = Annotated[bool, PlainValidator(lambda value: inputs.is_true("", value))]
 
 
@@ -135,9 +121,9 @@ Switch = Annotated[bool, PlainValidator(lambda value: inputs.is_true("", value))
 class Orbit:
     """A circular orbit of Kepler around a spherical Earth."""
 
-    altitude: Altitude = 600.0
+    altitude: Annotated[float, _number(*_ALTITUDE)] = 600.0
     "Above the equatorial radius, km (paper)."
-    inclination: Annotated[float, _between(0, 180, " degrees")] = 97.79
+    inclination: Annotated[float, _between(0, 180, unit=" degrees")] = 97.79
     "Degrees (paper)."
     node: Turn = 0.0
     "Right ascension of the ascending node, degrees (chosen)."
@@ -154,9 +140,9 @@ class Wheels:
 
     max_torque: Positive = 1e-3
     "N m (paper)."
-    max_torque_rate: Annotated[float, _between(LEAST_RATE, MOST_RATE, " N m/s")] = 1e-2
+    max_torque_rate: Annotated[float, _between(LEAST_RATE, MOST_RATE, unit=" N m/s")] = 1e-2
     "N m/s (paper)."
-    max_momentum: Storable | None = None
+    max_momentum: Annotated[float, _number(_STORABLE)] | None = None
     "N m s that a wheel can store; None: no limit (the paper gives none)."
     momentum: Annotated[Triple, _triple(_within(MOST_MOMENTUM, "N m s"))] = (0.0, 0.0, 0.0)
     "Stored at t = 0, N m s (chosen)."
@@ -235,9 +221,7 @@ class Timing:
     "s (the paper's Figure 3)."
     period: Seconds = Fraction(1, 10)
     "Of control, and of what is recorded, s (chosen: usual, and a thirtieth of the loop's time)."
-    tolerance: Annotated[
-        float, _number((lambda x: 1e-14 <= x <= 1e-3, "must be from 1e-14 to 1e-3"))
-    ] = 1e-10
+    tolerance: Annotated[float, _number(_TOLERANCE)] = 1e-10
     "Relative, of the integration (chosen: far below the errors of interest)."
     settled: Positive = 0.1
     "Degrees: nearer than that the spacecraft counts as settled (chosen)."

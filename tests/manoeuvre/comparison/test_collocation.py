@@ -1,4 +1,4 @@
-"""Collocation against what is known by hand, and natural motions against its constraints."""
+"""Tests of collocation by optima known by hand and by natural motions."""
 
 from functools import cache
 
@@ -8,6 +8,7 @@ import pytest
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre._comparison.collocation import (
+    MESH,
     Cost,
     Driven,
     Mesh,
@@ -28,9 +29,8 @@ POSED = Posed(INERTIA, TARGET, LIMIT)
 
 
 @cache
-def slew(task, mesh=None, settings="default"):
+def slew(task, mesh=MESH, settings="default"):
     """The optimum of a turn about one principal axis, searched from no motion at all."""
-    mesh = mesh or Mesh()
     return optimum(task, POSED, guessed(mesh, INERTIA, task.model, still), settings, mesh)
 
 
@@ -56,12 +56,11 @@ def test_a_tableau_that_is_none_is_refused():
 @pytest.mark.parametrize("model", Model)
 def test_least_energy_about_one_axis_is_a_torque_linear_in_time(model):
     found = slew(Task(model, Cost.ENERGY))
-    mesh = Mesh()
     assert found.converged
     # Integral of u^2 for u = 6 J angle (1 - 2 t).
     assert found.cost == pytest.approx(12 * ANGLE**2, rel=1e-3)
-    torque = found.trajectory.impulses / mesh.steps[:, None]
-    middle = (mesh.nodes[1:] + mesh.nodes[:-1]) / 2
+    torque = found.trajectory.impulses / MESH.steps[:, None]
+    middle = (MESH.nodes[1:] + MESH.nodes[:-1]) / 2
     np.testing.assert_allclose(torque[:, 1], 6 * ANGLE * (1 - 2 * middle), atol=0.02)
     np.testing.assert_allclose(torque[:, [0, 2]], 0, atol=1e-5)
 
@@ -74,15 +73,14 @@ def test_torques_constant_in_intervals_cost_what_their_squares_differ():
 @pytest.mark.parametrize("model", Model)
 def test_least_fuel_about_one_axis_is_bang_coast_bang(model):
     found = slew(Task(model, Cost.FUEL))
-    mesh = Mesh()
     assert found.converged
     # angle = limit t (1 - t) / J for bursts of length t.
     burst = (1 - np.sqrt(1 - 4 * ANGLE / LIMIT)) / 2
     assert found.cost == pytest.approx(2 * LIMIT * burst, rel=1e-3)
-    torque = (found.trajectory.impulses / mesh.steps[:, None])[:, 1]
-    begins, ends = mesh.nodes[:-1], mesh.nodes[1:]
+    torque = (found.trajectory.impulses / MESH.steps[:, None])[:, 1]
+    begins, ends = MESH.nodes[:-1], MESH.nodes[1:]
     # The mesh cannot switch within an interval: one of them, or the next, is in between.
-    longest = mesh.steps.max()
+    longest = MESH.steps.max()
     np.testing.assert_allclose(torque[ends < burst - longest], LIMIT, rtol=1e-4)
     coast = (begins > burst + longest) & (ends < 1 - burst - longest)
     np.testing.assert_allclose(torque[coast], 0, atol=1e-4)
@@ -101,7 +99,7 @@ def test_least_fuel_without_limits_is_two_bursts():
 def test_limits_are_kept_and_attitudes_stay_of_unit_length(settings):
     found = slew(Task(Model.THRUSTERS, Cost.FUEL), settings=settings)
     # IPOPT relaxes bounds by 1e-8.
-    most = LIMIT * Mesh().steps[:, None] + 2e-8
+    most = LIMIT * MESH.steps[:, None] + 2e-8
     assert (np.abs(found.trajectory.impulses) <= most).all()
     np.testing.assert_allclose(np.linalg.norm(found.trajectory.nodes[:, :4], axis=1), 1, atol=1e-7)
 
@@ -109,8 +107,8 @@ def test_limits_are_kept_and_attitudes_stay_of_unit_length(settings):
 @pytest.mark.parametrize("model", Model)
 def test_torques_found_lead_to_the_target_by_another_integrator(model):
     found = slew(Task(model, Cost.FUEL))
-    driven = Driven(model, INERTIA, found.trajectory.impulses, Mesh())
-    q, omega = driven(Mesh().nodes)
+    driven = Driven(model, INERTIA, found.trajectory.impulses, MESH)
+    q, omega = driven(MESH.nodes)
     np.testing.assert_allclose(q, found.trajectory.nodes[:, :4], atol=1e-6)
     np.testing.assert_allclose(omega, found.trajectory.nodes[:, 4:], atol=1e-6)
     np.testing.assert_allclose(driven.end[0], TARGET, atol=1e-6)
@@ -121,7 +119,7 @@ def natural(t):
 
 
 def natural_defects(intervals):
-    """Of a natural motion without torque: inside of the intervals, and at their ends."""
+    """The largest defects of a natural motion: inside of the intervals, and at their ends."""
     mesh = Mesh(intervals)
     found = guessed(mesh, INERTIA, Model.THRUSTERS, natural)
     inner = found.inner.reshape(intervals, -1)
@@ -150,7 +148,7 @@ def test_natural_motions_obey_the_constraints_to_their_order():
 
 
 def test_natural_motions_are_guessed_with_two_bursts():
-    found = guessed(Mesh(), INERTIA, Model.THRUSTERS, natural)
+    found = guessed(MESH, INERTIA, Model.THRUSTERS, natural)
     first, last = (INERTIA * natural(t)[1] for t in (0.0, 1.0))
     np.testing.assert_allclose(found.impulses[0], first, atol=1e-3)
     np.testing.assert_allclose(found.impulses[-1], -last, atol=1e-3)

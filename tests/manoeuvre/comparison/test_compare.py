@@ -1,4 +1,4 @@
-"""`rigidsym compare`: what it prints, leaves behind and refuses, and that it is always the same."""
+"""Tests of `rigidsym compare`: what it prints, writes and refuses, and that it stays the same."""
 
 import json
 import re
@@ -12,14 +12,13 @@ from functools import partial
 import extra_optimal  # noqa: F401
 import pytest
 
-from rigidsym._cli import main
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre._comparison import compare, flights, optima
+from rigidsym.manoeuvre._comparison import compare, flights, optimiser
 from rigidsym.manoeuvre._comparison.cases import draw
 from rigidsym.manoeuvre._comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre._comparison.comparing import _Work
-from rigidsym.manoeuvre._comparison.optima import Attempt, Solved
+from rigidsym.manoeuvre._comparison.comparing import results
+from rigidsym.manoeuvre._comparison.optimiser import Optimum, attempt
 from rigidsym.manoeuvre._comparison.page import page
 from rigidsym.manoeuvre._comparison.results import spread
 from rigidsym.validate._executors import local
@@ -37,7 +36,7 @@ sys.exit(main(["compare", "--manoeuvres", "1", "--workers", "1", "-o", sys.argv[
 
 @pytest.fixture(scope="module")
 def compared(tmp_path_factory):
-    """What one manoeuvre leaves and prints."""
+    """The files of a comparison on one manoeuvre, and what it prints."""
     directory = tmp_path_factory.mktemp("compared")
     command = [sys.executable, "-W", "error", "-c", COMMAND, str(directory)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -98,31 +97,34 @@ def test_the_same_each_time(data, monkeypatch):
     case = draw(0, 1)
     transfer = solve(case.manoeuvre).best
     task = Task(Model.THRUSTERS, Cost.ENERGY)
-    solved, impulses = optima.solved(case, task, optima.guesses(case, transfer))
-    assert json.loads(json.dumps(solved.to_data())) == one["optimal"][task.name]
+    solved, impulses = optimiser.solved(case, task, optimiser.guesses(case, transfer))
+    assert json.loads(json.dumps(solved)) == one["optimal"][task.name]
     ways = flights.Ways(case, Model.THRUSTERS, transfer, impulses)
     flown = asdict(flights.flown("natural", ways))
     assert flown == one["flown"]["thrusters"]["natural"]
 
 
-def test_attempts_that_end_elsewhere_are_not_the_best():
-    best, other, lost = Attempt(1.0, 10, True), Attempt(1.1, 5, True), Attempt(0.5, 500, False)
-    solved = Solved(1.0, 0.0, {"default": {"a": best, "b": other, "c": lost}})
-    assert [solved.is_best(x) for x in (best, other, lost)] == [True, False, False]
+@pytest.mark.parametrize(
+    ("cost", "iterations", "converged", "best"),
+    [(1.0, 10, True, True), (1.1, 5, True, False), (0.5, 500, False, False)],
+)
+def test_attempts_that_end_elsewhere_are_not_the_best(cost, iterations, converged, best):
+    found = attempt(Optimum(cost, iterations, converged, None), unit=1.0, least=1.0)
+    assert found["best"] == best
 
 
 def test_a_task_that_is_not_solved_is_told():
     case = draw(0, 1)
     with pytest.raises(InputError, match="manoeuvre = 0: wheels, energy: no optimum was found"):
-        optima.solved(case, Task(Model.WHEELS, Cost.ENERGY), {})
+        optimiser.solved(case, Task(Model.WHEELS, Cost.ENERGY), {})
 
 
 def test_pieces_of_work_keep_their_order_and_tell_how_many_are_done():
     told = []
     with local(1) as place:
-        work = _Work(place, 3, lambda done, total: told.append((done, total)))
-        assert work.done([partial(pow, 2, k) for k in range(3)]) == [1, 2, 4]
-    assert told == [(1, 3), (2, 3), (3, 3)]
+        calls = [partial(pow, 2, k) for k in range(3)]
+        assert results(place, lambda: told.append(len(told)), calls) == [1, 2, 4]
+    assert told == [0, 1, 2]
 
 
 def test_spreads():
@@ -144,13 +146,8 @@ def test_bad_numbers_are_refused(arguments, message):
 
 
 @pytest.mark.parametrize("option", ["--manoeuvres=0", "--seed=x", "--workers=-1"])
-def test_bad_options_are_refused_in_one_line(option, capsys):
-    with pytest.raises(SystemExit) as stopped:
-        main(["compare", option])
-    assert stopped.value.code == 2
-    error = capsys.readouterr().err
-    assert "must be a whole number" in error
-    assert error.count("\n") == 1
+def test_bad_options_are_refused_in_one_line(option, refused):
+    assert "must be a whole number" in refused("compare", option)
 
 
 @pytest.mark.parametrize(("package", "extra"), [("casadi", "optimal"), ("erfa", "app")])

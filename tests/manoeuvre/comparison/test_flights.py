@@ -1,4 +1,4 @@
-"""Fairness: the same actuators, limits, disturbances, duration and hold for every way."""
+"""Tests that every way has the same actuators, limits, disturbances, duration and hold."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -12,7 +12,7 @@ from manoeuvre_flights import NOTHING
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import flights
 from rigidsym.manoeuvre._comparison.cases import PAPER, Case, draw
-from rigidsym.manoeuvre._comparison.collocation import Mesh, Model, guessed
+from rigidsym.manoeuvre._comparison.collocation import MESH, Model, guessed
 from rigidsym.manoeuvre._comparison.flights import METHODS, Ways, exerted, ideal, measured
 from rigidsym.manoeuvre._manoeuvre import manoeuvre
 from rigidsym.manoeuvre.flight._fly import fly
@@ -26,17 +26,17 @@ BY_FEEDBACK = (*STEPS, "natural, feedback alone")
 
 @pytest.fixture(autouse=True)
 def _seldom(monkeypatch):
-    """Flights that are quick, and still stable."""
+    """Make flights quick by a long period of control, at which they are still stable."""
     monkeypatch.setattr(flights, "PERIOD", Fraction(1, 2))
     monkeypatch.setattr(flights, "HOLD", 30)
 
 
 @cache
 def ways(actuators):
-    """With the eigenaxis, its bursts in the first and last intervals, for the optimum."""
+    """The ways to fly, with the eigenaxis and its bursts in place of the optimum."""
     inertia = CASE.inertia / CASE.inertia.max()
     motion = partial(flights.turned, CASE.rotation_vector, flights.constant)
-    impulses = guessed(Mesh(), inertia, actuators, motion).impulses
+    impulses = guessed(MESH, inertia, actuators, motion).impulses
     return Ways(CASE, actuators, solve(CASE.manoeuvre).best, impulses)
 
 
@@ -77,10 +77,18 @@ def test_rates_of_turns_are_those_of_their_attitudes():
         assert angle(before, now) == pytest.approx(angle(now, after), rel=1e-2)
 
 
+@cache
+def flown(method, actuators, still=False):
+    """Return a flight by a way, undisturbed if `still`, and its settings."""
+    track, flight = METHODS[method](ways(actuators))
+    if still:
+        flight = replace(flight, disturbances=NOTHING)
+    return fly(CASE.manoeuvre, flight, track), flight
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_limits_of_the_wheels_are_kept(method):
-    track, flight = METHODS[method](ways(Model.WHEELS))
-    run = fly(CASE.manoeuvre, flight, track)
+    run, flight = flown(method, Model.WHEELS)
     assert np.abs(run.torque).max() <= flight.wheels.max_torque
     rates = np.abs(np.diff(run.torque, axis=0)) / np.diff(run.t)[:, None]
     assert rates.max() <= flight.wheels.max_torque_rate * (1 + 1e-9)
@@ -95,24 +103,21 @@ def test_limits_of_the_wheels_are_kept(method):
 def test_thrusters_are_not_told_of_gyroscopic_torques():
     found = {}
     for actuators in Model:
-        track, flight = METHODS["natural"](ways(actuators))
-        run = fly(CASE.manoeuvre, flight, track)
+        run, _ = flown("natural", actuators)
         coast = (run.t > 30) & (run.t < 55)
         found[actuators] = np.abs(exerted(run, actuators)[coast]).max()
     assert found[Model.THRUSTERS] < 0.2 * found[Model.WHEELS]
 
 
 def test_fed_forward_a_natural_motion_costs_its_bursts():
-    """And by feedback alone more: what nobody disturbs needs nothing else of a controller."""
-    costs = {}
-    for method in ("natural", "natural, feedback alone"):
-        track, flight = METHODS[method](ways(Model.THRUSTERS))
-        still = replace(flight, disturbances=NOTHING)
-        run = fly(CASE.manoeuvre, still, track)
-        costs[method] = measured(run, still, Model.THRUSTERS).torque_integral
+    """By feedback alone it costs more; without disturbances a controller adds nothing else."""
+    natural, feedback_alone = (
+        measured(*flown(method, Model.THRUSTERS, still=True), Model.THRUSTERS).torque_integral
+        for method in ("natural", "natural, feedback alone")
+    )
     bursts = np.abs(ways(Model.THRUSTERS).transfer.bursts).sum()
-    assert costs["natural"] == pytest.approx(bursts, rel=0.05)
-    assert costs["natural, feedback alone"] > 1.15 * bursts
+    assert natural == pytest.approx(bursts, rel=0.05)
+    assert feedback_alone > 1.15 * bursts
 
 
 def test_a_slow_step_comes_within_what_counts_as_settled():
@@ -135,9 +140,9 @@ def test_manoeuvres_are_drawn_by_index_and_seed():
     assert [draw(k, 1).manoeuvre for k in range(6)] == [case.manoeuvre for case in some]
     assert draw(0, 2).manoeuvre != some[0].manoeuvre
     for case in some:
-        assert 0 < case.angle <= np.pi
+        assert 0 < case.problem.angle <= np.pi
         assert case.duration % 10 == 0
         assert case.duration >= 60
         # What the duration is for: a burst about the heaviest axis is 1e-3 N m s at most.
-        assert case.inertia.max() * case.angle / case.duration <= 1e-3
-        assert np.linalg.norm(case.rotation_vector) == pytest.approx(case.angle)
+        assert case.inertia.max() * case.problem.angle / case.duration <= 1e-3
+        assert np.linalg.norm(case.rotation_vector) == pytest.approx(case.problem.angle)

@@ -1,11 +1,13 @@
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+"""Tests of the reference, of feedback and feedforward, and of rotations of single vectors."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from manoeuvre_flights import known
+from manoeuvre_flights import MOMENTS, known
 
 from rigidsym.manoeuvre.flight._control import (
+    Track,
     Wanted,
     feedback,
     feedforward,
@@ -16,17 +18,9 @@ from rigidsym.manoeuvre.flight._rotation import angle, cross, matrix, relative
 from rigidsym.manoeuvre.flight._settings import Controller
 
 INERTIA = np.array([1.0, 2.0, 3.0])
-STILL = np.zeros(3)
-IDENTITY = np.array([1.0, 0, 0, 0])
+STILL, IDENTITY = np.zeros(3), np.array([1.0, 0, 0, 0])
 GAINS = Controller(natural_frequency=0.5, damping_ratio=0.7)
-
-
-def command(controller, state, wanted, torque=STILL):
-    """Both parts of what is told."""
-    q, omega, momentum = state
-    aim = Wanted(*wanted, torque)
-    known_ahead = feedforward(controller, q, omega, momentum, aim)
-    return feedback(controller, INERTIA, q, omega, aim) + known_ahead
+RATES, STORED = np.array([0.01, -0.02, 0.03]), np.array([0.1, 0.2, 0.3])
 
 
 def about_axis_1(degrees):
@@ -34,73 +28,78 @@ def about_axis_1(degrees):
     return np.array([np.cos(half), np.sin(half), 0, 0])
 
 
-def test_proportional():
-    found = command(GAINS, (about_axis_1(1.0), STILL, STILL), (IDENTITY, STILL))
-    np.testing.assert_allclose(found, [-0.25 * 2 * np.sin(np.radians(0.5)), 0, 0])
+QUARTER = about_axis_1(90.0)
 
 
-def test_derivative():
-    found = command(GAINS, (IDENTITY, STILL, STILL), (IDENTITY, np.array([0, 0.1, 0.2])))
-    np.testing.assert_allclose(found, [0, 2 * 0.7 * 0.5 * 2 * 0.1, 2 * 0.7 * 0.5 * 3 * 0.2])
+@pytest.mark.parametrize(
+    ("controller", "state", "wanted", "expected"),
+    [
+        # Proportional, and derivative.
+        (
+            GAINS, (about_axis_1(1.0), STILL, STILL), (IDENTITY, STILL, STILL),
+            [-0.25 * 2 * np.sin(np.radians(0.5)), 0, 0],
+        ),
+        (
+            GAINS, (IDENTITY, STILL, STILL), (IDENTITY, np.array([0, 0.1, 0.2]), STILL),
+            [0, 2 * 0.7 * 0.5 * 2 * 0.1, 2 * 0.7 * 0.5 * 3 * 0.2],
+        ),
+        # Turned by 90 degrees about axis 1, the body's axis 3 is minus the reference's axis 2.
+        (
+            GAINS, (QUARTER, np.array([0, 0, 0.1]), STILL),
+            (IDENTITY, np.array([0, -0.1, 0]), STILL), [-0.25 * np.sqrt(2), 0, 0],
+        ),
+        (
+            Controller(natural_frequency=0.0, track_feedforward=True), (QUARTER, STILL, STILL),
+            (IDENTITY, STILL, np.array([0, 0.1, 0])), [0, 0, -0.1],
+        ),
+        # The wheels' gyroscopic torque.
+        (
+            Controller(feedforward=True), (IDENTITY, RATES, STORED), (IDENTITY, RATES, STILL),
+            np.cross(RATES, STORED),
+        ),
+    ],
+    ids=["proportional", "derivative", "same axes", "track's torque", "gyroscopic"],
+)  # fmt: skip
+def test_commands_are_those_worked_out_by_hand(controller, state, wanted, expected):
+    np.testing.assert_allclose(command(controller, state, wanted), expected, atol=1e-15)
+
+
+def command(controller, state, wanted):
+    """Return the sum of feedback and feedforward."""
+    q, omega, momentum = state
+    known_ahead = feedforward(controller, q, omega, momentum, Wanted(*wanted))
+    return feedback(controller, INERTIA, q, omega, Wanted(*wanted)) + known_ahead
+
+
+def test_without_errors_and_feedforward_nothing_is_commanded():
+    found = command(Controller(), (IDENTITY, RATES, STORED), (IDENTITY, RATES, STILL))
+    np.testing.assert_array_equal(found, STILL)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_the_shorter_way_back(sign):
-    found = command(GAINS, (sign * about_axis_1(350.0), STILL, STILL), (IDENTITY, STILL))
-    assert found[0] > 0
-
-
-def test_rates_are_compared_in_the_same_axes():
-    q = about_axis_1(90.0)
-    # Turned by 90 degrees about axis 1, the body's axis 3 is minus the reference's axis 2.
-    wanted = (IDENTITY, np.array([0, -0.1, 0]))
-    found = command(GAINS, (q, np.array([0, 0, 0.1]), STILL), wanted)
-    np.testing.assert_allclose(found, [-0.25 * np.sqrt(2), 0, 0], atol=1e-15)
-
-
-def test_feedforward_is_the_wheels_gyroscopic_torque():
-    stored, omega = np.array([0.1, 0.2, 0.3]), np.array([0.01, -0.02, 0.03])
-    state, wanted = (IDENTITY, omega, stored), (IDENTITY, omega)
-    np.testing.assert_allclose(
-        command(Controller(feedforward=True), state, wanted), np.cross(omega, stored)
-    )
-    np.testing.assert_array_equal(command(Controller(), state, wanted), STILL)
-
-
-def test_the_torque_of_the_track_is_turned_into_the_body():
-    """By a quarter about axis 1, the body's axis 3 is minus the track's axis 2."""
-    gains = Controller(natural_frequency=0.0, track_feedforward=True)
-    state = about_axis_1(90.0), STILL, STILL
-    found = command(gains, state, (IDENTITY, STILL), np.array([0, 0.1, 0]))
-    np.testing.assert_allclose(found, [0, 0, -0.1], atol=1e-15)
+    state = sign * about_axis_1(350.0), STILL, STILL
+    assert command(GAINS, state, (IDENTITY, STILL, STILL))[0] > 0
 
 
 def test_a_natural_motion_takes_no_torque():
     _, transfer = known(duration=60)
-    inertia, t = np.array([0.0109, 0.04, 0.0506]), np.arange(-1, 70, 0.1)
-    size = np.abs(inertia * transfer.motion(0.0)[1]).max()
-    assert np.abs(torques(inertia, transfer, t)).max() < 1e-5 * size
+    size = np.abs(MOMENTS * transfer.motion(0.0)[1]).max()
+    assert np.abs(torques(MOMENTS, transfer, np.arange(-1, 70, 0.1))).max() < 1e-5 * size
 
 
 def test_a_turn_takes_its_gyroscopic_torque_and_the_whole_change_of_its_momentum():
-    axis, inertia = np.array([0.01, 0.02, 0.03]), np.array([0.0109, 0.04, 0.0506])
-    t = np.arange(-10, 701) / 10
+    axis, t = np.array([0.01, 0.02, 0.03]), np.arange(-10, 701) / 10
     rates = np.sin(t / 9)[:, None] * axis
-    turn = Turn(60.0, lambda t: (np.zeros((len(t), 4)), np.sin(t / 9)[:, None] * axis))
-    found = torques(inertia, turn, t)
-    gyroscopic = np.cross(rates, inertia * rates)
+    turn = Track(60.0, lambda t: (np.zeros((len(t), 4)), np.sin(t / 9)[:, None] * axis))
+    found = torques(MOMENTS, turn, t)
+    gyroscopic = np.cross(rates, MOMENTS * rates)
     inside = (t > 0.1) & (t < 59.9)
-    expected = inertia * np.cos(t / 9)[:, None] * axis / 9 + gyroscopic
+    expected = MOMENTS * np.cos(t / 9)[:, None] * axis / 9 + gyroscopic
     np.testing.assert_allclose(found[inside], expected[inside], atol=1e-8)
     assert not found[(t < -0.1) | (t > 60.1)].any()
     summed = np.trapezoid(found - np.where(inside[:, None], gyroscopic, 0), t, axis=0)
-    np.testing.assert_allclose(summed, inertia * np.sin(60 / 9) * axis, rtol=1e-2)
-
-
-@dataclass
-class Turn:
-    duration: float
-    motion: Callable
+    np.testing.assert_allclose(summed, MOMENTS * np.sin(60 / 9) * axis, rtol=1e-2)
 
 
 def test_the_target_follows_without_a_jump():

@@ -1,4 +1,4 @@
-"""Settings from files, and one clear line for what cannot be."""
+"""Tests of settings from files, and of the one line that refuses a bad one."""
 
 import re
 import tomllib

@@ -1,23 +1,20 @@
-"""The closed loop against physics: momentum, energy, limits, and the natural motion itself."""
+"""Tests of the closed loop: momentum, energy, limits, and the natural motion itself."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from manoeuvre_flights import NOTHING, OMEGA0, flight, flown, known, short
+from manoeuvre_flights import CALM, NO_CONTROL, NOTHING, OMEGA0, flown, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight._rotation import angle, matrix
 from rigidsym.manoeuvre.flight._settings import Flight
 
-NO_CONTROL = {"natural_frequency": 0.0}
-CALM = {"disturbances": NOTHING}
-
 
 @pytest.fixture(scope="module")
 def paper_like():
-    """The paper's flight, along a motion that is known."""
+    """The paper's flight along a known motion."""
     asked, transfer = known(duration=120)
     return fly(asked, Flight(), transfer)
 
@@ -143,19 +140,19 @@ def test_progress_is_told():
 
 
 def test_settings_are_the_papers_by_default():
-    paper = flight()
+    paper = Flight()
     assert (paper.orbit.altitude, paper.orbit.inclination) == (600, 97.79)
     assert (paper.wheels.max_torque, paper.wheels.max_torque_rate) == (1e-3, 1e-2)
-
-
-WILD = {"max_torque": 1e300, "max_torque_rate": 1e305}
 
 
 @pytest.mark.parametrize(
     ("settings", "name"),
     [
         (
-            {"wheels": WILD, "controller": {"natural_frequency": 1e150}},
+            {
+                "wheels": {"max_torque": 1e300, "max_torque_rate": 1e305},
+                "controller": {"natural_frequency": 1e150},
+            },
             "control (lower gains or limits)",
         ),
         ({"orbit": {"altitude": 50.0}}, "drag"),
