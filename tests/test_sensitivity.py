@@ -10,7 +10,7 @@ from sensitivity_oracle import differences, errors
 
 from rigidsym import InputError, TorqueFreeMotion, propagate
 from rigidsym._engines import ENGINES, arrays
-from rigidsym.validate.strata._table import STRATA, draw
+from rigidsym.validate.strata import STRATA, draw
 
 PAPER = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 # As documented, of a column.

@@ -16,10 +16,10 @@ STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "res
 @cache
 def whole():
     """The report itself."""
-    progress, chosen = Progress(), Campaign.of(["numpy"], cases=3, strata=STRATA)
+    progress = Progress(Campaign.of(["numpy"], cases=3, strata=STRATA))
     with local(1) as place:
-        complete(chosen, progress, place)
-    return reported(chosen, progress.tally, {"python": "3.11", "workers": 1})
+        complete(progress, place)
+    return reported(progress.campaign, progress.tally, {"python": "3.11", "workers": 1})
 
 
 def passed():

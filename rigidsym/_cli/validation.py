@@ -60,14 +60,12 @@ def validate(options: Namespace) -> int:
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     if mode in _APPLICATIONS:
         return _validate_application(mode, options)
-    campaign, done = session.begin(
-        _chosen(options), None if mode else options.output, options.resume
-    )
+    done = session.begin(_chosen(options), None if mode else options.output, options.resume)
     if options.case:
-        return _validate_case(campaign, options)
+        return _validate_case(done.campaign, options)
     if options.sensitivity:
-        return _validate_sensitivity(campaign)
-    return _validate_faults(campaign, options) if options.faults else _run(campaign, done, options)
+        return _validate_sensitivity(done.campaign)
+    return _validate_faults(done.campaign, options) if options.faults else _run(done, options)
 
 
 def _chosen(options: Namespace) -> dict[str, Any]:
@@ -96,8 +94,7 @@ def _chosen(options: Namespace) -> dict[str, Any]:
     return {name: value for name, value in chosen.items() if value is not None}
 
 
-def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
-    from rigidsym.validate import _checkpoint as checkpoint
+def _run(done: "Progress", options: Namespace) -> int:
     from rigidsym.validate import _executors as executors
     from rigidsym.validate import _session as session
     from rigidsym.validate import _validation as validation
@@ -107,11 +104,10 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
         if options.scheduler is None
         else executors.cluster(options.scheduler)
     )
-    kept = checkpoint.Checkpoint(options.output, campaign, done) if options.output else None
-    report = validation.run(campaign, done, place, progress("validate"), kept)
-    if kept:
+    report = validation.run(done, place, progress("validate"))
+    if options.output:
         say(f"report: {session.write(report, options.output)}")
-        kept.remove()
+        done.remove()
     if options.record:
         say(f"recorded: {session.record(report)}")
     run = report.run
@@ -134,19 +130,20 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
 def _validate_case(campaign: "Campaign", options: Namespace) -> int:
     import json
 
-    from rigidsym.validate import _case_file as case_file
+    from rigidsym.io._files import write_text
     from rigidsym.validate import _session as session
+    from rigidsym.validate._finding import case_text, file_name
     from rigidsym.validate._report import case_table
 
     finding = session.replay(options.case, campaign)
     if options.output:
-        path = options.output / case_file.file_name(finding.sample)
-        say(f"case: {case_file.write(path, finding.sample)}")
+        path = options.output / file_name(finding.sample)
+        say(f"case: {write_text(path, case_text(finding.sample))}")
     with reader_may_leave():
         if options.json:
             print(json.dumps(finding.to_data(), indent=1, sort_keys=True))
         else:
-            print(case_file.toml(finding.sample), end="")
+            print(case_text(finding.sample), end="")
             table(f"{options.case}, {finding.reference.regime.value}", *case_table(finding))
     return 0 if max(map(finding.share, campaign.targets)) <= 1 else 1
 

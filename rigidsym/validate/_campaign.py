@@ -1,17 +1,26 @@
-"""Campaigns: cases in chunks, on any executor, with one result however they are shared out."""
+"""Campaigns: cases in chunks, on any executor, with one result however they are shared out.
 
-from collections.abc import Callable, Iterator, Sequence
+A campaign may be saved in a file, from which it is resumed.
+"""
+
+import hashlib
+import json
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field, fields
 from itertools import islice
+from pathlib import Path
 from typing import Any
 
+from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym._version import __version__
 from rigidsym.errors import InputError
+from rigidsym.io._files import write_text
 from rigidsym.validate._executors import Place
 from rigidsym.validate._finding import Asked, measure_case
-from rigidsym.validate._implementations import PEER, check_kinds, check_target, digest, own_peer
+from rigidsym.validate._implementations import PEER, check_target, digest, own_peer
 from rigidsym.validate._oracle import disagreement, is_due, precise_motion
 from rigidsym.validate._tally import Cell, Tally
 from rigidsym.validate.peers import PEERS
@@ -25,6 +34,10 @@ LEAST_DIGITS, MOST_DIGITS = 20, 1000
 CHUNK = 50
 # The keys of the second oracle's results.
 ORACLES, DISAGREEMENT = "oracles", "disagreement"
+# The file of an unfinished campaign.
+NAME, SCHEMA = "campaign.json", "rigidsym.campaign/2"
+# Seconds of work that are lost at most when a machine is switched off.
+INTERVAL = 10.0
 
 # A stratum, and the cases from one index to before another.
 Chunk = tuple[str, int, int]
@@ -60,7 +73,9 @@ class Campaign:
         )
         for target in targets:
             check_target(target)
-        check_kinds(targets)
+        if len({target in engines.STEPPERS for target in targets}) > 1:
+            rule = "steps go a turn at most, and motions all the way: validate them apart"
+            raise InputError("target", ", ".join(targets), rule)
         for name in strata:
             if name not in STRATA:
                 raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
@@ -81,14 +96,15 @@ class Campaign:
         return (*self.targets, *(PEER + name for name in self.peers))
 
     @property
-    def user_integrators(self) -> tuple[str, ...]:
-        """Peers that are not in PEERS, whose names mean nothing in other processes."""
-        return tuple(name for name in self.peers if name not in PEERS)
+    def user_integrator(self) -> str | None:
+        """The name of a user's integrator, which means nothing in other processes."""
+        return next((name for name in self.peers if name not in PEERS), None)
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The implementations that have to keep the bounds; for other peers it is only reported."""
-        return (*self.targets, *(PEER + name for name in self.user_integrators))
+        """The implementations that have to keep the bounds; for peers, errors are only reported."""
+        user = self.user_integrator
+        return (*self.targets, PEER + user) if user else self.targets
 
     @property
     def size(self) -> int:
@@ -97,8 +113,8 @@ class Campaign:
 
     def to_data(self) -> report_data.Campaign:
         """Return the campaign as plain data."""
-        values = {x.name: getattr(self, x.name) for x in fields(self)}
-        data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values.items()}
+        values = ((x.name, getattr(self, x.name)) for x in fields(self))
+        data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values}
         return data
 
     @classmethod
@@ -110,25 +126,69 @@ class Campaign:
 
 @dataclass(slots=True)
 class Progress:
-    """Progress of a campaign: a tally, and the ranges of cases that are in it, by stratum."""
+    """Finished part of a campaign: a tally, and the ranges of cases in it, by stratum.
 
+    With a directory, it is saved in a file there: every few seconds, whole or not at all.
+    """
+
+    campaign: Campaign
     tally: Tally = field(default_factory=Tally)
     done: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+    directory: Path | None = field(default=None, compare=False)
+    _saved: float = field(default_factory=time.monotonic, compare=False)
+
+    @classmethod
+    def load(cls, directory: Path) -> "Progress":
+        """Load the unfinished campaign of a directory.
+
+        Raises InputError where there is none, or a damaged one.
+        """
+        path = directory / NAME
+        try:
+            data = json.loads(path.read_text("utf-8"))
+            seal = {name: data.pop(name) for name in ("schema", "sha256")}
+        except FileNotFoundError:
+            rule = f"holds no unfinished campaign ({NAME})"
+            raise InputError("resume", directory, rule) from None
+        except (OSError, ValueError, KeyError, AttributeError, TypeError, RecursionError):
+            seal, data = {}, {}
+        if not seal or seal != _seal(data):
+            raise InputError("resume", path, "is not what a campaign of this version left there")
+        done = {name: [(start, stop) for start, stop in x] for name, x in data["done"].items()}
+        campaign = Campaign.from_data(data["campaign"])
+        return cls(campaign, Tally.from_data(data["tally"]), done, directory)
+
+    def save(self, interval: float = 0.0) -> None:
+        """Write the file, unless it was written less than `interval` seconds ago.
+
+        Raises InputError where that fails, and keeps the old file.
+        """
+        if self.directory and time.monotonic() - self._saved >= interval:
+            tally, campaign = self.tally.to_data(), self.campaign.to_data()
+            data = {"campaign": campaign, "done": self.done, "tally": tally}
+            text = json.dumps({**_seal(data), **data}, sort_keys=True) + "\n"
+            write_text(self.directory / NAME, text)
+            self._saved = time.monotonic()
+
+    def remove(self) -> None:
+        """Remove the file of a campaign whose report is written."""
+        if self.directory:
+            (self.directory / NAME).unlink(missing_ok=True)
 
     @property
     def cases(self) -> int:
         """The number of cases that are done."""
         return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
 
-    def missing(self, campaign: Campaign) -> Iterator[Chunk]:
+    def missing(self) -> Iterator[Chunk]:
         """Yield the chunks that are left to do.
 
         Those of a stratum are missing at the time when the first of them is yielded, whatever is
         counted meanwhile.
         """
-        for stratum in campaign.strata:
+        for stratum in self.campaign.strata:
             begin = 0
-            end = count(stratum, campaign.cases)
+            end = count(stratum, self.campaign.cases)
             for start, stop in [*self.done.get(stratum, []), (end, end)]:
                 for first in range(begin, start, CHUNK):
                     yield stratum, first, min(first + CHUNK, start)
@@ -136,31 +196,37 @@ class Progress:
 
     def take(self, chunk: Chunk, tally: Tally) -> None:
         """Count a chunk that was missing, wholly or, if interrupted, not at all."""
-        stratum, start, stop = chunk
+        stratum, *own = chunk
         merged = self.tally.copy()
         merged.merge(tally)
-        ranges = _joined([*self.done.get(stratum, []), (start, stop)])
+        ranges: list[tuple[int, int]] = []
+        for start, stop in sorted([*self.done.get(stratum, []), (own[0], own[1])]):
+            # Ranges that touch are joined.
+            if ranges and ranges[-1][1] == start:
+                start, _ = ranges.pop()
+            ranges.append((start, stop))
         done = {**self.done, stratum: ranges}
         # No call is between these two, so that no interrupt is.
         self.tally, self.done = merged, done
 
 
-def complete(
-    campaign: Campaign,
-    progress: Progress,
-    place: Place,
-    after: Callable[[], None] = lambda: None,
-) -> None:
-    """Do what is missing; `after` is called whenever more is done.
+def _seal(data: Mapping[str, object]) -> dict[str, str]:
+    """Return the schema of a file, and a digest that shows any change."""
+    text = json.dumps(data, sort_keys=True)
+    return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
+
+
+def complete(progress: Progress, place: Place, after: Callable[[], None] = lambda: None) -> None:
+    """Measure the missing cases of a campaign; call `after` whenever more are done.
 
     Whatever stops it, `progress` is whole: each case is in it once or not at all.
     """
-    chunks = progress.missing(campaign)
+    chunks = progress.missing()
     pending: set[Future[tuple[Chunk, Tally]]] = set()
     try:
         while True:
             for chunk in islice(chunks, place.ahead - len(pending)):
-                pending.add(place.submit(tallied, campaign, chunk))
+                pending.add(place.submit(tallied, progress.campaign, chunk))
             if not pending:
                 return
             finished, pending = wait(pending, return_when=FIRST_COMPLETED)
@@ -174,7 +240,14 @@ def complete(
 
 def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
     """Measure the cases of a chunk; raise InputError where other modules are installed."""
-    _check_installed(campaign)
+    installed = {
+        "version": (__version__, campaign.version),
+        "digests": (tuple(map(digest, campaign.targets)), campaign.digests),
+        "peer_versions": (_versions(campaign.peers), campaign.peer_versions),
+    }
+    for name, (found, wanted) in installed.items():
+        if found != wanted:
+            raise InputError(name, found, f"a worker has others than the campaign, {wanted}")
     stratum, start, stop = chunk
     tally = Tally()
     for index in range(start, stop):
@@ -183,11 +256,7 @@ def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
 
 
 def add_case(
-    tally: Tally,
-    campaign: Campaign,
-    stratum: str,
-    index: int,
-    implementations: Asked,
+    tally: Tally, campaign: Campaign, stratum: str, index: int, implementations: Asked
 ) -> None:
     """Measure and count one case; implementations as `measure_case` takes them."""
     sample = draw(stratum, index, campaign.seed)
@@ -201,27 +270,5 @@ def add_case(
         tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
 
 
-def _check_installed(campaign: Campaign) -> None:
-    here = {
-        "version": (__version__, campaign.version),
-        "digests": (tuple(map(digest, campaign.targets)), campaign.digests),
-        "peer_versions": (_versions(campaign.peers), campaign.peer_versions),
-    }
-    for name, (found, wanted) in here.items():
-        if found != wanted:
-            raise InputError(name, found, f"a worker has others than the campaign, {wanted}")
-
-
 def _versions(peers: Sequence[str]) -> tuple[str, ...]:
     return tuple(own_peer(name).version for name in peers)
-
-
-def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Sort ranges, and join those that touch."""
-    joined: list[tuple[int, int]] = []
-    for start, stop in sorted(ranges):
-        if joined and joined[-1][1] == start:
-            joined[-1] = (joined[-1][0], stop)
-        else:
-            joined.append((start, stop))
-    return joined

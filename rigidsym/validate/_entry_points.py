@@ -105,20 +105,16 @@ def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[
     """Yield for each way of callers the states they get, and the states at the same times."""
     asked = np.append(times, 0.0)
     prepared = engine.prepare(*body)
-    yield _overwritten(engine, body, asked), engine.states(prepared, asked)
+    # The caller overwrites the arrays that it passed.
+    given = [array.copy() for array in body]
+    kept = engine.prepare(*given)
+    for array in given:
+        array[:] = 99.0
+    yield engine.states(kept, asked), engine.states(prepared, asked)
     for name in range(len(body)):
         if states := _aliased(engine, body, asked[-2:], name):
             yield states, engine.states(prepared, asked[-2:])
     yield _mixed(engine, body, times)
-
-
-def _overwritten(engine: Engine, body: Body, times: np.ndarray) -> States:
-    """Return the states of a prepared motion whose caller overwrites the arrays it passed."""
-    given = [array.copy() for array in body]
-    prepared = engine.prepare(*given)
-    for array in given:
-        array[:] = 99.0
-    return engine.states(prepared, times)
 
 
 def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States | None:
@@ -154,10 +150,10 @@ def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, State
     if none.tolist() != wanted:
         return (np.full_like(alone[0], np.nan), alone[1]), alone
     others = [k for k, refused in enumerate(wanted) if not refused]
+    found = [(q[k], omega[k]) for k in others]
     expected = [
         engine.states(engine.prepare(moments[k], rates[k], attitude0), times) for k in others
     ]
-    found = [(q[k], omega[k]) for k in others]
     return _joined(found), _joined(expected)
 
 

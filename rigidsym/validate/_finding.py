@@ -1,21 +1,28 @@
-"""Measurement of one case: its enclosure, and the errors of all implementations."""
+"""Cases: measured by enclosure and all implementations, and kept in files.
+
+`rigidsym propagate` reads case files, too.
+"""
 
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeGuard
+from fractions import Fraction
+from typing import Any
 
 import numpy as np
 
+from rigidsym import _inputs as inputs
+from rigidsym.io.cases import load_case
 from rigidsym.validate._bounds import bounds_of
-from rigidsym.validate._case_file import hexadecimal
 from rigidsym.validate._implementations import Implementation, Steps, implementation
 from rigidsym.validate._measure import Errors, measure
 from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
 from rigidsym.validate.strata import Sample, stepped
+from rigidsym.view._report_data import Numbers
 
 SCHEMA = "rigidsym.case/2"
+_FIELDS = ("inertia", "omega0", "attitude0", "times")
 # Names of implementations, or implementations and functions by whatever name.
 Asked = Iterable[str] | Mapping[str, Implementation | Function]
 
@@ -40,7 +47,7 @@ class Finding:
         reference = self.reference
         return {
             "schema": SCHEMA,
-            "case": f"{self.sample.stratum}:{self.sample.index}",
+            "case": self.sample.name,
             "regime": reference.regime.value,
             "distance": reference.distance,
             **hexadecimal(self.sample),
@@ -82,8 +89,9 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     Finding
     """
     if isinstance(implementations, Mapping):
-        entered = {
-            name: x if _is_ready(x) else UserIntegrator.of(x) for name, x in implementations.items()
+        entered: dict[str, Any] = {
+            name: x if hasattr(x, "prepare") else UserIntegrator.of(x)
+            for name, x in implementations.items()
         }
     else:
         entered = {name: implementation(name) for name in implementations}
@@ -97,5 +105,40 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     return Finding(reference, errors)
 
 
-def _is_ready(one: Implementation | Function) -> TypeGuard[Implementation]:
-    return hasattr(one, "prepare")
+def hexadecimal(sample: Sample) -> Numbers:
+    """Return the exact numbers of a sample: doubles in hexadecimal, others as fractions."""
+    found: Any = {
+        name: [str(x) if isinstance(x, Fraction) else float(x).hex() for x in getattr(sample, name)]
+        for name in _FIELDS
+    }
+    return found
+
+
+def case_text(sample: Sample, remarks: Iterable[str] = ()) -> str:
+    """Return the text of a case file in TOML."""
+    numbers, lines = hexadecimal(sample), [f"# {remark}" for remark in remarks]
+    for name in _FIELDS:
+        listed = ", ".join(f'"{x}"' for x in numbers[name])
+        lines.append(f"{name} = [{listed}]")
+    return "\n".join(lines) + "\n"
+
+
+def file_name(sample: Sample) -> str:
+    """Return a file name made of stratum and index."""
+    return f"{'-'.join(sample.stratum.replace(',', '').split())}-{sample.index}.toml"
+
+
+def read_case(path: str) -> Sample:
+    """Read the sample of a case file, with times rounded to doubles.
+
+    Raises InputError if it is no case file.
+    """
+    case = load_case(path)
+    numbers = (tuple(map(_simplest_type, values)) for values in case.motion.exact.values())
+    return Sample(path, 0, *numbers, tuple(inputs.doubles("times", case.times)))
+
+
+def _simplest_type(value: Fraction) -> float | Fraction:
+    """Return a double if its value is the same."""
+    nearest = float(value) if abs(value) < 2**1023 else 0.0
+    return nearest if Fraction(nearest) == value else value

@@ -115,13 +115,6 @@ def check_target(target: str) -> None:
         raise InputError("target", target, error.rule) from None
 
 
-def check_kinds(targets: Sequence[str]) -> None:
-    """Raise InputError if some targets are steps and others are not."""
-    if len({target in engines.STEPPERS for target in targets}) > 1:
-        rule = "steps go a turn at most, and motions all the way: validate them apart"
-        raise InputError("target", ", ".join(targets), rule)
-
-
 def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
     """Return for each target why it cannot be measured on this machine; "" where it can."""
     found = {}
@@ -152,11 +145,6 @@ def own_peer(name: str) -> Peer:
 @cache
 def _peer(name: str, thread: int) -> Peer:
     return peer(name)
-
-
-def forget() -> None:
-    """Clear the cache of peers."""
-    _peer.cache_clear()
 
 
 def digest(target: str) -> str:

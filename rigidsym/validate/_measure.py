@@ -2,8 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cache
-from typing import TypeGuard
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -22,6 +20,8 @@ from rigidsym.validate.strata import Sample
 # 1e-18 then, since the motion is analytic within 3/2 of a radian or more.  With nodes and weights
 # rounded, true states have residuals of 1e-16 at most.
 NODES, LENGTH = 10, 0.5
+# The ends of [-1, 1] and the zeros of the derivative of Legendre's polynomial.
+_LOBATTO = np.array([-1.0, *sorted(legendre.Legendre.basis(NODES - 1).deriv().roots()), 1.0])
 # Beyond so many radians doubles are too far apart for nodes.
 FARTHEST = 2.0**38
 
@@ -70,7 +70,11 @@ def _measured(
     (q, q_later, *q_paths), (omega, _, *omega_paths) = (
         np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
     )
-    angle = _angle(q, reference, engine)
+    chord = _apart(q, reference.q)
+    if not getattr(engine, "double_cover_sign", True):
+        chord = np.minimum(chord, _apart(-q, reference.q))
+    # The angle of the turn between, up to 2 pi.
+    angle = 4 * np.arcsin(np.minimum(chord / 2, 1)) + 2 * reference.radius
     rates = _apart(omega, reference.omega) / lengths(reference.omega[0]) + reference.radius
     # |omega| dt/2 is allowed, and what |omega'| <= |omega|^2 adds to it.
     turned = lengths(omega, 0.0) * (later - times)
@@ -85,7 +89,7 @@ def _measured(
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
     # Peers have one entry point only.
-    if entry_points.is_due(sample.index) and (isinstance(engine, Steps) or _offers(engine, "grid")):
+    if entry_points.is_due(sample.index) and isinstance(engine, Engine | Steps):
         apart = entry_points.differences(engine, prepared, body, times, rate)
         found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
@@ -97,27 +101,15 @@ def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | N
     """Prepare a sample's motion; return it with its doubles, or None where they are not exact."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
+    exactly = getattr(engine, "prepare_exactly", None)
     # Peers take doubles only.
-    if not sample.in_doubles and _offers(engine, "prepare_exactly"):
-        return engine.prepare_exactly(*sample.exact), None
+    if exactly and not sample.in_doubles:
+        return exactly(*sample.exact), None
     return engine.prepare(inertia, omega0, attitude0), (inertia, omega0, attitude0)
 
 
-def _offers(engine: Engine | Solver, method: str) -> TypeGuard[Engine]:
-    """Return True if an implementation has a method that peers need not have."""
-    return hasattr(engine, method)
-
-
-def _angle(q: np.ndarray, reference: Reference, engine: Engine | Solver) -> np.ndarray:
-    """Return the angle of the turn between, up to 2 pi; differences are taken before rounding."""
-    chord = _apart(q, reference.q)
-    if not getattr(engine, "double_cover_sign", True):
-        chord = np.minimum(chord, _apart(-q, reference.q))
-    return 4 * np.arcsin(np.minimum(chord / 2, 1)) + 2 * reference.radius
-
-
 def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Return distances of rows from sums of two doubles."""
+    """Return distances of rows from sums of two doubles; they are subtracted before rounding."""
     return lengths((given - exact[0]) - exact[1], 0.0)
 
 
@@ -165,7 +157,7 @@ class Quadrature:
     def over(cls, begin: float, rate: float) -> "Quadrature":
         """Make the rule of LENGTH rad at `rate` rad/s from a time, or where doubles are dense."""
         begin = float(np.clip(begin, -FARTHEST / rate, FARTHEST / rate))
-        nodes = begin + (_lobatto() + 1) * (LENGTH / rate / 2)
+        nodes = begin + (_LOBATTO + 1) * (LENGTH / rate / 2)
         half = (nodes[-1] - nodes[0]) / 2
         places = (nodes - nodes[0]) / half - 1
         # Times are rounded to doubles: the weights are those of the rounded times.
@@ -181,10 +173,3 @@ def residual(quadrature: Quadrature, q: np.ndarray, omega: np.ndarray) -> float:
     scalar = -np.sum(q[:, 1:] * v, axis=-1, keepdims=True)
     turned = np.hstack([scalar, q[:, :1] * v + np.cross(q[:, 1:], v)])
     return float(np.linalg.norm(q[-1] - q[0] - np.sum(turned, axis=0) / 2))
-
-
-@cache
-def _lobatto() -> np.ndarray:
-    """Return the ends of [-1, 1] and the zeros of the derivative of Legendre's polynomial."""
-    inner = legendre.Legendre.basis(NODES - 1).deriv().roots()
-    return np.concatenate([[-1.0], np.sort(inner), [1.0]])

@@ -7,7 +7,7 @@ times the most that changes of length one can.
 """
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -22,10 +22,6 @@ from rigidsym.precise._taylor import integrate
 from rigidsym.solution._polhode import Regime, discriminant
 from rigidsym.validate.strata._sample import Numbers, Sample
 
-# Of `sensitivity.columns.listed`: three numbers of the state change with nine inputs, three of them
-# the attitude at t = 0, and with the time.
-_ROWS, _COLUMNS = 3, 9
-_BLOCK = _ROWS * _COLUMNS
 # Digits of the Taylor series, and the agreement they need, relative to 1 or to |omega0|.
 SECOND_DIGITS, AGREEMENT = 20, 1e-20
 # How far the Taylor series go, rad: their cost grows with it.
@@ -85,14 +81,13 @@ def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Referen
         # The radii are in rad/s, and have to be small relative to |omega|.
         more = digits + decades_below_one(sample.omega0)
         rows = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
-    states = [row[:7] for row in rows]
-    with working(max((x.bits() for state in states for x in state), default=0) + GUARD_BITS):
-        high = np.array(_table(float, states)).reshape(-1, 7)
-        low = np.array(_table(lambda x, y: float(x - y), states, high.tolist())).reshape(-1, 7)
-        radii = np.array(_table(lambda x: float(x.rad()), states)).reshape(-1, 7)
+    states = np.array([row[:7] for row in rows], object).reshape(-1, 7)
+    with working(max((x.bits() for x in states.flat), default=0) + GUARD_BITS):
+        high = states.astype(float)
+        low = (states - high).astype(float)
+        radii = np.array([float(x.rad()) for x in states.flat]).reshape(-1, 7)
     radii[:, 4:] /= lengths(high[:, 4:])[:, None]
     unknown = dict.fromkeys(("angle", "omega"), np.full(len(times), np.nan))
-    omega, columns = [row[4:7] for row in rows], [row[7:] for row in rows]
     return Reference(
         sample,
         motion.polhode.regime,
@@ -101,7 +96,7 @@ def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Referen
         np.stack([high[:, :4], low[:, :4]]),
         np.stack([high[:, 4:], low[:, 4:]]),
         float(np.max(radii, initial=0.0)) * 2,
-        condition(sample, omega, columns) if with_condition else unknown,
+        condition(sample, rows) if with_condition else unknown,
     )
 
 
@@ -137,40 +132,31 @@ def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
     return np.where(largest == 0, of_zero, length)
 
 
-def condition(
-    sample: Sample, omega: Sequence[Sequence[arb]], sensitivities: Sequence[Sequence[arb]]
-) -> Mapping[str, np.ndarray]:
+def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.ndarray]:
     """Return condition numbers of angle and of omega, (N,) each; infinite beyond binary64.
 
-    omega: true rates (N, 3).  sensitivities: of each time the list that `PreciseMotion` returns.
+    rows: of each time the list that `PreciseMotion.sensitivities` returns.
     """
     inertia, omega0, _ = sample.exact
-    given, rows = list(map(ball, (*omega0, *inertia))), []
-    for time, rates, row in zip(sample.times, omega, sensitivities, strict=True):
-        size = sum((power(x, 2) for x in rates), arb(0)).sqrt()
+    given = list(map(ball, (*omega0, *inertia)))
+    found: dict[str, list[list[float]]] = {"angle": [], "omega": []}
+    for time, row in zip(sample.times, rows, strict=True):
+        size = sum((power(x, 2) for x in row[4:7]), arb(0)).sqrt()
         inputs = [*given, ball(Fraction(time))]
         over = inputs if size.is_zero() else [x / size for x in inputs]
-        rows.append([*_entries(row, 0, inputs), *_entries(row, 1, over)])
-    turns, changes = np.split(np.array(rows).reshape(len(rows), -1), 2, axis=1)
-    return {"angle": _norms(turns), "omega": _norms(changes)}
+        # Small turns and rates (3 each) by nine inputs, then by the time.
+        slopes = np.array(row[7:61], object).reshape(2, 3, 9)[..., 3:]
+        by_time = np.array(row[61:], object).reshape(2, 3, 1)
+        entries = np.concatenate([slopes, by_time], axis=-1)
+        for values, part, units in zip(found.values(), entries, (inputs, over), strict=True):
+            values.append([float(x) for x in (part * np.array(units, object)).flat])
+    return {name: _norms(np.array(values)) for name, values in found.items()}
 
 
 def _norms(rows: np.ndarray) -> np.ndarray:
     """Return `lengths` of rows, infinite where an entry is."""
     infinite = np.isinf(np.max(np.abs(rows), axis=1, initial=0.0))
     return np.where(infinite, np.inf, lengths(np.where(infinite[:, None], 0.0, rows), 0.0))
-
-
-def _entries(row: Sequence[arb], k: int, inputs: Sequence[arb]) -> list[float]:
-    """Return the matrix of small turns (k = 0) or of rates (1), by multiples of the inputs (7)."""
-    block, by_time = row[k * _BLOCK :], row[2 * _BLOCK + k * _ROWS :]
-    return [
-        float(slope * x)
-        for i in range(_ROWS)
-        for slope, x in zip(
-            [*block[_COLUMNS * i + 3 : _COLUMNS * (i + 1)], by_time[i]], inputs, strict=True
-        )
-    ]
 
 
 def is_due(index: int) -> bool:
@@ -199,10 +185,3 @@ def disagreement(motion: PreciseMotion, backwards: bool) -> float:
         ]
         found = [float(x.upper()) for x in differences]
     return math.inf if any(map(math.isnan, found)) else max(found) / AGREEMENT
-
-
-def _table(
-    compute: Callable[..., float], *tables: Sequence[Sequence[arb | float]]
-) -> list[list[float]]:
-    """Apply a function entry by entry."""
-    return [list(map(compute, *rows)) for rows in zip(*tables, strict=True)]

@@ -17,8 +17,7 @@ from rigidsym.validate._bounds import (
     bounds_of,
 )
 from rigidsym.validate._campaign import DISAGREEMENT, ORACLES, Campaign
-from rigidsym.validate._case_file import file_name, hexadecimal
-from rigidsym.validate._finding import Finding
+from rigidsym.validate._finding import Finding, file_name, hexadecimal
 from rigidsym.validate._implementations import PEER
 from rigidsym.validate._measure import Errors
 from rigidsym.validate._oracle import AGREEMENT
@@ -57,12 +56,10 @@ class Failure:
     def line(self) -> str:
         """Stratum, case and figure in one line."""
         bound = bounds_of(self.target)[self.measure]
-        figure = f"{self.share * bound:.2g}"
-        if self.measure in CONDITIONED:
-            figure += " times its condition"
+        condition = " times its condition" if self.measure in CONDITIONED else ""
         return (
-            f"{self.target}: {self.stratum}:{self.index}: {self.measure} {figure}, "
-            f"{self.share:.3g} of its bound {bound:g}"
+            f"{self.target}: {self.stratum}:{self.index}: {self.measure} "
+            f"{self.share * bound:.2g}{condition}, {self.share:.3g} of its bound {bound:g}"
         ) + (f" ({self.said})" if self.said else "")
 
 
@@ -129,10 +126,10 @@ class ValidationReport:
     def command(self) -> str:
         """The command that writes this report, or the call for a user's integrator."""
         campaign = self.campaign
-        if campaign.user_integrators:
+        if user := campaign.user_integrator:
             drawn = f"cases={campaign.cases}, digits={campaign.digits}, seed={campaign.seed}"
             chosen = "" if campaign.strata == in_doubles() else f", strata={[*campaign.strata]}"
-            return f"examine({_variable(campaign.user_integrators[0])}, {drawn}{chosen})"
+            return f"examine({_variable(user)}, {drawn}{chosen})"
         return f"rigidsym validate {self.options}"
 
     @property
@@ -141,9 +138,14 @@ class ValidationReport:
         campaign = self.campaign
         partial = len(campaign.strata) < len(STRATA)
         chosen = [f"--stratum '{name}'" for name in campaign.strata] if partial else []
+        return self._options(f"--cases {campaign.cases}", *chosen)
+
+    def _options(self, first: str, *last: str) -> str:
+        """Return targets and options that commands for the report and for a case have."""
+        campaign = self.campaign
+        drawn = f"--digits {campaign.digits} --seed {campaign.seed}"
         peers = [f"--peer {name}" for name in campaign.peers]
-        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
-        return " ".join([*campaign.targets, drawn, *peers, *chosen])
+        return " ".join([*campaign.targets, first, drawn, *peers, *last])
 
     @property
     def conclusion(self) -> str:
@@ -220,7 +222,7 @@ class ValidationReport:
                     "share": _figure(failure.share),
                     # A user's integrator has no files: its cases are drawn.
                     "simplest": self._case(
-                        failure.simplest, None if campaign.user_integrators else failure.file
+                        failure.simplest, None if campaign.user_integrator else failure.file
                     ),
                 }
                 for failure in self.failures
@@ -267,10 +269,15 @@ class ValidationReport:
 
     def _case(self, finding: Finding, file: str | None = None) -> report_data.Case:
         """Return a case and the command that repeats it, by the case's file or its drawn name."""
-        sample, reference = finding.sample, finding.reference
-        name = f"{sample.stratum}:{sample.index}"
+        sample, reference, campaign = finding.sample, finding.reference, self.campaign
+        if user := campaign.user_integrator:
+            drawn = f"draw({sample.stratum!r}, {sample.index}, {campaign.seed})"
+            replay = f"measure_case({drawn}, {campaign.digits}, {{{user!r}: {_variable(user)}}})"
+        else:
+            case = self._options(f"--case {shlex.quote(file or sample.name)}")
+            replay = f"rigidsym validate {case}"
         return {
-            "case": name,
+            "case": sample.name,
             "regime": reference.regime.value,
             "distance": _figure(reference.distance),
             **hexadecimal(sample),
@@ -278,20 +285,8 @@ class ValidationReport:
                 implementation: {measure: _worst(found) for measure, found in errors.items()}
                 for implementation, errors in finding.errors.items()
             },
-            "replay": self._replay(file or name),
+            "replay": replay,
         }
-
-    def _replay(self, case: str) -> str:
-        """Return the command that measures a case again, or the call for a user's integrator."""
-        campaign = self.campaign
-        if campaign.user_integrators:
-            stratum, _, index = case.rpartition(":")
-            name = campaign.user_integrators[0]
-            sample = f"draw({stratum!r}, {index}, {campaign.seed})"
-            return f"measure_case({sample}, {campaign.digits}, {{{name!r}: {_variable(name)}}})"
-        drawn = f"--case {shlex.quote(case)} --digits {campaign.digits} --seed {campaign.seed}"
-        peers = (f"--peer {name}" for name in campaign.peers)
-        return " ".join(["rigidsym validate", *campaign.targets, drawn, *peers])
 
     def to_json(self) -> str:
         """Return `to_data` as text: the same for the same campaign, apart from `run`."""

@@ -90,14 +90,9 @@ class StratumErrors:
 
     def row(self) -> tuple[str, ...]:
         """Return a row under `HEADS`."""
+        sizes = f"{self.error:.1e}", f"{bound_of(self.stratum):.0e}"
         where = f"{self.stratum}:{self.case}", self.column, f"{self.time:.3g}"
-        return (
-            f"{self.error:.1e}",
-            f"{bound_of(self.stratum):.0e}",
-            *where,
-            str(self.measured),
-            str(self.refused),
-        )
+        return *sizes, *where, str(self.measured), str(self.refused)
 
     @property
     def is_within(self) -> bool:
@@ -159,20 +154,16 @@ def by_stratum(
     sensitive: returns the columns (N, 6, 10) of a sample as `columns` does, NaN for none.
     """
     for stratum, listed in truth.items():
-        found = StratumErrors(stratum, 0.0, 0, COLUMNS[0], 0.0, 0, 0)
-        for reference in listed:
-            sample = reference.sample
-            wrong = errors(sensitive(sample), reference.columns, reference.lengths)
-            known = ~np.isnan(wrong)
-            measured = found.measured + int(known.sum())
-            refused = found.refused + int((~known).all(axis=1).sum())
-            if known.any() and np.nanmax(wrong) > found.error:
-                at, k = np.unravel_index(np.nanargmax(wrong), wrong.shape)
-                worst = float(wrong[at, k]), sample.index, COLUMNS[k], sample.times[at]
-                found = StratumErrors(stratum, *worst, measured, refused)
-            else:
-                found = replace(found, measured=measured, refused=refused)
-        yield found
+        cases = list(listed)
+        wrong = [errors(sensitive(x.sample), x.columns, x.lengths) for x in cases]
+        measured = sum(int(np.sum(~np.isnan(x))) for x in wrong)
+        refused = sum(int(np.sum(np.isnan(x).all(axis=1))) for x in wrong)
+        worst = 0.0, 0, COLUMNS[0], 0.0
+        for case, found in zip(cases, wrong, strict=True):
+            if (error := float(np.nanmax(found, initial=0.0))) > worst[0]:
+                at, k = np.unravel_index(np.nanargmax(found), found.shape)
+                worst = error, case.sample.index, COLUMNS[k], case.sample.times[at]
+        yield StratumErrors(stratum, *worst, measured, refused)
 
 
 def errors(

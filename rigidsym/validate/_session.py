@@ -3,6 +3,7 @@
 import json
 import re
 from collections.abc import Mapping
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +12,9 @@ from rigidsym._codegen import forms, generate
 from rigidsym._codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
 from rigidsym.io._files import write_text
-from rigidsym.validate import _case_file as case_file
-from rigidsym.validate import _checkpoint as checkpoint
 from rigidsym.validate._bounds import ULP
-from rigidsym.validate._campaign import Campaign, Progress
-from rigidsym.validate._finding import Finding, measure_case
+from rigidsym.validate._campaign import NAME, Campaign, Progress
+from rigidsym.validate._finding import Finding, case_text, measure_case, read_case
 from rigidsym.validate._report import FAILURES, ValidationReport, as_json, markdown
 from rigidsym.validate._tally import DRAWN
 from rigidsym.validate.strata import STRATA, count, draw
@@ -25,26 +24,34 @@ from rigidsym.view._validation import page
 _CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
 
 
-def begin(
-    chosen: Mapping[str, Any], directory: Path | None, resume: bool
-) -> tuple[Campaign, Progress]:
-    """Return a new campaign, or the unfinished one of a directory.
+def begin(chosen: Mapping[str, Any], directory: Path | None, resume: bool) -> Progress:
+    """Begin a new campaign, or resume the unfinished one of a directory.
 
     chosen: arguments of `Campaign.of`; others have their defaults, or are those of the unfinished
     campaign.  Raises InputError where that is another campaign, or would be lost.
     """
     if not resume:
-        if directory and (directory / checkpoint.NAME).exists():
-            rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
+        if directory and (directory / NAME).exists():
+            rule = f"holds an unfinished campaign: --resume goes on, or remove {NAME}"
             raise InputError("output", directory, rule)
         wanted: dict[str, Any] = {"targets": engines.ENGINES, **chosen}
-        return Campaign.of(**wanted), Progress()
+        return Progress(Campaign.of(**wanted), directory=directory)
     if directory is None:
         raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
-    found, progress = checkpoint.load(directory)
-    known = {name: getattr(found, name) for name in _CHOICES}
-    checkpoint.check_same(directory, found, Campaign.of(**{**known, **chosen}))
-    return found, progress
+    progress = Progress.load(directory)
+    found = asdict(progress.campaign)
+    expected = asdict(Campaign.of(**{**{name: found[name] for name in _CHOICES}, **chosen}))
+    for name, theirs in found.items():
+        if theirs != expected[name]:
+            rule = f"is another campaign: its {name} {_short(theirs)}, not {_short(expected[name])}"
+            raise InputError("resume", directory, rule)
+    return progress
+
+
+def _short(value: object) -> str:
+    if isinstance(value, tuple):
+        return ", ".join(str(x)[:12] for x in value) or "none"
+    return str(value)
 
 
 def write(report: ValidationReport, directory: Path) -> Path:
@@ -55,7 +62,7 @@ def write(report: ValidationReport, directory: Path) -> Path:
         old.unlink()
     for failure in report.failures:
         remarks = (failure.line, "the simplest case found that breaks this bound")
-        case_file.write(directory / failure.file, failure.simplest.sample, remarks)
+        write_text(directory / failure.file, case_text(failure.simplest.sample, remarks))
     write_text(directory / "validation.json", as_json(data))
     write_text(directory / "validation.md", markdown(data))
     return write_text(directory / "validation.html", page(data))
@@ -68,7 +75,7 @@ def replay(name: str, campaign: Campaign) -> Finding:
     """
     stratum, _, number = name.rpartition(":")
     if name.endswith(".toml"):
-        sample = case_file.read(name)
+        sample = read_case(name)
     elif stratum not in STRATA:
         rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
         raise InputError("case", name, rule)
@@ -106,7 +113,6 @@ def record(report: ValidationReport) -> Path:
             [stratum, *(float(f"{view[stratum].worst * ULP:.1e}") for view in views)]
             for stratum in campaign.strata
         ]
-        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
-        command = f"rigidsym validate {target} {drawn} --record"
-        known[target] = {"digest": digest, "command": command, "worst": worst}
+        alone = replace(report, campaign=replace(campaign, targets=(target,), peers=()))
+        known[target] = {"digest": digest, "command": f"{alone.command} --record", "worst": worst}
     return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")

@@ -134,6 +134,15 @@ def jump(random: Random, at_rest: bool = False) -> Case:
     return body.pushed(lambda t: levels[int(np.searchsorted(times, t, "right"))], tuple(times))
 
 
+# A box, a bell and a half sine of width 1 at half their height, each with places where it is not
+# smooth, and some more at which the reference is restarted.
+_PULSES: list[tuple[Profile, Vector]] = [
+    (lambda x: 1.0 if abs(x) <= 0.5 else 0.0, (-0.5, 0.5)),
+    (lambda x: math.exp(-4 * math.log(2) * x * x), (-3, -0.5, 0.5, 3)),
+    (lambda x: math.sin(math.pi * (0.75 * x + 0.5)) if abs(x) < 2 / 3 else 0.0, (-2 / 3, 2 / 3)),
+]
+
+
 def pulse(random: Random, at_rest: bool = False) -> Case:
     """Draw boxes, bells or half sines, 1/200 to 1/5 of the span wide at half their height."""
     body = _Body.drawn(random, at_rest)
@@ -141,9 +150,9 @@ def pulse(random: Random, at_rest: bool = False) -> Case:
     for _ in range(random.randint(1, 3)):
         width = body.span * 10 ** random.uniform(-math.log10(200), -math.log10(5))
         pulses.append((random.uniform(0, body.span), width))
-    shape = random.choice([_box, _bell, _half_sine])
+    shape, ends = random.choice(_PULSES)
     least = min(width for _, width in pulses)
-    edges = [t + k * width for t, width in pulses for k in _EDGES[shape]]
+    edges = [t + k * width for t, width in pulses for k in ends]
     return body.pushed(
         lambda t: sum(shape((t - middle) / width) for middle, width in pulses), tuple(edges), least
     )
@@ -259,15 +268,7 @@ def reference(case: Case) -> tuple[np.ndarray, np.ndarray]:
 
 APPLICATION = Application(
     "torques",
-    {
-        "smooth": smooth,
-        "kink": kink,
-        "jump": jump,
-        "pulse": pulse,
-        "stiff": stiff,
-        "rest": rest,
-        "facing": facing,
-    },
+    {draw.__name__: draw for draw in (smooth, kink, jump, pulse, stiff, rest, facing)},
     measured,
     Goal(refused=0.02, most=3.0, part=0.99, worst=10.0),
 )
@@ -295,19 +296,3 @@ def _cross(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 def _zeros(rate: float, phase: float, span: float) -> Vector:
     first, last = math.ceil(phase / math.pi), math.floor((rate * span + phase) / math.pi)
     return tuple((k * math.pi - phase) / rate for k in range(first, last + 1))
-
-
-def _box(x: float) -> float:
-    return 1.0 if -0.5 <= x <= 0.5 else 0.0
-
-
-def _bell(x: float) -> float:
-    return math.exp(-4 * math.log(2) * x * x)
-
-
-def _half_sine(x: float) -> float:
-    return math.sin(math.pi * (0.75 * x + 0.5)) if abs(x) < 2 / 3 else 0.0
-
-
-# Times at which pulses are not smooth, and some more at which the reference is restarted.
-_EDGES = {_box: (-0.5, 0.5), _bell: (-3, -0.5, 0.5, 3), _half_sine: (-2 / 3, 2 / 3)}

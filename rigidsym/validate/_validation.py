@@ -5,25 +5,25 @@ import os
 import platform
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
 from dataclasses import replace
-from fractions import Fraction
 from functools import cache
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
+from itertools import product
 
 from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
 from rigidsym.motion import IDENTITY
-from rigidsym.validate import _checkpoint as checkpoint
 from rigidsym.validate import _executors as executors
 from rigidsym.validate._bounds import MEASURES
 from rigidsym.validate._campaign import (
     CASES,
     DIGITS,
+    INTERVAL,
     SEED,
     Campaign,
     Progress,
@@ -33,7 +33,7 @@ from rigidsym.validate._campaign import (
 from rigidsym.validate._finding import Finding, measure_case
 from rigidsym.validate._implementations import PEER
 from rigidsym.validate._report import Failure, ValidationReport
-from rigidsym.validate._tally import DRAWN, Cell, Tally
+from rigidsym.validate._tally import DRAWN, Tally
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
 from rigidsym.validate.strata import Sample, count, draw, in_doubles
@@ -80,7 +80,7 @@ def validate(
         For a target, a peer or a stratum that does not exist, and fewer than 20 digits.
     """
     campaign = Campaign.of(targets, cases, digits, seed, peers, strata)
-    return run(campaign, Progress(), executors.local(workers), progress)
+    return run(Progress(campaign), executors.local(workers), progress)
 
 
 def examine(
@@ -138,60 +138,51 @@ def examine(
             messages[stratum, index] = user.said[0]
         progress(done, campaign.size)
     seconds = time.perf_counter() - begin
-    run = environment(campaign, "this process", seconds, sum(tally.states.values()))
-
-    return reported(campaign, tally, run, entered, messages)
+    how = environment(campaign, "this process", seconds, sum(tally.states.values()))
+    return reported(campaign, tally, how, entered, messages)
 
 
 def run(
-    campaign: Campaign,
     progress: Progress,
     place: AbstractContextManager[executors.Place],
     show: Show = lambda done, total: None,
-    kept: checkpoint.Checkpoint | None = None,
 ) -> ValidationReport:
-    """Do what is missing of a campaign and report; what is done is kept, however it ends.
+    """Measure the missing cases of a campaign and report; save what is done, however it ends.
 
     Raises InputError where workers or the scheduler are lost, KeyboardInterrupt where the user
     stops it; the message says what is kept.
     """
-    begin, before = time.perf_counter(), sum(progress.tally.states.values())
-    if kept:
-        kept.write()
+    campaign, begin = progress.campaign, time.perf_counter()
+    before = sum(progress.tally.states.values())
+    progress.save()
 
     def after() -> None:
         show(progress.cases, campaign.size)
-        if kept:
-            kept.now_and_then()
+        progress.save(INTERVAL)
 
     try:
         with place as where:
-            complete(campaign, progress, where, after)
-        if kept:
-            kept.write()
+            complete(progress, where, after)
+        progress.save()
         seconds = time.perf_counter() - begin
         states = sum(progress.tally.states.values()) - before
         how = environment(campaign, where.name, seconds, states)
         return reported(campaign, progress.tally, how)
     except BaseException as error:
         fate = "nothing is kept without a directory (-o DIR)"
-        if kept:
+        if progress.directory:
             with executors.undisturbed():
-                kept.write()
+                progress.save()
             done = f"{progress.cases} of {campaign.size} cases"
             fate = f"{done} are kept, --resume goes on from there"
-        raise _with_fate(error, fate) from None
-
-
-def _with_fate(error: BaseException, fate: str) -> BaseException:
-    """Return the error that stopped a campaign, with what is kept in its one line."""
-    if isinstance(error, KeyboardInterrupt):
-        return KeyboardInterrupt(f"interrupted: {fate}")
-    if isinstance(error, BrokenProcessPool):
-        return InputError("workers", "one process", f"died, perhaps for lack of memory: {fate}")
-    if isinstance(error, CancelledError):
-        return InputError("scheduler", "the cluster", f"was lost: {fate}")
-    return error
+        if isinstance(error, KeyboardInterrupt):
+            raise KeyboardInterrupt(f"interrupted: {fate}") from None
+        if isinstance(error, BrokenProcessPool):
+            rule = f"died, perhaps for lack of memory: {fate}"
+            raise InputError("workers", "one process", rule) from None
+        if isinstance(error, CancelledError):
+            raise InputError("scheduler", "the cluster", f"was lost: {fate}") from None
+        raise
 
 
 def reported(
@@ -206,12 +197,10 @@ def reported(
     user: a user's integrator by its name; messages: its messages by case.
     """
 
-    def measured(sample: Sample) -> Finding:
-        return measure_case(sample, campaign.digits, user or campaign.implementations)
-
     @cache
     def again(stratum: str, index: int) -> Finding:
-        return measured(draw(stratum, index, campaign.seed))
+        sample = draw(stratum, index, campaign.seed)
+        return measure_case(sample, campaign.digits, user or campaign.implementations)
 
     # The worst angle and rates of each implementation in each stratum, each case once.
     places = {
@@ -222,30 +211,29 @@ def reported(
     }
     worst = tuple(again(*place) for place in sorted(places))
     failures = []
-    for target in campaign.judged:
-        for measure, cell in _broken(campaign, tally, target):
-            case = cell.place[:2]
-            # No simpler case for a user's integrator: where all bounds are broken it takes long.
-            found = again(*case) if user else measured(_simplest(campaign, target, measure, case))
-            said = (messages or {}).get(case, "")
-            failures.append(Failure(target, measure, cell.worst, *case, found, said))
+    for target, stratum in product(campaign.judged, campaign.strata):
+        # The worst broken bound of the stratum.
+        shares = ((m, tally.cells.get((target, m, "share", stratum))) for m in MEASURES)
+        found = [(m, cell) for m, cell in shares if cell and cell.worst > 1]
+        if not found:
+            continue
+        measure, cell = max(found, key=lambda item: item[1].worst)
+        case = cell.place[:2]
+        # No simpler case for a user's integrator: where all bounds are broken it takes long.
+        finding = again(*case) if user else _simplest(campaign, target, measure, case)
+        said = (messages or {}).get(case, "")
+        failures.append(Failure(target, measure, cell.worst, *case, finding, said))
     return ValidationReport(campaign, tally, worst, tuple(failures), run)
 
 
-def _broken(campaign: Campaign, tally: Tally, name: str) -> Iterator[tuple[str, Cell]]:
-    """Yield the worst broken bound in each stratum: a measure, and the part of the bound."""
-    for stratum in campaign.strata:
-        shares = {m: tally.cells.get((name, m, "share", stratum)) for m in MEASURES}
-        found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
-        if found:
-            yield max(found.items(), key=lambda item: item[1].worst)
+def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, int]) -> Finding:
+    """Measure the simplest case found that breaks a target's bound as this case does."""
 
-
-def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, int]) -> Sample:
     def fails(sample: Sample) -> bool:
         return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
 
-    return simplest(draw(*case, campaign.seed), fails)
+    found = simplest(draw(*case, campaign.seed), fails)
+    return measure_case(found, campaign.digits, campaign.implementations)
 
 
 def simplest(sample: Sample, fails: Fails) -> Sample:
@@ -253,22 +241,20 @@ def simplest(sample: Sample, fails: Fails) -> Sample:
 
     At most TRIALS neighbours are tried.
     """
-    tried = 0
-    improved = True
-    while improved:
-        improved = False
-        for simpler in _simpler(sample):
-            tried += 1
-            if tried > TRIALS:
-                return sample
-            if _is_bounded(simpler) and fails(simpler):
-                sample, improved = simpler, True
-                break
+    neighbours = _simpler(sample)
+    for _ in range(TRIALS):
+        if (simpler := next(neighbours, None)) is None:
+            break
+        if _is_bounded(simpler) and fails(simpler):
+            sample, neighbours = simpler, _simpler(simpler)
     return sample
 
 
 def _simpler(sample: Sample) -> Iterator[Sample]:
-    """Yield neighbours with one time, without an attitude, or with one simpler number."""
+    """Yield neighbours with one time, without an attitude, or with one simpler number.
+
+    Simpler numbers are 0, 1, -1, and then decimals of few digits.
+    """
     if len(sample.times) > 1:
         yield from (replace(sample, times=(t,)) for t in sample.times)
     if sample.attitude0 != IDENTITY:
@@ -276,15 +262,11 @@ def _simpler(sample: Sample) -> Iterator[Sample]:
     for name in ("omega0", "inertia", "times"):
         values = getattr(sample, name)
         for k, value in enumerate(values):
-            for number in _simpler_numbers(value):
+            decimals = (float(f"{float(value):.{n}e}") for n in range(SIMPLE_DIGITS))
+            for number in dict.fromkeys((0.0, 1.0, -1.0, *decimals)):
+                if number == value:
+                    break
                 yield replace(sample, **{name: (*values[:k], number, *values[k + 1 :])})
-
-
-def _simpler_numbers(value: float | Fraction) -> Iterable[float | Fraction]:
-    """Return 0, 1, -1, then decimals of few digits, as far as these are simpler than the number."""
-    ladder = [0.0, 1.0, -1.0, *(float(f"{float(value):.{k}e}") for k in range(SIMPLE_DIGITS))]
-    listed: list[float | Fraction] = list(dict.fromkeys(ladder))
-    return listed[: listed.index(value)] if value in listed else listed
 
 
 def _is_bounded(sample: Sample) -> bool:
@@ -319,7 +301,7 @@ def environment(
         "python": platform.python_version(),
         "system": f"{platform.system()} {platform.machine()}",
         "cores": os.cpu_count(),
-        **{name: _version(name) for name in PACKAGES},
+        **{name: version(name) for name in PACKAGES},
         **compiler,
         **dict(zip(campaign.peers, campaign.peer_versions, strict=True)),
     }
@@ -335,10 +317,3 @@ def _peak() -> int | None:
     # Kilobytes, except on macOS.
     unit = 2**20 if sys.platform == "darwin" else 2**10
     return round(max(resource.getrusage(x).ru_maxrss for x in who) / unit)
-
-
-def _version(package: str) -> str:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "unknown"

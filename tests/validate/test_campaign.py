@@ -15,28 +15,13 @@ import pytest
 from rigidsym import InputError
 from rigidsym.io import _files as files
 from rigidsym.io.cases import load_case
-from rigidsym.validate import (
-    _case_file as case_file,
-)
-from rigidsym.validate import (
-    _checkpoint as checkpoint,
-)
-from rigidsym.validate import (
-    _executors as executors,
-)
-from rigidsym.validate import (
-    _session as session,
-)
-from rigidsym.validate import (
-    _validation as validation,
-)
-from rigidsym.validate import (
-    validate,
-)
+from rigidsym.validate import _executors as executors
+from rigidsym.validate import _session as session
+from rigidsym.validate import _validation as validation
+from rigidsym.validate import validate
 from rigidsym.validate._bounds import BOUNDS
-from rigidsym.validate._campaign import Campaign, Progress, complete, tallied
-from rigidsym.validate._checkpoint import Checkpoint
-from rigidsym.validate._finding import measure_case
+from rigidsym.validate._campaign import NAME, Campaign, Progress, complete, tallied
+from rigidsym.validate._finding import case_text, measure_case, read_case
 from rigidsym.validate._tally import Tally
 from rigidsym.validate._validation import run, simplest
 from rigidsym.validate.strata import STRATA, count, draw
@@ -54,8 +39,8 @@ def _small_chunks(monkeypatch):
     monkeypatch.setattr("rigidsym.validate._campaign.CHUNK", CHUNK)
 
 
-def small():
-    return Campaign.of(**CHOSEN)
+def small(directory=None):
+    return Progress(Campaign.of(**CHOSEN), directory=directory)
 
 
 @pytest.fixture(scope="module")
@@ -72,25 +57,24 @@ def stopping_at(cases):
 
 
 def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
-    progress = Progress()
-    kept = Checkpoint(tmp_path, small(), progress)
+    progress = small(tmp_path)
     with pytest.raises(KeyboardInterrupt, match=f"interrupted: {2 * CHUNK} of {2 * CASES} cases"):
-        run(small(), progress, executors.local(1), stopping_at(2 * CHUNK), kept)
-    again, found = session.begin({}, tmp_path, resume=True)
-    assert again == small()
+        run(progress, executors.local(1), stopping_at(2 * CHUNK))
+    found = session.begin({}, tmp_path, resume=True)
+    assert found.campaign == small().campaign
     assert found == progress
     assert found.cases == 2 * CHUNK
-    report = run(again, found, executors.local(1))
+    report = run(found, executors.local(1))
     assert report.to_data()["implementations"] == expected
     assert found.done == {name: [(0, CASES)] for name in NAMES}
 
 
 @pytest.mark.parametrize("cells", [0, 1, 5])
 def test_an_interrupt_while_a_chunk_is_taken_in_leaves_all_of_it_out(cells, monkeypatch):
-    progress = Progress()
-    progress.take(*tallied(small(), ("rest", 0, 2)))
+    progress = small()
+    progress.take(*tallied(progress.campaign, ("rest", 0, 2)))
     before = json.dumps([progress.tally.to_data(), progress.done])
-    chunk, tally = tallied(small(), ("rest", 2, 4))
+    chunk, tally = tallied(progress.campaign, ("rest", 2, 4))
     put, left = Tally.put, iter(range(cells))
 
     def interrupted(*arguments):
@@ -111,10 +95,10 @@ def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypat
         raise KeyboardInterrupt
 
     monkeypatch.setattr(validation, "reported", interrupted)
-    progress = Progress()
+    progress = small(tmp_path)
     with pytest.raises(KeyboardInterrupt, match=f"{2 * CASES} of {2 * CASES} cases are kept"):
-        run(small(), progress, executors.local(1), kept=Checkpoint(tmp_path, small(), progress))
-    assert checkpoint.load(tmp_path) == (small(), progress)
+        run(progress, executors.local(1))
+    assert Progress.load(tmp_path) == progress
 
 
 def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monkeypatch):
@@ -125,10 +109,10 @@ def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monke
 
 
 def test_a_large_campaign_is_not_laid_out_in_memory():
-    large, progress = Campaign.of(["c"], 5_000_000, strata=NAMES), Progress()
+    progress = Progress(Campaign.of(["c"], 5_000_000, strata=NAMES))
     tracemalloc.start()
     with executors.local(1) as place, pytest.raises(KeyboardInterrupt):
-        complete(large, progress, place, lambda: stopping_at(1)(progress.cases, large.size))
+        complete(progress, place, lambda: stopping_at(1)(progress.cases, None))
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert progress.cases == CHUNK
@@ -136,11 +120,11 @@ def test_a_large_campaign_is_not_laid_out_in_memory():
 
 
 def test_what_is_missing_is_each_case_once_whatever_was_done():
-    progress, tally = Progress(), Tally()
+    progress, tally = small(), Tally()
     for chunk in (("rest", 4, 6), ("rest", 12, 29), ("sphere", 0, 1), ("rest", 6, 7)):
         progress.take(chunk, tally)
     assert progress.done["rest"] == [(4, 7), (12, 29)]
-    missing = list(progress.missing(small()))
+    missing = list(progress.missing())
     listed = [(name, k) for name, start, stop in missing for k in range(start, stop)]
     done = {("rest", k) for k in [*range(4, 7), *range(12, 29)]} | {("sphere", 0)}
     assert sorted([*listed, *done]) == sorted((name, k) for name in NAMES for k in range(CASES))
@@ -149,7 +133,7 @@ def test_what_is_missing_is_each_case_once_whatever_was_done():
 
 def test_tallies_merge_in_any_order_and_come_back_from_json():
     chunks = [("sphere", 0, 7), ("rest", 3, 9), ("sphere", 7, 20)]
-    parts = [tallied(small(), chunk)[1] for chunk in chunks]
+    parts = [tallied(small().campaign, chunk)[1] for chunk in chunks]
     there, back = Tally(), Tally()
     for part in parts:
         there.merge(part)
@@ -168,18 +152,17 @@ def test_a_tally_does_not_grow_with_its_cases():
 
 
 def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
-    progress, large = Progress(), Campaign.of(["c"], 2000, strata=NAMES)
+    progress = Progress(Campaign.of(["c"], 2000, strata=NAMES), directory=tmp_path)
 
     def show(done, total):
         for child in active_children():
             os.kill(child.pid, signal.SIGKILL)
 
-    kept = Checkpoint(tmp_path, large, progress)
     with pytest.raises(InputError, match=r"one process: died.* cases are kept, --resume"):
-        run(large, progress, executors.local(2), show, kept)
-    _, found = checkpoint.load(tmp_path)
+        run(progress, executors.local(2), show)
+    found = Progress.load(tmp_path)
     assert found == progress
-    assert 0 < found.cases == sum(found.tally.cases.values()) < large.size
+    assert 0 < found.cases == sum(found.tally.cases.values()) < found.campaign.size
 
 
 @pytest.mark.parametrize(
@@ -193,19 +176,19 @@ def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
     ],
 )
 def test_a_directory_of_another_campaign_is_refused(tmp_path, chosen, message):
-    Checkpoint(tmp_path, small(), Progress()).write()
-    before = (tmp_path / checkpoint.NAME).read_bytes()
+    small(tmp_path).save()
+    before = (tmp_path / NAME).read_bytes()
     with pytest.raises(InputError, match=message):
         session.begin(chosen, tmp_path, resume=True)
-    assert session.begin({"cases": CASES}, tmp_path, resume=True)[0] == small()
+    assert session.begin({"cases": CASES}, tmp_path, resume=True) == small()
     with pytest.raises(InputError, match="holds an unfinished campaign: --resume goes on"):
         session.begin(chosen, tmp_path, resume=False)
-    assert (tmp_path / checkpoint.NAME).read_bytes() == before
+    assert (tmp_path / NAME).read_bytes() == before
 
 
 def test_a_campaign_of_other_modules_is_refused(tmp_path):
-    other = replace(small(), digests=("0" * 64,))
-    Checkpoint(tmp_path, other, Progress()).write()
+    other = replace(small().campaign, digests=("0" * 64,))
+    Progress(other, directory=tmp_path).save()
     with pytest.raises(InputError, match="its digests 000000000000, not"):
         session.begin({}, tmp_path, resume=True)
     with pytest.raises(InputError, match=r"digests = .*: a worker has others than"):
@@ -233,10 +216,10 @@ DAMAGED = "", "{", "[]", '{"schema": "rigidsym.campaign/0"}', "null"
     ],
 )
 def test_a_damaged_or_edited_checkpoint_is_refused_in_one_line(tmp_path, change):
-    progress = Progress()
-    progress.take(*tallied(small(), ("rest", 0, 5)))
-    Checkpoint(tmp_path, small(), progress).write()
-    path = tmp_path / checkpoint.NAME
+    progress = small(tmp_path)
+    progress.take(*tallied(progress.campaign, ("rest", 0, 5)))
+    progress.save()
+    path = tmp_path / NAME
     text = change(path.read_text())
     assert text != path.read_text()
     path.write_text(text)
@@ -245,44 +228,37 @@ def test_a_damaged_or_edited_checkpoint_is_refused_in_one_line(tmp_path, change)
 
 
 def test_errors_of_workers_arrive_as_they_are():
-    other = replace(small(), version="0")
+    other = replace(small().campaign, version="0")
     with pytest.raises(InputError, match=r"version = .*: a worker has others"):
-        run(other, Progress(), executors.local(2))
-
-
-def interrupted_work(done):
-    with executors.undisturbed():
-        signal.raise_signal(signal.SIGINT)
-        done.append(True)
+        run(Progress(other), executors.local(2))
 
 
 def test_interrupts_wait_for_undisturbed_work():
     # Where a shell starts a process in the background, it ignores them.
     known, done = signal.signal(signal.SIGINT, signal.default_int_handler), []
     try:
-        with pytest.raises(KeyboardInterrupt):
-            interrupted_work(done)
+        with pytest.raises(KeyboardInterrupt), executors.undisturbed():
+            done.append(signal.raise_signal(signal.SIGINT))
         assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     finally:
         signal.signal(signal.SIGINT, known)
-    assert done
+    assert done == [None]
 
 
 def test_a_full_disk_is_one_line_and_leaves_the_last_checkpoint(tmp_path, monkeypatch):
-    progress = Progress()
-    kept = Checkpoint(tmp_path, small(), progress)
-    kept.write()
-    before = (tmp_path / checkpoint.NAME).read_bytes()
+    progress = small(tmp_path)
+    progress.save()
+    before = (tmp_path / NAME).read_bytes()
 
     def full(*arguments):
         raise OSError(errno.ENOSPC, "No space left on device")
 
-    monkeypatch.setattr(checkpoint, "INTERVAL", 0.0)
+    monkeypatch.setattr(validation, "INTERVAL", 0.0)
     monkeypatch.setattr(files.os, "replace", full)
     with pytest.raises(InputError, match="cannot be written: No space left on device"):
-        run(small(), progress, executors.local(1), kept=kept)
-    assert (tmp_path / checkpoint.NAME).read_bytes() == before
-    assert [path.name for path in tmp_path.iterdir()] == [checkpoint.NAME]
+        run(progress, executors.local(1))
+    assert (tmp_path / NAME).read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == [NAME]
 
 
 def test_the_simplest_case_that_fails():
@@ -334,20 +310,22 @@ def test_figures_of_some_strata_are_not_recorded(strata):
 @pytest.mark.parametrize("stratum", ["uniform", "decimals", "extreme scales", "published"])
 def test_case_files_are_read_back_as_the_same_numbers(tmp_path, stratum):
     sample = draw(stratum, 1, 1)
-    path = case_file.write(tmp_path / "case.toml", sample, ["a remark"])
+    path = tmp_path / "case.toml"
+    path.write_text(case_text(sample, ["a remark"]))
     motion = load_case(path).motion
     numbers = (sample.inertia, sample.omega0, sample.attitude0)
     assert tuple(map(tuple, motion.exact.values())) == numbers
-    found = case_file.read(str(path))
+    found = read_case(str(path))
     assert replace(found, stratum=stratum, index=1) == sample
-    assert session.replay(str(path), small()).share("c") < 1
+    assert session.replay(str(path), small().campaign).share("c") < 1
 
 
 def test_a_case_of_a_campaign_is_found_by_its_name():
-    finding = session.replay("published:3", small())
+    campaign = small().campaign
+    finding = session.replay("published:3", campaign)
     assert finding.sample == draw("published", 3, 1)
     assert finding.share("c") == measure_case(finding.sample, 40, ["c"]).share("c")
     for name in ("published", "moon:1", "published:999", "uniform:-1", "uniform:1e3"):
         with pytest.raises(InputError, match=r"^case = "):
-            session.replay(name, small())
+            session.replay(name, campaign)
     assert count("published", 999) == STRATA["published"].size

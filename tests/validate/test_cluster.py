@@ -60,7 +60,7 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
     monkeypatch.setattr("rigidsym.validate._campaign.CHUNK", CHUNK)
     monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 600)
     campaign = Campaign.of(("numpy", "c"), CASES, strata=STRATA)
-    progress, killed = Progress(), []
+    progress, killed = Progress(campaign), []
 
     def show(done, total):
         if not killed and 0 < done < total:
@@ -68,7 +68,7 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
             killed.append(done)
 
     with scheduler(tmp_path) as (address, _), worker(address) as first, worker(address):
-        report = run(campaign, progress, executors.cluster(address), show)
+        report = run(progress, executors.cluster(address), show)
     assert killed
     assert killed[0] < campaign.size
     assert report.tally.cases == dict.fromkeys(STRATA, CASES)
@@ -86,7 +86,7 @@ def test_a_scheduler_that_is_lost_is_one_line(tmp_path, monkeypatch):
             process.kill()
 
         with pytest.raises((InputError, CancelledError), match="was lost: nothing is kept"):
-            run(campaign, Progress(), executors.cluster(address), show)
+            run(Progress(campaign), executors.cluster(address), show)
 
 
 def test_a_scheduler_without_workers_is_one_line(tmp_path, monkeypatch):

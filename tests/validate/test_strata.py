@@ -17,7 +17,7 @@ from rigidsym.solution._polhode import Regime, classify, discriminant
 from rigidsym.validate._oracle import precise_motion
 from rigidsym.validate.strata import STRATA, count, draw, samples
 from rigidsym.validate.strata import _motions as motions
-from rigidsym.validate.strata._published import published
+from rigidsym.validate.strata._own_times import published
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"
 FEW, SEED = 16, 4

@@ -23,9 +23,8 @@ from rigidsym.proof.derivation import derive
 from rigidsym.proof.kernel import _ledger as ledgers
 from rigidsym.proof.paper import Verdict, judged, verdicts
 from rigidsym.proof.paper._verdicts import Ruling
-from rigidsym.validate import _checkpoint as checkpoint
+from rigidsym.validate import _campaign as campaigns
 from rigidsym.validate import validate
-from rigidsym.validate._campaign import Campaign, Progress, complete
 from rigidsym.validate._executors import local
 from rigidsym.validate._report import SCHEMA as VALIDATION
 from rigidsym.validate.faults import BY_HAND
@@ -201,14 +200,12 @@ def _validation() -> Any:
 
 
 def _campaign() -> Any:
-    campaign = Campaign.of(["numpy"], cases=1, strata=[STRATUM])
-    progress = Progress()
-    with local(1) as place:
-        complete(campaign, progress, place)
-    with tempfile.TemporaryDirectory() as folder:
-        kept = checkpoint.Checkpoint(Path(folder), campaign, progress)
-        kept.write()
-        return _json(kept.path.read_text("utf-8"))
+    with tempfile.TemporaryDirectory() as folder, local(1) as place:
+        campaign = campaigns.Campaign.of(["numpy"], cases=1, strata=[STRATUM])
+        progress = campaigns.Progress(campaign, directory=Path(folder))
+        campaigns.complete(progress, place)
+        progress.save()
+        return _json(Path(folder, campaigns.NAME).read_text("utf-8"))
 
 
 def _faults() -> Any:
@@ -434,8 +431,8 @@ FORMATS = (
         frozenset({"kinds", "strata", "faults[].caught"}),
     ),
     Format(
-        checkpoint.SCHEMA,
-        f"`rigidsym validate -o DIR` every few seconds, as `{checkpoint.NAME}`; read by "
+        campaigns.SCHEMA,
+        f"`rigidsym validate -o DIR` every few seconds, as `{campaigns.NAME}`; read by "
         "`--resume`, and removed when the report is written",
         _campaign,
         {

@@ -5,12 +5,11 @@ only their ratios mean anything: in C where a form is generated, and in NumPy fo
 """
 
 import json
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from statistics import median
-from time import perf_counter
+from timeit import repeat
 
 import numpy as np
 
@@ -69,16 +68,11 @@ class FormCost:
 
     def row(self) -> tuple[str, ...]:
         """Return a row under `COLUMNS`."""
-        numbers = (self.operations, self.constant_bytes, self.terms)
-        times = (self.plan_us, self.c_ns, self.numpy_ns)
-        return (
-            f"{self.away:g}",
-            f"{self.parameter:.6g}",
-            self.form,
-            *("" if x is None else str(x) for x in numbers),
-            *("" if x is None else f"{x:.3g}" for x in times),
-            *("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega)),
-        )
+        numbers = _shown((self.operations, self.constant_bytes, self.terms), "d")
+        times = _shown((self.plan_us, self.c_ns, self.numpy_ns), ".3g")
+        errors = _shown((self.angle, self.omega), ".1e")
+        first = f"{self.away:g}", f"{self.parameter:.6g}", self.form
+        return *first, *numbers, *times, *errors
 
 
 COLUMNS = (
@@ -103,8 +97,13 @@ class StratumError:
 
     def row(self) -> tuple[str, ...]:
         """Return a row under `STRATA_COLUMNS`."""
-        errors = ("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega))
-        return self.stratum, self.form, f"{self.served} of {self.cases}", *errors
+        served = f"{self.served} of {self.cases}"
+        return self.stratum, self.form, served, *_shown((self.angle, self.omega), ".1e")
+
+
+def _shown(figures: Iterable[float | None], spec: str) -> list[str]:
+    """Return figures in a format, and nothing for None."""
+    return ["" if x is None else format(x, spec) for x in figures]
 
 
 STRATA_COLUMNS = ("stratum", "form", "served", "angle, rad", "rates")
@@ -151,22 +150,19 @@ class FormCosts:
             ("Operations of a state", "number", lambda one: one.operations),
             ("Worst angle", "rad", lambda one: one.angle),
         ]
-        return panels_svg([*(self._panel(*each) for each in drawn), self._by_stratum()])
-
-    def _panel(self, title: str, label: str, value: Callable[[FormCost], float | None]) -> Panel:
-        found = {(one.form, one.away): value(one) for one in self.costs}
-        xs = sorted({away for _, away in found})
-        lines = {form: [found[form, x] for x in xs] for form in (THETA, PI, FOURIER)}
-        where = "distance from the separatrix"
-        return Panel(title, where, label, xs, lines, log=True, marked=True)
-
-    def _by_stratum(self) -> Panel:
-        lines: dict[str, list[float | None]] = {form: [] for form in (THETA, PI, FOURIER)}
-        for one in self.strata:
-            lines[one.form].append(None if one.angle is None else one.angle / ULP)
+        forms, panels = (THETA, PI, FOURIER), []
+        for title, label, value in drawn:
+            found = {(one.form, one.away): value(one) for one in self.costs}
+            xs = sorted({away for _, away in found})
+            lines = {form: [found[form, x] for x in xs] for form in forms}
+            where = "distance from the separatrix"
+            panels.append(Panel(title, where, label, xs, lines, log=True, marked=True))
+        by_form = ((form, [x.angle for x in self.strata if x.form == form]) for form in forms)
+        lines = {form: [None if x is None else x / ULP for x in y] for form, y in by_form}
         numbers = [float(k) for k in range(1, len(lines[THETA]) + 1)]
-        where = "stratum, as in the table"
-        return Panel("Worst angle by stratum", where, "2^-53 rad", numbers, lines, marked=True)
+        title, where = "Worst angle by stratum", "stratum, as in the table"
+        panels.append(Panel(title, where, "2^-53 rad", numbers, lines, marked=True))
+        return panels_svg(panels)
 
 
 def compare_forms(
@@ -179,26 +175,21 @@ def compare_forms(
         costs.append(_fourier(motion))
     sizes = {form: code_bytes(form) for form in (THETA, PI)}
     forms = {form: engines.exactly(key("numpy", form)) for form in (THETA, PI)}
+    every: dict[str, engines.Engine | Solver] = {**forms, FOURIER: fourier.Series()}
     errors: list[StratumError] = []
     for done, stratum in enumerate(STRATA):
         progress(done, len(STRATA))
-        errors += _of_stratum(stratum, {**forms, FOURIER: fourier.Series()}, count(stratum, cases))
+        drawn = [draw(stratum, index, _SEED) for index in range(count(stratum, cases))]
+        references = [enclose(sample, _STRATUM_DIGITS, with_condition=False) for sample in drawn]
+        for name, form in every.items():
+            measured = [measure(reference, form) for reference in references]
+            worst = [[np.max(each[x].values) for x in ("angle", "omega")] for each in measured]
+            # Errors of a case that a form refuses are infinite.
+            served = [pair for pair in worst if np.isfinite(pair).all()]
+            most = [float(max(values)) for values in zip(*served, strict=True)] or [None, None]
+            errors.append(StratumError(stratum, name, len(served), len(drawn), *most))
     progress(len(STRATA), len(STRATA))
     return FormCosts(sizes, tuple(costs), tuple(errors))
-
-
-def _of_stratum(
-    stratum: str, forms: Mapping[str, engines.Engine | Solver], cases: int
-) -> Iterator[StratumError]:
-    drawn = [draw(stratum, index, _SEED) for index in range(cases)]
-    references = [enclose(sample, _STRATUM_DIGITS, with_condition=False) for sample in drawn]
-    for name, form in forms.items():
-        measured = [measure(reference, form) for reference in references]
-        worst = [tuple(np.max(each[x].values) for x in ("angle", "omega")) for each in measured]
-        # Errors of a case that a form refuses are infinite.
-        served = [pair for pair in worst if np.isfinite(pair).all()]
-        errors = [float(max(values)) for values in zip(*served, strict=True)] or [None, None]
-        yield StratumError(stratum, name, len(served), cases, *errors)
 
 
 @dataclass(frozen=True, slots=True)
@@ -263,7 +254,7 @@ def _fourier(motion: _Motion) -> FormCost:
     angle, omega = _errors(series.states(motion.times), motion.true)
     # Apart from its series, a state takes the sines of two angles and the ledger's formulas.
     others = 2 * operations(PI, "steady", ["angles"])
-    others += of_function(state(sealed()))
+    others += sum(_operations(let.expression, {}) for let in state(sealed()).lets)
     numbers = _SERIES * series.terms + len(series.constants) + len(series.v) + len(series.psi)
     return FormCost(
         form=FOURIER,
@@ -295,42 +286,25 @@ def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepar
 
 def _seconds(run: Callable[[], object]) -> float:
     """Return the median of some repetitions, after one that is not counted."""
-    run()
-    taken = []
-    for _ in range(_REPEATS):
-        start = perf_counter()
-        run()
-        taken.append(perf_counter() - start)
-    return median(taken)
+    return median(repeat(run, number=1, repeat=_REPEATS + 1)[1:])
 
 
 def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
     """Count sums, products, quotients, roots and exponentials of one state on a branch."""
-    by_name = {function.name: function for function in functions(sealed(), form)}
-    found = (_of_function(by_name[f"_{branch}_{part}"], by_name) for part in parts)
-    return sum(sum(each.values()) for each in found)
+    known = {function.name: function for function in functions(sealed(), form)}
+    lets = (let for part in parts for let in known[f"_{branch}_{part}"].lets)
+    return sum(_operations(let.expression, known) for let in lets)
 
 
-def of_function(function: Function) -> int:
-    """Count the operations of one function that calls no other."""
-    return sum(_of_function(function, {}).values())
-
-
-def _of_function(function: Function, known: Mapping[str, Function]) -> Counter[str]:
-    counts = (_of(let.expression, known) for let in function.lets)
-    return sum(counts, Counter[str]())
-
-
-def _of(expression: Expression, known: Mapping[str, Function]) -> Counter[str]:
-    total = sum((_of(part, known) for part in children(expression)), Counter[str]())
+def _operations(expression: Expression, known: Mapping[str, Function]) -> int:
+    """Count operations of an expression and of the known functions that it calls."""
+    found = sum(_operations(part, known) for part in children(expression))
     match expression:
-        case Operation(symbol, _, _):
-            total[symbol] += 1
-        case Call("sqrt" | "exp", _):
-            total[expression.function] += 1
+        case Operation() | Call("sqrt" | "exp", _):
+            found += 1
         case Call(name, _) if name in known:
-            total += _of_function(known[name], known)
-    return total
+            found += sum(_operations(let.expression, known) for let in known[name].lets)
+    return found
 
 
 def constant_bytes(form: str, branch: str) -> int:

@@ -9,13 +9,11 @@ all.  The state is the ledger's, printed by codegen.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
 import mpmath
 import numpy as np
-from numpy.typing import ArrayLike
 
 from rigidsym._codegen.functions import fourier
 from rigidsym._codegen.targets.numpy import emit
@@ -25,6 +23,7 @@ from rigidsym.precise._motion import PreciseMotion
 from rigidsym.solution import sealed
 from rigidsym.solution._formulas import AXES, sequence
 from rigidsym.solution._polhode import Regime
+from rigidsym.validate.strata._sample import fractions
 
 MOST = 1000
 # The first term left out is below 2^-55 of the first of all.
@@ -78,27 +77,19 @@ class Fourier:
 class Series:
     """An engine by Fourier series; it refuses motions of more than MOST terms."""
 
-    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Fourier:
-        """See `Engine`."""
-        given = (np.asarray(x, float).tolist() for x in (inertia, omega0, attitude0))
-        moments, rates, attitude = ([Fraction(x) for x in values] for values in given)
-        return self.prepare_exactly(moments, rates, attitude)
-
-    def prepare_exactly(
-        self,
-        inertia: Sequence[Fraction],
-        omega0: Sequence[Fraction],
-        attitude0: Sequence[Fraction],
-    ) -> Fourier:
-        """See `Engine`."""
-        series = plan(PreciseMotion(tuple(inertia), tuple(omega0), tuple(attitude0)))
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Fourier:
+        """Plan a motion from exact numbers or float64."""
+        exact = fractions(inertia), fractions(omega0), fractions(attitude0)
+        series = plan(PreciseMotion(*exact))
         if series is None:
             raise InputError("terms", f"more than {MOST}", "Fourier series do not serve here")
         return series
 
-    def states(self, prepared: Fourier, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    prepare_exactly = prepare
+
+    def states(self, prepared: Fourier, t: Any) -> tuple[np.ndarray, np.ndarray]:
         """Return (q, omega) at times (N,)."""
-        return prepared.states(np.asarray(t, float))
+        return prepared.states(t)
 
 
 @cache
@@ -179,8 +170,8 @@ def _made(
     values = {name: known[name] for name in _FROM_START} | _moments(motion)
     tau = -polhode.rho * signs["epsilon"] * signs["sigma"]
     return Fourier(
-        (*_in_two(v), float(v_0)),
-        (*_in_two(half_psi), float(-start / mpmath.pi)),
+        (float(v), float(v - float(v)), float(v_0)),
+        (float(half_psi), float(half_psi - float(half_psi)), float(-start / mpmath.pi)),
         [np.array([float(c) for c in row]) for row in series],
         {name: float(value) for name, value in values.items()} | signs | {"tau": tau},
         polhode.axes,
@@ -208,10 +199,6 @@ def _coefficients(q: mpmath.mpf, b: mpmath.mpf, rho: int, terms: int) -> list[li
 
 def _coefficient(e: int, x: mpmath.mpf) -> mpmath.mpf:
     return sequence("fourier").evaluate({"e": e, "x": x}, _POWER)["a"]
-
-
-def _in_two(value: mpmath.mpf) -> tuple[float, float]:
-    return float(value), float(value - float(value))
 
 
 def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:

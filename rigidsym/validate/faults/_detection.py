@@ -5,7 +5,7 @@ installed modules stay as they are.
 """
 
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
@@ -29,7 +29,7 @@ from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate._sensitivities import ColumnsReference
 from rigidsym.validate.faults._fault import FILES, Fault
 from rigidsym.validate.peers._protocol import Solver
-from rigidsym.validate.strata import Sample, count, draw, stepped
+from rigidsym.validate.strata import count, draw, stepped
 
 # Detections without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
@@ -80,25 +80,20 @@ class Detection:
     measures: tuple[str, ...]
 
 
-def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """Enclose the states of a stratum's cases."""
-    return [enclose(x, digits, with_condition=False) for x in _samples(stratum, cases, seed)]
+def references(
+    stratum: str, cases: int, digits: int, seed: int, shown_in: str = "states"
+) -> list[Any]:
+    """Enclose the numbers of a stratum's cases that show a fault.
 
-
-def steps_references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """Enclose the states of a stratum's cases as `stepped` changes them."""
-    samples = map(stepped, _samples(stratum, cases, seed))
-    return [enclose(sample, digits, with_condition=False) for sample in samples]
-
-
-def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
-    """Enclose the sensitivities of a stratum's first cases."""
-    few = _samples(stratum, min(cases, MOST_CASES), seed)
-    return [ColumnsReference.of(sample, digits) for sample in few]
-
-
-def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
-    return (draw(stratum, index, seed) for index in range(count(stratum, cases)))
+    shown_in: "states" and "steps" have a `Reference` for each case, "sensitivities" a
+    `ColumnsReference`; see `Fault.shown_in`.
+    """
+    most = min(cases, MOST_CASES) if shown_in == "sensitivities" else cases
+    samples = [draw(stratum, index, seed) for index in range(count(stratum, most))]
+    if shown_in == "sensitivities":
+        return [ColumnsReference.of(sample, digits) for sample in samples]
+    asked = map(stepped, samples) if shown_in == "steps" else samples
+    return [enclose(sample, digits, with_condition=False) for sample in asked]
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:

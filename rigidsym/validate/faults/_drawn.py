@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
 from importlib import resources
+from itertools import chain
 from textwrap import shorten
 from typing import NamedTuple
 
@@ -58,22 +59,14 @@ class Change(NamedTuple):
     part: Expression
 
 
-@dataclass(frozen=True, slots=True)
-class _Series:
-    """The coefficients of a series: the largest factor of the k-th coefficient, and the error of
-    the sum that no motion can show."""
-
-    times: Callable[[int], float]
-    lost: float
-
-
-# Rates depend on logarithms, whose errors grow to the bound of an angle in 2^46 rad.
-_AFTER_ALL_TIME = BOUND / 2**46
-_SERIES = {
-    "over": _Series(lambda k: float(angles.LARGEST) ** (k - 1), _AFTER_ALL_TIME),
-    "sine": _Series(lambda k: 0.5 ** (2 * k + 3), 2 * ULP),
-    "cosine": _Series(lambda k: 0.5 ** (2 * k + 2), 2 * ULP),
-    "exponential": _Series(lambda k: (math.log(2) / 2) ** (k + 3), 2 * ULP),
+# For coefficients of series: the largest factor of the k-th, and the error of the sum that no
+# motion can show.  Rates depend on logarithms, whose errors grow to the bound of an angle in
+# 2^46 rad.
+_SERIES: dict[str, tuple[Callable[[int], float], float]] = {
+    "over": (lambda k: float(angles.LARGEST) ** (k - 1), BOUND / 2**46),
+    "sine": (lambda k: 0.5 ** (2 * k + 3), 2 * ULP),
+    "cosine": (lambda k: 0.5 ** (2 * k + 2), 2 * ULP),
+    "exponential": (lambda k: (math.log(2) / 2) ** (k + 3), 2 * ULP),
 }
 
 
@@ -97,8 +90,10 @@ def _functions(form: str) -> tuple[Function, ...]:
 
 
 def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set[str]]:
-    """Return the functions that faults of a target's states, or of its sensitivities, are drawn
-    from, and the named numbers that they alone use."""
+    """Return the functions in which faults of states, or of sensitivities, are drawn.
+
+    The second result has the named numbers that these functions alone use.
+    """
     language, form = split(target)
     names = {function.name for function in sensitivity(sealed())}
     of_states = tuple(one for one in _functions(form) if one.name not in names)
@@ -109,11 +104,8 @@ def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set
         shared = _functions(THETA) if form != THETA else ()
         own = tuple(one for one in of_states if one not in shared)
     own = numpy.own(own) if language == "numpy" else own
-    return own, _used(own) - _used(shared)
-
-
-def _used(functions: tuple[Function, ...]) -> set[str]:
-    return {name for function in functions for name in function.used()}
+    used, elsewhere = (set(chain.from_iterable(x.used() for x in y)) for y in (own, shared))
+    return own, used - elsewhere
 
 
 def _printer(target: str) -> _Printer:
@@ -143,8 +135,7 @@ def all_faults() -> tuple[Fault, ...]:
 
 @cache
 def drawn(target: str) -> tuple[Fault, ...]:
-    """Return the first EACH faults of each kind, in states and in sensitivities, that are not
-    harmless."""
+    """Return the first EACH faults of each kind in states and in columns, but harmless ones."""
     counts, chosen = Counter[tuple[str, bool]](), []
     for fault in every(target):
         kind = fault.kind, fault.in_sensitivities
@@ -257,11 +248,10 @@ def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator
 
 
 def is_lost(constant: Constant, other: Constant) -> bool:
-    """Return True if another coefficient of a series gives the same sum, to all digits that a
-    motion can show."""
+    """Return True if no motion can show that a coefficient of a series is another one."""
     family, _, number = constant.name.rpartition("_")
     if family not in _SERIES:
         return False
     change = (other.hi - constant.hi) + ((other.lo or 0.0) - (constant.lo or 0.0))
-    series = _SERIES[family]
-    return abs(change) * series.times(int(number)) < series.lost
+    factor, lost = _SERIES[family]
+    return abs(change) * factor(int(number)) < lost

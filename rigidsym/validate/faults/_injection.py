@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
+from itertools import chain, product
 from typing import Any
 
 from rigidsym._engines.threads import processors
@@ -14,11 +15,9 @@ from rigidsym.validate.faults._detection import (
     CRASHED,
     AnyReference,
     Detection,
-    columns_references,
     detections,
     faulty,
     references,
-    steps_references,
 )
 from rigidsym.validate.faults._drawn import all_faults
 from rigidsym.validate.faults._fault import KINDS, Fault
@@ -28,11 +27,6 @@ from rigidsym.view._tables import table
 SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.
 _NAMED = 4
-_REFERENCES = {
-    "states": references,
-    "sensitivities": columns_references,
-    "steps": steps_references,
-}
 # The references of each stratum, by what they enclose.
 References = Mapping[str, Sequence[Sequence[AnyReference]]]
 Progress = Callable[[int, int], None]
@@ -94,22 +88,23 @@ class FaultReport:
 
     def to_data(self) -> dict[str, Any]:
         """Return the report in the schema rigidsym.faults/2."""
+        total = len(self.outcomes)
         return {
             "schema": SCHEMA,
             **{name: getattr(self, name) for name in ("cases", "digits", "seed", "passed")},
             "targets": list(self.targets),
             "kinds": KINDS,
             "strata": {
-                name: {
-                    "caught": self.caught(name),
-                    "alone": self.alone(name),
-                    "of": len(self.outcomes),
-                }
+                name: {"caught": self.caught(name), "alone": self.alone(name), "of": total}
                 for name in self.strata
             },
             "faults": [
                 {
-                    **{name: getattr(x.fault, name) for name in _WRITTEN},
+                    "target": x.fault.target,
+                    "name": x.fault.name,
+                    "kind": x.fault.kind,
+                    "old": x.fault.old,
+                    "new": x.fault.new,
                     "options": list(x.fault.options),
                     "caught": {
                         found.stratum: {
@@ -130,16 +125,12 @@ class FaultReport:
     def to_markdown(self) -> str:
         """Return two tables: the catches of each stratum, and the strata that caught each fault."""
         total = len(self.outcomes)
-        strata = (
-            (name, f"{self.caught(name)} of {total}", str(self.alone(name))) for name in self.strata
-        )
-        faults = (
-            (
-                *(x.fault.line, x.fault.kind, str(len(x.strata)), self._which(x.strata)),
-                ", ".join(dict.fromkeys(name for found in x.detections for name in found.measures)),
-            )
-            for x in self.outcomes
-        )
+        strata = [(x, f"{self.caught(x)} of {total}", str(self.alone(x))) for x in self.strata]
+        faults = []
+        for x in self.outcomes:
+            count, measures = str(len(x.strata)), (found.measures for found in x.detections)
+            by = ", ".join(dict.fromkeys(chain.from_iterable(measures)))
+            faults.append((x.fault.line, x.fault.kind, count, self._which(x.strata), by))
         return "\n".join(
             [
                 f"{total - len(self.missed)} of {total} faults were caught.",
@@ -153,19 +144,12 @@ class FaultReport:
 
     def _which(self, strata: tuple[str, ...]) -> str:
         """Name the strata, or those that are missing if they are fewer; abbreviate long lists."""
-        others = [name for name in self.strata if name not in strata]
-        if not strata:
-            return "NOT CAUGHT"
         if len(strata) <= _NAMED:
-            return ", ".join(strata)
-        if not others:
-            return "all"
+            return ", ".join(strata) or "NOT CAUGHT"
+        others = [name for name in self.strata if name not in strata]
         if len(others) <= _NAMED:
-            return f"all but {', '.join(others)}"
+            return f"all but {', '.join(others)}" if others else "all"
         return f"{', '.join(strata[:_NAMED])}, ..."
-
-
-_WRITTEN = ("target", "name", "kind", "old", "new")
 
 
 def inject(
@@ -207,9 +191,8 @@ def inject(
     with processes(processors()) as pool:
         with undisturbed():
             jobs = [
-                (kind, pool.submit(_REFERENCES[kind], name, cases, digits, seed))
-                for kind in of
-                for name in strata
+                (kind, pool.submit(references, name, cases, digits, seed, kind))
+                for kind, name in product(of, strata)
             ]
         for done, (kind, job) in enumerate(jobs, 1):
             enclosed[kind].append(job.result())

@@ -3,8 +3,7 @@
 import math
 import warnings
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -32,44 +31,40 @@ def rates(y: Sequence[Any], c: Sequence[Any], half: Any = 0.5) -> list[Any]:
     ]
 
 
-def both_ways(start: Start, t: ArrayLike, follow: Callable[[np.ndarray], np.ndarray]) -> States:
-    """Return states at times in any order, by a function that goes one way from t = 0.
-
-    follow: rows (n, 7) at n times that leave zero, each farther than the one before; fewer rows
-    where it gets no farther, or an error of arithmetic, value or run time.  From the first row that
-    is missing or has no number, states are NaN.
-    """
-    t = checked(t)
-    rows = np.tile(start.state, (t.size, 1))
-    for sign in (1, -1):
-        side = sign * t > 0
-        times, places = np.unique(sign * t[side], return_inverse=True)
-        if times.size:
-            try:
-                found = follow(sign * times)
-            except (ArithmeticError, ValueError, RuntimeError):
-                found = np.empty((0, 7))
-            good = np.logical_and.accumulate(np.all(np.isfinite(found), axis=1))
-            padded = np.full((times.size, 7), np.nan)
-            padded[: good.sum()] = found[good]
-            rows[side] = padded[places]
-    return rows[:, :4], rows[:, 4:]
-
-
 class Integrator(ABC):
     """A solver whose method `follow` goes one way from t = 0."""
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
-        """See `Peer`."""
+        """Check the start of a motion, as `Peer` does."""
         return Start.of(inertia, omega0, attitude0)
 
     def states(self, prepared: Start, t: ArrayLike) -> States:
-        """See `Peer`."""
-        return both_ways(prepared, t, partial(self.follow, prepared))
+        """Return states at times in any order, as `Peer` does.
+
+        From the first row of `follow` that is missing or has no number, states are NaN.
+        """
+        t = checked(t)
+        rows = np.tile(prepared.state, (t.size, 1))
+        for sign in (1, -1):
+            side = sign * t > 0
+            times, places = np.unique(sign * t[side], return_inverse=True)
+            if times.size:
+                try:
+                    found = self.follow(prepared, sign * times)
+                except (ArithmeticError, ValueError, RuntimeError):
+                    found = np.empty((0, 7))
+                good = np.logical_and.accumulate(np.all(np.isfinite(found), axis=1))
+                padded = np.full((times.size, 7), np.nan)
+                padded[: good.sum()] = found[good]
+                rows[side] = padded[places]
+        return rows[:, :4], rows[:, 4:]
 
     @abstractmethod
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """Return rows as `both_ways` takes them."""
+        """Return rows (n, 7) at n times that leave zero, each farther than the one before.
+
+        There are fewer rows where it gets no farther, or an error of arithmetic, value or run time.
+        """
 
 
 # The farthest time of the short strata; 300 rad take some tenths of a second in Python.
@@ -91,7 +86,7 @@ class ScipyPeer(Integrator):
         self._solve = module.solve_ivp
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """See `Integrator`."""
+        """Follow a motion by one call of `solve_ivp`."""
         size, left = math.hypot(*start.omega0) or 1.0, _MOST_EVALUATIONS
 
         def derivative(t: float, y: np.ndarray) -> list[float]:
@@ -141,7 +136,7 @@ class HeyokaPeer(Integrator):
         self._integrator = heyoka.taylor_adaptive(system, blank, tol=1e-16, pars=[1.0] * 3)
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """See `Integrator`."""
+        """Follow a motion by one run of the compiled integrator."""
         self._integrator.time = 0.0
         self._integrator.pars[:] = start.inertia
         self._integrator.state[:] = start.state

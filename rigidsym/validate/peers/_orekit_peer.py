@@ -1,4 +1,4 @@
-"""Orekit: `org.orekit.attitudes.TorqueFree`, closed forms of rates and angles, in Java."""
+"""Peer by Orekit's `TorqueFree`: closed forms of rates and angles, in Java."""
 
 import math
 import os
@@ -47,11 +47,11 @@ class OrekitPeer:
             raise InputError("peer", self.name, "needs Java (JAVA_HOME may name it)") from None
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> JavaObject:
-        """See `Peer`."""
+        """Return a `TorqueFree`, for which Java is started."""
         return started().motion(Start.of(inertia, omega0, attitude0))
 
     def states(self, prepared: JavaObject, t: ArrayLike) -> States:
-        """See `Peer`."""
+        """Return states as `Peer` does, NaN where Orekit fails."""
         java = started()
         rows = [java.state(prepared, time) for time in checked(t).tolist()]
         found = np.array(rows, float).reshape(-1, 7)
@@ -105,7 +105,7 @@ def started() -> _Java:
 
 @cache
 def _java() -> _Java:
-    """Start Java once."""
+    """Start Java and load the classes that a motion needs."""
     (package, _), (jpype, _) = _packages()
     try:
         package.initVM()

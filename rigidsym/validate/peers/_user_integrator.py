@@ -60,19 +60,19 @@ class UserIntegrator:
         called = getattr(integrator, "__name__", type(integrator).__name__).strip("<>")
         return cls(
             peer,
-            _name(_first(name, own["name"], called)),
+            _checked_name(_first(name, own["name"], called)),
             str(getattr(integrator, "version", VERSION)),
-            _reach(_first(reach, own["reach"], REACH)),
+            _checked_reach(_first(reach, own["reach"], REACH)),
             bool(_first(double_cover_sign, own["double_cover_sign"], True)),
             said,
         )
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """See `Peer`."""
+        """Prepare one motion, as `Peer` does."""
         return _tried(self.said, lambda: self.peer.prepare(inertia, omega0, attitude0))
 
     def states(self, prepared: Prepared, t: ArrayLike) -> States:
-        """See `Peer`."""
+        """Return states of the right shapes, as `Peer` does."""
         return _tried(self.said, lambda: shaped(self.peer.states(prepared, t), np.size(t)))
 
 
@@ -87,8 +87,7 @@ class _OfFunction(Integrator):
     said: list[str]
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """See `Integrator`."""
-        # Arrays of its own, which it may overwrite.
+        """Call the function with arrays of its own, which it may overwrite."""
         given = [np.array(x) for x in (start.inertia, start.omega0, start.attitude0, times)]
         return np.hstack(_tried(self.said, lambda: shaped(self.function(*given), times.size)))
 
@@ -127,7 +126,7 @@ def _first(*values: Given | None) -> Given:
     return next(value for value in values if value is not None)
 
 
-def _name(name: str) -> str:
+def _checked_name(name: str) -> str:
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise InputError("name", repr(name), "must be words of letters, digits and . + - _")
     if name in (*PEERS, *EVERY, *STEPPERS):
@@ -135,7 +134,7 @@ def _name(name: str) -> str:
     return name
 
 
-def _reach(reach: float) -> float:
+def _checked_reach(reach: float) -> float:
     try:
         found = math.nan if isinstance(reach, bool) else float(reach)
     except (TypeError, ValueError):

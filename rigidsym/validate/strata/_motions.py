@@ -14,14 +14,19 @@ from fractions import Fraction
 from functools import cache
 from itertools import permutations, product
 from random import Random
+from typing import Any
 
+from rigidsym.validate.strata import _own_times as own_times
 from rigidsym.validate.strata._sample import (
+    MAX_ANGLE,
     Body,
     Motion,
     Numbers,
+    Stratum,
     decade,
     exact_decade,
     spread,
+    turns,
 )
 
 ORDERS = tuple(permutations(range(3)))
@@ -310,6 +315,17 @@ def branch_switch(random: Random, index: int) -> Motion:
     return mixed(random, moments, [math.sqrt(1 - m * sn * sn), size_b * sn, size_d * cn])
 
 
+def with_quarter_periods(random: Random, index: int) -> Motion:
+    """Draw any body, or one near the separatrix or near a symmetric one; some rates start at 0."""
+    bodies = uniform, near_separatrix, near_prolate, near_oblate
+    motion = bodies[index % len(bodies)](random, index // len(bodies))
+    if index % 5:
+        return motion
+    omega = list(motion.omega0)
+    omega[random.randrange(3)] = 0.0
+    return Motion(motion.inertia, tuple(omega))
+
+
 # Numbers people type, and numbers at the ends of what doubles and quaternions can be
 
 BODIES = (
@@ -351,3 +367,114 @@ def extreme_scales(random: Random, index: int) -> Motion:
     scale = 10.0 ** spread(index, -298, 297, base=3)
     omega = [scale * x for x in rates(random)]
     return mixed(random, inertia, omega)
+
+
+# The table of the strata: what a stratum covers, its motions, its times unless they reach 50 rad
+# evenly, and the number of its cases if it is finite.
+
+# Near the separatrix the body lingers for long before it turns over.
+_TO_50, _TO_300, _TO_3000 = map(turns, (50, 300, 3000))
+_TABLE: dict[str, tuple[str, Body, *tuple[Any, ...]]] = {
+    "paper": ("the paper's body as doubles", own_times.paper, own_times.paper_times, 1),
+    "published": (
+        "motions published by others, as exact decimals, at the published times and late ones",
+        own_times.published_motion,
+        own_times.published_times,
+        len(own_times.published()),
+    ),
+    "axis orders and signs": (
+        "every order of the axes and every quadrant of rates",
+        every_order_and_sign,
+        _TO_50,
+        len(ORDERS) * len(SIGNS),
+    ),
+    "uniform": ("any body, any rates", uniform),
+    "near separatrix": ("doubles 1e-1 to 1e-16 from the separatrix", near_separatrix, _TO_300),
+    "beside separatrix": ("doubles one ulp from the separatrix", beside_separatrix, _TO_300),
+    "nearest separatrix": (
+        "exact decimals 1e-17 to 1e-250 from the separatrix",
+        nearest_separatrix,
+        _TO_3000,
+    ),
+    "separatrix": ("doubles on the separatrix exactly", separatrix, _TO_300),
+    "symmetric": ("two equal moments, both kinds, some rates zero", symmetric),
+    "near prolate": ("the larger moments differ by 1e-1 to 2e-16", near_prolate),
+    "near oblate": ("the smaller moments differ by 1e-1 to 2e-16", near_oblate),
+    "nearest symmetric": (
+        "exact decimals: two moments differ by 1e-17 to 1e-300, both kinds",
+        nearest_symmetric,
+    ),
+    "sphere": ("three equal moments", sphere),
+    "near sphere": ("moments differ by 1e-1 to 2e-16", near_sphere),
+    "nearest sphere": ("exact decimals: moments differ by 1e-17 to 1e-250", nearest_sphere),
+    "spin": ("spin about each axis exactly", spin),
+    "near spin, largest": (
+        "spin about the axis of largest inertia, tilted by 1e-1 to 1e-300",
+        near_spin(2, 300),
+        turns(100),
+    ),
+    "near spin, middle": (
+        "spin about the middle axis, tilted by 1e-1 to 1e-85",
+        near_spin(1, 85),
+        _TO_3000,
+    ),
+    "near spin, smallest": (
+        "spin about the axis of smallest inertia, tilted by 1e-1 to 1e-300",
+        near_spin(0, 300),
+        turns(100),
+    ),
+    "rest": ("no rates", rest),
+    "flat": ("the largest moment is exactly the sum of the others", flat),
+    "rod": ("one moment is 1e-1 to 1e-15 of the others", rod),
+    "needle": ("exact decimals: one moment is 1e-1 to 1e-59 of the others", needle),
+    "special values": (
+        "small whole moments, rates equal, powers of two, zeros and negative zeros",
+        special_values,
+        _TO_50,
+        len(VALUES),
+    ),
+    "special attitudes": (
+        "half turns and no turns, of lengths 1e-300 to 1e300",
+        special_attitudes,
+        _TO_50,
+        len(ATTITUDES),
+    ),
+    "scales": ("moments by 1e-200 to 1e200, rates by 1e-250 to 1e250", any_scale),
+    "small scales": ("moments by 1e-9, rates by 1e-12", scaled(1e-9, 1e-12)),
+    "large scales": ("moments by 1e12, rates by 1e6", scaled(1e12, 1e6)),
+    "extreme scales": (
+        "whole moments by 2^-1074 to 2^1018, rates by 1e-298 to 1e297",
+        extreme_scales,
+    ),
+    "decimals": (
+        "exact decimals: moments differ by 1e-2 to 1e-19, or a separatrix",
+        exact_decimals,
+        turns(100),
+    ),
+    "long times": ("any body, evenly up to 1e6 rad", uniform, turns(1e6)),
+    "longest times": ("any body, evenly up to 2^46 rad", uniform, turns(MAX_ANGLE)),
+    "near separatrix, long": (
+        "doubles 1e-1 to 1e-16 from the separatrix, evenly up to 2^46 rad",
+        near_separatrix,
+        turns(MAX_ANGLE),
+    ),
+    "branch switch": (
+        "k_1^2 within 3e-1 to 1e-16 of 1/2, where the series change, up to 2^46 rad",
+        branch_switch,
+        turns(MAX_ANGLE),
+    ),
+    "zeros of the rates": (
+        "on both sides of a zero of each rate that has any, from 1 ulp to 1e-9 away",
+        with_quarter_periods,
+        own_times.zeros,
+    ),
+    "quarter periods": (
+        "on both sides of 1, 2, ... quarter periods, up to 2^46 rad",
+        with_quarter_periods,
+        own_times.quarters,
+    ),
+}
+STRATA = {
+    name: Stratum(name, about, body, *(rest or [_TO_50]))
+    for name, (about, body, *rest) in _TABLE.items()
+}

@@ -50,6 +50,11 @@ class Sample:
     times: Floats
 
     @property
+    def name(self) -> str:
+        """The stratum and the index, as `rigidsym validate --case` takes them."""
+        return f"{self.stratum}:{self.index}"
+
+    @property
     def exact(self) -> tuple[Exact, Exact, Exact]:
         """The exact values of inertia, rates and attitude."""
         return fractions(self.inertia), fractions(self.omega0), fractions(self.attitude0)

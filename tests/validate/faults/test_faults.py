@@ -1,6 +1,7 @@
 """Faults: each is where it says it is, each is noticed, and nothing else is."""
 
 import json
+import pickle
 from collections import Counter
 from dataclasses import replace
 from functools import cache
@@ -21,14 +22,12 @@ from rigidsym.validate.faults._detection import (
     RAISED,
     Detection,
     broken,
-    columns_references,
     faulty,
     first,
     installed,
     mutated_engine,
     on_text,
     references,
-    steps_references,
 )
 from rigidsym.validate.faults._drawn import HARMLESS, changes, drawn, every, is_lost
 from rigidsym.validate.faults._fault import FILES
@@ -59,9 +58,9 @@ STRATA_CHOSEN = {
 COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "beside separatrix"
 STEPS_CHOSEN = {"uniform": 2, "rod": 9, "scales": 9, "rest": 1, "special values": 4, "spin": 3}
 CHOSEN = {
-    "states": (references, STRATA_CHOSEN),
-    "sensitivities": (columns_references, dict.fromkeys(COLUMNS_CHOSEN, 3)),
-    "steps": (steps_references, STEPS_CHOSEN),
+    "states": STRATA_CHOSEN,
+    "sensitivities": dict.fromkeys(COLUMNS_CHOSEN, 3),
+    "steps": STEPS_CHOSEN,
 }
 
 
@@ -71,8 +70,8 @@ def chosen():
 
     @cache
     def enclosed(shown_in):
-        enclose, strata = CHOSEN[shown_in]
-        return [enclose(name, cases, DIGITS, SEED) for name, cases in strata.items()]
+        strata = CHOSEN[shown_in].items()
+        return [references(name, cases, DIGITS, SEED, shown_in) for name, cases in strata]
 
     return enclosed
 
@@ -275,8 +274,13 @@ def report(**changes):
 
 
 @pytest.fixture(scope="module")
-def reported():
-    return report()
+def reported(once):
+    """A report and its progress, measured once for all processes of a run."""
+
+    def measure(folder):
+        (folder / "report").write_bytes(pickle.dumps(report()))
+
+    return pickle.loads((once("fault_report", measure) / "report").read_bytes())
 
 
 def test_the_report_is_deterministic_and_plain_data(reported):

@@ -1,4 +1,4 @@
-"""Times at which a rate goes through zero, and whole quarter periods.
+"""Strata whose times belong to the motion: published ones, zeros of rates, quarter periods.
 
 A rate about the middle axis is zero where the argument of the Jacobi functions is an even number
 of quarter periods K(m), and a third one where it is an odd number; the rate about the axis that
@@ -6,27 +6,55 @@ the motion circulates about never is.
 """
 
 import math
+import tomllib
+from fractions import Fraction
+from functools import cache
+from importlib import resources
 from random import Random
+from typing import Any
 
 from mpmath import mp, mpf
 
+from rigidsym.io.cases import paper_case
 from rigidsym.motion import IDENTITY
 from rigidsym.precise import PreciseMotion
-from rigidsym.validate.strata import _motions as motions
-from rigidsym.validate.strata._sample import MAX_ANGLE, Floats, Motion, fractions
+from rigidsym.validate.strata._sample import MAX_ANGLE, Floats, Motion, fractions, late, turns
 
+_ENOUGH = 10
 _DIGITS = 25
-_BODIES = motions.uniform, motions.near_separatrix, motions.near_prolate, motions.near_oblate
 
 
-def body(random: Random, index: int) -> Motion:
-    """Draw any body, or one near the separatrix or near a symmetric one; some rates start at 0."""
-    motion = _BODIES[index % len(_BODIES)](random, index // len(_BODIES))
-    if index % 5:
-        return motion
-    omega = list(motion.omega0)
-    omega[random.randrange(3)] = 0.0
-    return Motion(motion.inertia, tuple(omega))
+def paper(random: Random, index: int) -> Motion:
+    """Return the paper's body, its decimals rounded to doubles."""
+    exact = paper_case().motion.exact
+    return Motion(*(tuple(map(float, values)) for values in exact.values()))
+
+
+def paper_times(random: Random, index: int, motion: Motion) -> Floats:
+    """Return every tenth of the paper's times, and late ones: always the same, for its one case."""
+    return tuple(map(float, paper_case().times[::10])) + late(Random("paper"), motion, 50)
+
+
+@cache
+def published() -> tuple[dict[str, Any], ...]:
+    """Return the entries of published.toml, in its order, with numbers as they were printed."""
+    text = resources.files("rigidsym.validate.strata").joinpath("published.toml").read_text("utf-8")
+    return tuple(tomllib.loads(text)["motion"])
+
+
+def published_motion(random: Random, index: int) -> Motion:
+    """Return the index-th published motion; decimals become doubles where these are equal."""
+    entry = published()[index]
+    exact = ([Fraction(x) for x in entry[name]] for name in ("inertia", "omega0", "attitude0"))
+    return Motion(*(tuple(float(x) if Fraction(float(x)) == x else x for x in y) for y in exact))
+
+
+def published_times(random: Random, index: int, motion: Motion) -> Floats:
+    """Return t = 0, the published times both ways, others where these are few, and late ones."""
+    known = {sign * float(Fraction(t)) for t in published()[index]["times"] for sign in (-1, 1)}
+    listed = (0.0, *sorted(known))
+    some = (listed + turns(50)(random, index, motion)[1:])[: max(len(listed), _ENOUGH)]
+    return some + late(random, motion, 50)
 
 
 def zeros(random: Random, index: int, motion: Motion) -> Floats:
