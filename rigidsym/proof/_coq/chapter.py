@@ -120,44 +120,32 @@ class Chapter:
         return "\n\n".join(["\n".join(head), *self._head(), *blocks]) + "\n"
 
     def _head(self) -> Iterable[str]:
-        yield self._names()
-        definitions = [name for name in self.theory.names if name in self.theory.texts]
-        if definitions:
-            yield "(* Abbreviations. *)\n" + "\n".join(map(self._definition, definitions))
-        yield self._holds()
-        atoms = "; ".join(map(self.say, self.theory.names))
-        atoms = f"Definition atoms (X : names) (t : R) : list R := [{atoms}]."
-        yield f"(* All names, for the prelude. *)\n{atoms}"
-        yield known(
-            "",
-            self.theory,
-            "nothing",
-            "forall (X : names) (H : holds X) (more : R -> list R)",
-            "more t",
-            "nothing_sound _",
-        )
-
-    def _names(self) -> str:
         fields = []
         for name in self.context.generators:
             kind = "R -> R" if name in self.moving else "R"
             fields.append(f"  {self.words[name]} : {kind}{comment(self.context.reading.get(name))}")
-        return "(* The quantities. *)\nRecord names := name {\n" + ";\n".join(fields) + "\n}."
-
-    def _definition(self, name: str) -> str:
-        time = " (t : R)" if name in self.moving else ""
-        body = self.real(self.theory.texts[name])
-        note = comment(self.context.reading.get(name))
-        return f"Definition {self.words[name]} (X : names){time} : R := {body}.{note}"
-
-    def _holds(self) -> str:
+        yield "(* The quantities. *)\nRecord names := name {\n" + ";\n".join(fields) + "\n}."
+        definitions = [name for name in self.theory.names if name in self.theory.texts]
+        if definitions:
+            yield "(* Abbreviations. *)\n" + "\n".join(map(self._definition, definitions))
         fields = [
             f"  {key} : {'forall t : R, ' if moves else ''}{claim}"
             for key, moves, claim in self.hypotheses()
         ]
         body = ";\n".join(fields) or "  nothing_supposed : True"
         record = f"Record holds (X : names) : Prop := suppose {{\n{body}\n}}."
-        return f"(* What is supposed of them. *)\n{record}"
+        yield f"(* What is supposed of them. *)\n{record}"
+        atoms = "; ".join(map(self.say, self.theory.names))
+        atoms = f"Definition atoms (X : names) (t : R) : list R := [{atoms}]."
+        yield f"(* All names, for the prelude. *)\n{atoms}"
+        claim = "forall (X : names) (H : holds X) (more : R -> list R),\n  " + sound("more t")
+        yield known("", self.theory, "nothing", claim, "nothing_sound _")
+
+    def _definition(self, name: str) -> str:
+        time = " (t : R)" if name in self.moving else ""
+        body = self.real(self.theory.texts[name])
+        note = comment(self.context.reading.get(name))
+        return f"Definition {self.words[name]} (X : names){time} : R := {body}.{note}"
 
     def hypotheses(self, names: str = "X", module: str = "") -> Iterable[tuple[str, bool, str]]:
         """Yield each field of the record `holds`: name, whether it is about every t, and claim."""
@@ -203,10 +191,19 @@ def comment(text: str | None) -> str:
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 
-def known(suffix: str, theory: Theory, start: str, binder: str, more: str, before: str) -> str:
-    """Return Coq text that runs a theory's steps and proves the result sound."""
+def sound(more: str) -> str:
+    """Return the proposition, up to a theory, that it is sound for all names and `more` ones."""
+    return f"sound (fun t => atoms X t ++ {more})"
+
+
+def known(suffix: str, theory: Theory, start: str, claim: str, before: str) -> str:
+    """Return Coq text that runs a theory's steps and proves the result sound.
+
+    `claim` is the proposition without the theory, `before` proves it for the theory `start`.
+    """
     steps, result = f"steps{suffix}", f"theory{suffix}"
     rows = ";\n  ".join(theory.steps)
+    intros = "intros; " if claim.startswith("forall") else ""
     given = (
         "".join(f"(conj ({proof})\n    " for proof in theory.given) + "I" + ")" * len(theory.given)
     )
@@ -217,10 +214,9 @@ def known(suffix: str, theory: Theory, start: str, binder: str, more: str, befor
             f"  match run {start} {steps} with Some found => found | None => nothing end.",
             f"Lemma runs{suffix} : run {start} {steps} = Some {result}.",
             f"Proof. vm_cast_no_check (eq_refl (Some {result})). Qed.",
-            f"Lemma known{suffix} : {binder},",
-            f"  sound (fun t => atoms X t ++ {more}) {result}.",
+            f"Lemma known{suffix} : {claim} {result}.",
             "Proof.",
-            f"  intros; apply (run_sound _ {steps} {start} {result} ({before}) runs{suffix}).",
+            f"  {intros}apply (run_sound _ {steps} {start} {result} ({before}) runs{suffix}).",
             f"  cbv [all_given given {steps}]; exact {given}.",
             "Qed.",
         )

@@ -9,6 +9,7 @@ from rigidsym.proof._coq.chapter import (
     claims_list,
     known,
     path,
+    sound,
 )
 from rigidsym.proof._coq.text import data, derivatives, listed, real, renamed
 from rigidsym.proof._coq.theory import NotExportedError, Theory
@@ -159,20 +160,14 @@ class Printer:
         more = [other.say(x, f"({here})", f"{name}.") for x in aliases]
         binder, passed = _binder(hypotheses)
         who = f"(X : names) (H : holds X){binder}"
+        claim = f"forall {who},\n  {sound(f'more_{name} X t')}"
         suppose = f"{name}.suppose ({here}){''.join(proofs)}"
         chapter.write(
             f"(* This is a model of {name}. *)",
             f"Definition as_{name} (X : names){time} : {name}.names :=",
             f"  {chapter.record(other, values)}.",
             f"Definition more_{name} (X : names) (t : R) : list R := {listed(more)}.",
-            lambda: known(
-                f"_{name}",
-                theory,
-                "theory",
-                f"forall {who}",
-                f"more_{name} X t",
-                f"known X H (more_{name} X)",
-            ),
+            lambda: known(f"_{name}", theory, "theory", claim, f"known X H (more_{name} X)"),
             claims_list(f"claims_{name}", rows),
             f"Lemma all_{name} {who} (t : R) :",
             f"  {_all(said)}.",
@@ -256,19 +251,14 @@ class Printer:
             rate = there((other.context.rates or {})[name])
             theory.differentiate(name)
             add(Claim("Derives", (name, rate)), theory.gap(("D", "(", name), rate), True)
-        now = " t" if chapter.dynamic else " 0"
-        if chapter.dynamic and other.dynamic:
-            parts = [
-                path("(ALL t)" if moves else "(ALL 0)", k, len(rows))
-                for k, moves in enumerate(moving)
-            ]
-            return rows, [
-                f" (fun t => {p})" if moves else f" {p}"
-                for p, moves in zip(parts, moving, strict=True)
-            ] or [" I"]
         if not chapter.dynamic and other.dynamic:
             raise NotExportedError("this context is an instant, the other is not")
-        return rows, [f" {path(f'(ALL{now})', k, len(rows))}" for k in range(len(rows))] or [" I"]
+        proofs = []
+        for k, moves in enumerate(moving):
+            at = "t" if chapter.dynamic and (moves or not other.dynamic) else "0"
+            proof = path(f"(ALL {at})", k, len(rows))
+            proofs.append(f" (fun t => {proof})" if moves else f" {proof}")
+        return rows, proofs or [" I"]
 
     def _transfer(self, chapter: Chapter, fact: Fact) -> tuple[str, ...]:
         there = self.facts[fact.premises[0]]
@@ -332,16 +322,13 @@ class Printer:
             theory.invert(parse(text))
             rows.append(f"({Claim('Nonzero', (parse(text),)).data(theory)}, [])")
         for text in context.relations:
-            rows.append(
-                f"({Claim('Equal', (parse(text), 0)).data(theory)}, {theory.gap(parse(text), 0)})"
-            )
+            gap = theory.gap(parse(text), 0)
+            rows.append(f"({Claim('Equal', (parse(text), 0)).data(theory)}, {gap})")
         for text in context.nonnegative:
             number = theory.read(parse(text)).numerator.coeff(1)
             tree = (int(number.numerator), "/", int(number.denominator))
-            rows.append(
-                f"({Claim('AtLeast', (parse(text), tree)).data(theory)},"
-                f" {theory.gap(parse(text), tree)})"
-            )
+            gap = theory.gap(parse(text), tree)
+            rows.append(f"({Claim('AtLeast', (parse(text), tree)).data(theory)}, {gap})")
         sides = _sides(fact)
         gaps: list[Tree] = [(left, "-", right) for left, right in sides]
         apart = next(k for k, gap in enumerate(gaps) if theory.read(gap).numerator)
@@ -363,7 +350,7 @@ class Printer:
         chapter.write(
             f"Definition point_{name} : names := {{| {record} |}}.",
             f"Definition atoms_{name} (t : R) : list R := [{order}].",
-            known_at_point(name, theory),
+            known(f"_{name}", theory, "nothing", f"sound atoms_{name}", "nothing_sound _"),
             claims_list(f"claims_{name}", rows),
             f"Lemma all_{name} : all_state atoms_{name} 0 claims_{name}.",
             computed(f"decided _ theory_{name} known_{name} claims_{name} 0 _"),
@@ -421,37 +408,29 @@ class Printer:
             chapter.write(f"{text}\n  {chapter.record(other, values)}.")
 
     def _by_sign(self, chapter: Chapter, fact: Fact, cases: Sequence[Chapter], x: str) -> str:
+        """Return the proof that a context's cases are those of the sign of x."""
         context = chapter.context
-        counts = (len(context.units), len(context.relations), len(context.nonnegative))
-        fields = [
-            f"{kind}_{k}"
-            for kind, n in zip(("unit", "relation", "sign"), counts, strict=True)
-            for k in range(n)
-        ]
+        given = {
+            "unit": len(context.units),
+            "relation": len(context.relations),
+            "sign": len(context.nonnegative),
+        }
         iffs = []
         for k, case in enumerate(cases):
-            module = case.name
-            at = f"(as_{module} X)"
-            back = "".join(f" ({module}.{name} {at} G)" for name in fields) or " I"
-            new = (
-                [f"{module}.relation_{counts[1]} {at} G"]
-                if k == 0
-                else [f"{module}.unit_{counts[0]} {at} G", f"{module}.sign_{counts[2]} {at} G"]
-            )
-            old = {
-                kind: [f"({kind}_{j} X (proj1 G))" for j in range(n)]
-                for kind, n in zip(("unit", "relation", "sign"), counts, strict=True)
-            }
-            if k == 0:
-                old["relation"].append("(proj2 G)")
-            else:
-                old["unit"].append("(proj1 (proj2 G))")
-                old["sign"].append("(proj2 (proj2 G))")
-            forth = " ".join(proof for proofs in old.values() for proof in proofs)
-            here = new[0] if k == 0 else f"conj ({new[0]}) ({new[1]})"
+            at = f"(as_{case.name} X)"
+            # The hypothesis that the case adds, or both, as parts of G for the whole context.
+            added = {"unit": "(proj1 (proj2 G))", "sign": "(proj2 (proj2 G))"}
+            added = {"relation": "(proj2 G)"} if k == 0 else added
+            back, forth = "", []
+            for kind, count in given.items():
+                back += "".join(f" ({case.name}.{kind}_{j} {at} G)" for j in range(count))
+                forth += [f"({kind}_{j} X (proj1 G))" for j in range(count)]
+                forth += [added[kind]] if kind in added else []
+            here = [f"({case.name}.{kind}_{given[kind]} {at} G)" for kind in added]
+            news = here[0] if k == 0 else f"(conj {' '.join(here)})"
             iffs.append(
-                f"(conj (fun G => conj (suppose X{back}) ({here}))\n"
-                f"    (fun G => {module}.suppose (as_{module} X) {forth}))"
+                f"(conj (fun G => conj (suppose X{back or ' I'}) {news})\n"
+                f"    (fun G => {case.name}.suppose {at} {' '.join(forth)}))"
             )
         joined = "\n  ".join(iffs)
         if len(cases) == 3:
@@ -464,14 +443,6 @@ class Printer:
         )
         start = f"splits_by_size _ _ _ ({chapter.say(x)}) (visible_{word(fact)} X)"
         return f"Proof. exact ({start}\n  {joined}). Qed."
-
-
-def known_at_point(name: str, theory: Theory) -> str:
-    """Return the Coq lemma that the theory of a rational point is sound."""
-    text = known(f"_{name}", theory, "nothing", "BINDER", "MORE", "nothing_sound _")
-    return text.replace(
-        "BINDER,\n  sound (fun t => atoms X t ++ MORE)", f"sound atoms_{name}"
-    ).replace("intros; ", "")
 
 
 def word(fact: Fact) -> str:

@@ -38,34 +38,26 @@ def identifiers(names: Iterable[str]) -> dict[str, str]:
     return found
 
 
-def names_in(tree: Tree) -> Iterator[str]:
-    """Yield the names in a tree from left to right, with repetitions."""
+def operands(tree: Tree) -> list[Tree]:
+    """Return the direct subtrees of a tree from left to right."""
     match tree:
-        case int():
-            return
-        case str():
-            yield tree
-        case ("D", "(", argument) | ("-", argument):
-            yield from names_in(argument)
-        case (base, "**", int()):
-            yield from names_in(base)
-        case _:
-            for operand in tree[::2]:
-                yield from names_in(operand)
+        case int() | str():
+            return []
+        case ("-", argument) | ("D", "(", argument) | (argument, "**", int()):
+            return [argument]
+    return list(tree[::2])
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
     """Yield all subtrees in postorder."""
-    match tree:
-        case int() | str():
-            operands: list[Tree] = []
-        case ("-", argument) | ("D", "(", argument) | (argument, "**", int()):
-            operands = [argument]
-        case _:
-            operands = list(tree[::2])
-    for operand in operands:
+    for operand in operands(tree):
         yield from parts(operand)
     yield tree
+
+
+def names_in(tree: Tree) -> Iterator[str]:
+    """Yield the names in a tree from left to right, with repetitions."""
+    return (part for part in parts(tree) if isinstance(part, str))
 
 
 def divisors(tree: Tree) -> Iterator[Tree]:

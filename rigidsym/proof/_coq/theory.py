@@ -4,7 +4,7 @@ The kernel's own ring computes the certificates; Coq checks them again.
 """
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from copy import copy
 
 from sympy.polys.rings import PolyElement
@@ -37,16 +37,13 @@ class Theory:
         self._inverted: set[Tree] = set()
         self._slopes: set[Tree] = set()
         self._defined: set[str] = set()
-        self._order: list[str] = []
         self._place(context.definitions)
 
-    def _place(self, names: Mapping[str, str]) -> None:
+    def _place(self, names: Iterable[str]) -> None:
         """Assign an index to each definition, after those that it uses."""
         for name in names:
-            if name not in self.index and name not in self._order:
-                inner = {x: "" for x in names_in(self.texts[name]) if x in self.texts}
-                self._place({x: text for x, text in inner.items() if x != name})
-                self._order.append(name)
+            if name in self.texts and name not in self.index:
+                self._place(x for x in names_in(self.texts[name]) if x != name)
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":

@@ -4,8 +4,9 @@ A part is names with hypotheses about them: a context without a name of its own.
 parts in order and names the whole; later parts may use what earlier ones introduced.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 from rigidsym.proof.kernel import Context
 
@@ -28,56 +29,36 @@ class Part:
     reading: Mapping[str, str] = field(default_factory=dict)
 
 
+_TABLES = ("witness", "definitions", "rates", "thetas", "reading")
+_LISTS = ("units", "relations", "nonnegative", "start")
+
+
 def part_of(context: Context, *names: str) -> Part:
     """Return a context as a part, restricted to the given names if there are any."""
-    chosen = set(names) or {*context.generators, *context.definitions}
-
-    def among(table: Mapping[str, str] | None) -> dict[str, str]:
-        return {name: text for name, text in (table or {}).items() if name in chosen}
-
-    whole = not names
-    return Part(
-        witness=among(context.witness),
-        units=context.units if whole else (),
-        definitions=among(context.definitions),
-        relations=context.relations if whole else (),
-        rates=among(context.rates),
-        nonnegative=context.nonnegative if whole else (),
-        start=context.start if whole else (),
-        thetas=among(context.thetas),
-        reading=among(context.reading),
-    )
+    chosen = {*names} or {*context.generators, *context.definitions}
+    found: dict[str, Any] = {} if names else {key: getattr(context, key) for key in _LISTS}
+    for key in _TABLES:
+        table = getattr(context, key) or {}
+        found[key] = {name: text for name, text in table.items() if name in chosen}
+    return Part(**found)
 
 
 def join(name: str, *parts: Part, static: bool = False) -> Context:
     """Join parts into one context; `static` leaves out the time derivative."""
-    merged: dict[str, dict[str, str]] = {
-        key: {name: text for part in parts for name, text in getattr(part, key).items()}
-        for key in ("witness", "definitions", "rates", "thetas", "reading")
+    merged: dict[str, Any] = {
+        key: {x: text for part in parts for x, text in getattr(part, key).items()}
+        for key in _TABLES
     }
-    rates = None if static else merged["rates"]
-    return Context(
-        name=name,
-        generators=tuple(merged["witness"]),
-        witness=merged["witness"],
-        units=_once(unit for part in parts for unit in part.units),
-        definitions=merged["definitions"],
-        relations=_once(relation for part in parts for relation in part.relations),
-        rates=rates,
-        nonnegative=_once(sign for part in parts for sign in part.nonnegative),
-        start=_once(text for part in parts for text in part.start),
-        thetas=merged["thetas"],
-        reading=merged["reading"],
-    )
+    for key in _LISTS:
+        merged[key] = tuple(dict.fromkeys(x for part in parts for x in getattr(part, key)))
+    if static:
+        merged["rates"] = None
+    return Context(name, tuple(merged["witness"]), **merged)
 
 
 def extend(name: str, context: Context, *parts: Part) -> Context:
     """Return a context extended by parts under a new name; parts may override definitions."""
     return join(name, part_of(context), *parts, static=context.rates is None)
-
-
-def _once(texts: Iterable[str]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(texts))
 
 
 def sign(name: str, reading: str) -> Part:
