@@ -23,10 +23,34 @@ Right = TypeVar("Right")
 
 @dataclass(slots=True)
 class Accepted:
-    """The accepted contexts and facts, which alone a fact may rest on."""
+    """The accepted contexts and facts of a ledger, which alone a fact may rest on."""
 
     theories: dict[str, Theory] = field(default_factory=dict)
     facts: dict[str, Claim] = field(default_factory=dict)
+
+    def open(self, given: Hypotheses) -> None:
+        """Accept a context; Refused if its name is taken."""
+        if given.name in self.theories:
+            raise Refused("this name is taken")
+        self.theories[given.name] = Theory(given)
+
+    def accept(self, fact: Claim) -> None:
+        """Accept a fact; Refused unless its rule holds and gives the grade that it claims."""
+        if not all(map(is_name, fact.id.split("."))):
+            raise Refused("this id is not made of names")
+        if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
+            raise Refused("this id is taken, or a premise is not a fact so far")
+        if fact.context not in self.theories or fact.rule not in RULES:
+            raise Refused(f"no context {fact.context!a} or no rule {fact.rule!a}")
+        kinds, premises, rule = RULES[fact.rule]
+        if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
+            raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
+        if fact.kind in ("equal", "root", "nonnegative"):
+            check_news(self, fact)
+        grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
+        if fact.grade != (earned := min(grades, key=WORST_TO_BEST.index)):
+            raise Refused(f"claims {fact.grade}, has earned {earned}")
+        self.facts[fact.id] = fact
 
 
 def identity(so_far: Accepted, fact: Claim) -> str:
@@ -35,11 +59,11 @@ def identity(so_far: Accepted, fact: Claim) -> str:
     For a root, lhs**2 is in the place of lhs, which has to be visibly nonnegative; for a sign the
     right sides have to be.
     """
-    seen = so_far.theories[fact.context].seen
+    theory = so_far.theories[fact.context]
     for text in {"root": fact.lhs, "nonnegative": fact.rhs}.get(fact.kind, []):
-        if not seen.show(text):
+        if not theory.shows_sign(text):
             raise Refused(f"{text} is not seen to be nonnegative")
-    ring, gaps = so_far.theories[fact.context].ring, _gaps(so_far, fact)
+    ring, gaps = theory.ring, _gaps(so_far, fact)
     rows = fact.certificate.get("cofactors")
     if not isinstance(rows, list) or not all(fits(row, list[str]) for row in rows):
         raise Refused("the certificate holds no table of cofactors")
@@ -79,7 +103,7 @@ def model(so_far: Accepted, fact: Claim) -> str:
         raise Refused("a relation, definition or rate does not carry over")
     for unit in there.units:
         here.ring.inverse(here.ring.read(unit))
-    if not all(map(here.seen.show, there.nonnegative)):
+    if not all(map(here.shows_sign, there.nonnegative)):
         raise Refused("a sign does not carry over")
     return "PROVED"
 
@@ -104,7 +128,7 @@ def partition(so_far: Accepted, fact: Claim) -> str:
     cases: Any = fact.certificate.get("cases")
     if len(fact.lhs) != 1 or not is_name(x := fact.lhs[0]) or not fits(cases, list[str]):
         raise Refused("a partition is by one name, into a list of cases")
-    signs = "0+" if len(cases) == 2 and whole.seen.show(x) else "0+-"
+    signs = "0+" if len(cases) == 2 and whole.shows_sign(x) else "0+-"
     for name, sign in _pairs(cases, [*signs]):
         if name not in so_far.theories:
             raise Refused(f"no context {name!r}")
@@ -268,46 +292,18 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
     """Check a ledger and count its facts by grade; Refused if anything is wrong or missing."""
     with _blaming("ledger"):
         contexts, claims, published = load(text)
-    judge = Judge()
+    accepted = Accepted()
     for entry in contexts:
         with _blaming("context", entry, "name"):
-            judge.open(fill(Hypotheses, entry))
+            accepted.open(fill(Hypotheses, entry))
     for entry in claims:
         with _blaming("fact", entry, "id"):
-            judge.accept(fill(Claim, entry))
-    given = {name: theory.given for name, theory in judge.theories.items()}
+            accepted.accept(fill(Claim, entry))
+    given = {name: theory.given for name, theory in accepted.theories.items()}
     with _blaming("specification"):
-        Catalogue(given, judge.facts, published).require(specification)
-    found = [fact.grade for fact in judge.facts.values()]
+        Catalogue(given, accepted.facts, published).require(specification)
+    found = [fact.grade for fact in accepted.facts.values()]
     return {grade: found.count(grade) for grade in reversed(WORST_TO_BEST) if grade in found}
-
-
-class Judge(Accepted):
-    """Checker that accepts contexts and facts one by one."""
-
-    def open(self, given: Hypotheses) -> None:
-        """Accept a context; Refused if its name is taken."""
-        if given.name in self.theories:
-            raise Refused("this name is taken")
-        self.theories[given.name] = Theory(given)
-
-    def accept(self, fact: Claim) -> None:
-        """Accept a fact; Refused unless its rule holds and gives the grade that it claims."""
-        if not all(map(is_name, fact.id.split("."))):
-            raise Refused("this id is not made of names")
-        if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
-            raise Refused("this id is taken, or a premise is not a fact so far")
-        if fact.context not in self.theories or fact.rule not in RULES:
-            raise Refused(f"no context {fact.context!a} or no rule {fact.rule!a}")
-        kinds, premises, rule = RULES[fact.rule]
-        if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
-            raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
-        if fact.kind in ("equal", "root", "nonnegative"):
-            check_news(self, fact)
-        grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
-        if fact.grade != (earned := min(grades, key=WORST_TO_BEST.index)):
-            raise Refused(f"claims {fact.grade}, has earned {earned}")
-        self.facts[fact.id] = fact
 
 
 @contextmanager

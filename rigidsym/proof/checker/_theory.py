@@ -8,40 +8,6 @@ from rigidsym.proof.checker._ring import Ring
 from rigidsym.proof.checker._theta import Functions
 
 
-class Signs:
-    """Quantities of a context that are visibly nonnegative, as all names are real.
-
-    These are its nonnegative quantities, their sums, products and quotients, and even powers.
-    """
-
-    def __init__(self, given: Hypotheses) -> None:
-        self._read = Forms().read
-        self._definitions = given.definitions
-        self._seen = {self._read(text) for text in given.nonnegative}
-
-    def show(self, text: str) -> bool:
-        """Return whether a text is visibly nonnegative."""
-        return self._shown(self._read(text))
-
-    def _shown(self, form: Form) -> bool:
-        if form in self._seen:
-            return True
-        match form:
-            case int():
-                shown = True
-            case str(name):
-                shown = name in self._definitions and self.show(self._definitions[name])
-            case ("**", base, int(exponent)):
-                shown = exponent % 2 == 0 or self._shown(base)
-            case ("+" | "*" | "/", left, right):
-                shown = self._shown(left) and self._shown(right)
-            case _:
-                shown = False
-        if shown:  # once is enough, however often it occurs
-            self._seen.add(form)
-        return shown
-
-
 class Theory:
     """A checked context, with its ring, signs and theta functions.
 
@@ -59,7 +25,8 @@ class Theory:
             ring.rates = {name: None if rate == "?" else ring.read(rate) for name, rate in rates}
         for name in given.definitions:  # now, lest one that nothing uses go unread
             ring.name(name)
-        self.signs, self.seen = [*map(ring.read, given.nonnegative)], Signs(given)
+        self.signs = [*map(ring.read, given.nonnegative)]
+        self._nonnegative = {Forms().read(text) for text in given.nonnegative}
         self.start = [ring.read(text).above for text in given.start]
         self.thetas = Functions(ring, given.thetas)
         self.thetas.check(given.generators, given.rates)
@@ -84,6 +51,34 @@ class Theory:
         if any(self.ring.remainder(rate.above) for rate in rates):
             raise Refused("a sign is about to be wrong: 0 at the point, and it moves")
         return at
+
+    def shows_sign(self, text: str) -> bool:
+        """Return whether a text is visibly nonnegative.
+
+        These are the nonnegative quantities of the context, their sums, products and quotients,
+        and even powers; all names are real.
+        """
+        return self._shows(Forms().read(text))
+
+    def _shows(self, form: Form) -> bool:
+        if form in self._nonnegative:
+            return True
+        match form:
+            case int():
+                shown = True
+            case str(name):
+                shown = name in self.given.definitions and self.shows_sign(
+                    self.given.definitions[name]
+                )
+            case ("**", base, int(exponent)):
+                shown = exponent % 2 == 0 or self._shows(base)
+            case ("+" | "*" | "/", left, right):
+                shown = self._shows(left) and self._shows(right)
+            case _:
+                shown = False
+        if shown:  # once is enough, however often it occurs
+            self._nonnegative.add(form)
+        return shown
 
     def says(self, lhs: str, rhs: str) -> bool:
         """Return whether both sides are equal forms, or a definition or rate of the context."""
