@@ -1,14 +1,14 @@
 """Verdicts on the printed equations, computed from a ledger's facts."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
 from rigidsym.proof.paper._answers import Answer, Answers, Data, ids, together
 from rigidsym.proof.paper._counterexample import Counterexample, counterexample
-from rigidsym.proof.paper._equation import Equation, Reading, Root
+from rigidsym.proof.paper._equation import Equation, Reading, Root, Sense
 from rigidsym.proof.paper._proof import PROOF
 from rigidsym.proof.paper._section2 import SECTION_2
 from rigidsym.proof.paper._section3 import SECTION_3
@@ -141,72 +141,58 @@ def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
 
     It is open unless everything about the line is decided and its repair, if any, holds.
     """
-    here = [answers.to(equation.latex, sense) for sense in equation.senses]
-    mended = [answers.to(equation.repair, sense) for sense in equation.mended]
-    readings = tuple(_read(equation, reading, answers) for reading in equation.readings)
-    needed = {
-        condition.text: [answers.to(equation.latex, sense) for sense in condition.needed_by]
-        for condition in equation.conditions
-    }
-    right_with = tuple(
-        number
-        for number, senses in equation.with_mended.items()
-        if together(answers.to(equation.latex, sense) for sense in senses)
+
+    def answered(senses: Iterable[Sense], latex: str = equation.latex) -> list[Answer]:
+        return [answers.to(latex, sense) for sense in senses]
+
+    def first_failure(found: Iterable[Answer]) -> Counterexample | None:
+        points = (counterexample(answer, answers.contexts) for answer in found)
+        return next(filter(None, points), None)
+
+    here, mended = answered(equation.senses), answered(equation.mended, equation.repair)
+    read = [(reading, answered(reading.senses)) for reading in equation.readings]
+    needed = {each.text: answered(each.needed_by) for each in equation.conditions}
+    supports = [answer for by in needed.values() for answer in by]
+    readings = tuple(
+        Read(
+            reading,
+            together(found),
+            ids(found, "equal"),
+            ids(found, "unequal"),
+            first_failure(found),
+        )
+        for reading, found in read
     )
-    proofs = mended if mended else [*here, *_proofs(equation, answers)]
-    conditions = _conditions(equation, proofs, answers)
-    decided = all(answer.fact is not None for by in needed.values() for answer in by)
+    that_hold = [answer for _, found in read if together(found) for answer in found]
+    proofs = mended or [*here, *that_hold]
+    covered = {unit for condition in equation.conditions for unit in condition.units}
+    beyond = (f"{unit} != 0" for unit in needed_units(proofs, answers) if unit not in covered)
+    conditions = (*needed, *beyond)
     ruling = ruling_of(
         together(here),
         together(mended) if mended else False,
-        [read.holds for read in readings],
+        [each.holds for each in readings],
         conditions,
     )
-    proved_by = ids(here, "equal")
-    refuted_by = ids(here, "unequal")
-    points = [
-        counterexample(answer, answers.contexts)
-        for answer in (*here, *(answer for by in needed.values() for answer in by))
-    ]
     found = published.get("repairs", ()) if ruling == Ruling.MISPRINT else ()
-    repairs = tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number)
     fates = published.get("mutants", {})
     cited = answers.citing(equation.number)
     mutants = sum((Counter(fates.get(name, {})) for name in cited), Counter())
+    decided = all(answer.fact is not None for answer in supports)
     return Verdict(
         equation,
         ruling if decided else Ruling.OPEN,
         conditions,
-        proved_by,
-        refuted_by,
-        ids(mended, "equal"),
-        {text: (*ids(by, "equal"), *ids(by, "unequal")) for text, by in needed.items()},
-        readings,
-        right_with,
-        next(filter(None, points), None),
-        repairs,
-        dict(sorted(mutants.items())),
+        proved_by=ids(here, "equal"),
+        refuted_by=ids(here, "unequal"),
+        repaired_by=ids(mended, "equal"),
+        needed_by={x: (*ids(by, "equal"), *ids(by, "unequal")) for x, by in needed.items()},
+        readings=readings,
+        right_with=tuple(x for x, y in equation.with_mended.items() if together(answered(y))),
+        counterexample=first_failure([*here, *supports]),
+        repairs=tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number),
+        mutants=dict(sorted(mutants.items())),
     )
-
-
-def _read(equation: Equation, reading: Reading, answers: Answers) -> Read:
-    found = [answers.to(equation.latex, sense) for sense in reading.senses]
-    points = (counterexample(answer, answers.contexts) for answer in found)
-    return Read(
-        reading,
-        together(found),
-        ids(found, "equal"),
-        ids(found, "unequal"),
-        next(filter(None, points), None),
-    )
-
-
-def _proofs(equation: Equation, answers: Answers) -> Iterator[Answer]:
-    """Yield the answers to readings that hold."""
-    for reading in equation.readings:
-        found = [answers.to(equation.latex, sense) for sense in reading.senses]
-        if together(found):
-            yield from found
 
 
 def ruling_of(
@@ -230,14 +216,6 @@ def ruling_of(
     if not holds:
         return Ruling.OPEN
     return Ruling.CONDITIONAL if conditions else Ruling.HOLDS
-
-
-def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) -> tuple[str, ...]:
-    """Return the stated conditions, and the divisors in proofs that none of them covers."""
-    stated = tuple(condition.text for condition in equation.conditions)
-    covered = {unit for condition in equation.conditions for unit in condition.units}
-    units = needed_units(proofs, answers)
-    return stated + tuple(f"{unit} != 0" for unit in units if unit not in covered)
 
 
 def needed_units(proofs: Iterable[Answer], answers: Answers) -> list[str]:

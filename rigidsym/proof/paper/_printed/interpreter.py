@@ -108,13 +108,6 @@ class Interpreter:
             raise PrintError(f"{to_text(tree)}: a matrix, where a number is due")
         return found
 
-    def real(self, tree: Expression) -> Expression:
-        """Return the real value of a formula; PrintError if it is not real."""
-        found = self.number(tree)
-        if found.imag != ZERO:
-            raise PrintError(f"{to_text(tree)}: complex, where a real number is due")
-        return found.real
-
     def power(self, base: Value, exponent: Expression) -> Value:
         """Return an integer power; a negative power of a matrix requires determinant one."""
         match exponent:
@@ -137,11 +130,9 @@ class Interpreter:
                 return multiply(Complex(parse(self.vocabulary.pm)), self.value(inner))
             case "at", (inner, Name("t")):
                 return self.value(inner)
-            case "D", (inner,):
-                return self.value(inner).each(rate)
             case "d", (Name("t"),):
                 return Complex(ONE)
-            case "d", (inner,):
+            case (("D" | "d"), (inner,)):
                 return self.value(inner).each(rate)
             case "matrix", entries:
                 a, b, c, d = map(self.number, entries)
@@ -271,8 +262,6 @@ def _tidy(expression: Expression) -> Expression:
     match expression:
         case Operation("*", Call("neg", (Number(1),)), right):
             return negative(right)
-        case Call("neg", (Number(1),)):
-            return expression
     return expression
 
 
@@ -330,7 +319,7 @@ def translate(
             if isinstance(found, Matrix) or found.imag != ZERO:
                 interpreter.meant[defined(left)] = found
             else:
-                definitions[defines[defined(left)]] = to_text(interpreter.real(right))
+                definitions[defines[defined(left)]] = to_text(found.real)
     stated: list[tuple[Expression, Expression]] = []
     meaning = growth if differentiated else Interpreter.value
     for left, right in lines:
