@@ -345,8 +345,10 @@ def test_a_model_by_a_premise_carries_a_sign():
 
 @pytest.mark.parametrize("grade", [grade for grade in Grade if grade != Grade.ASSUMED])
 def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
-    refused(BOTH, [ASSUMED, replace(BRIDGE, grade=grade)])
-    refused(BOTH, [ASSUMED, BRIDGE, THERE, replace(HERE, grade=grade)])
+    better = [replace(fact, grade=grade) for fact in (ASSUMED, BRIDGE, HERE)]
+    for facts in (better[:1], [ASSUMED, better[1]], [ASSUMED, BRIDGE, THERE, better[2]]):
+        refused(BOTH, facts)
+        both_refuse(unchecked(BOTH, facts), "earned ASSUMED")
 
 
 @pytest.mark.parametrize(
@@ -354,6 +356,7 @@ def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
     [
         {"kind": "equal"},
         {"kind": "root"},
+        {"kind": "unequal"},
         {"rhs": ("x**2",)},
         {"lhs": ("x*r",)},
         {"premises": ("m", "s")},

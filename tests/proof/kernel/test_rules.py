@@ -96,26 +96,6 @@ def test_root_needs_the_square_and_the_sign(ledger, name, radicand, accepted):
             prove(ledger, root)
 
 
-@pytest.mark.parametrize(
-    ("point", "accepted"),
-    [
-        ({"x": "4", "y": "3", "r": "5"}, True),
-        ({"x": "3", "y": "4", "r": "5"}, False),  # both sides agree
-        ({"x": "4", "y": "3", "r": "-5"}, False),  # sign
-        ({"x": "4", "y": "4", "r": "5"}, False),  # unit and relation
-        ({"x": "1", "y": "1", "r": "5"}, False),
-        ({"x": "4", "y": "3"}, False),
-    ],
-)
-def test_counterexample_needs_a_point_of_the_context(ledger, point, accepted):
-    refuted = fact("unequal", "y", "x + 1", "counterexample", certificate={"point": point})
-    if accepted:
-        assert ledger.add(refuted).grade == Grade.PROVED
-    else:
-        with pytest.raises(KernelError):
-            ledger.add(refuted)
-
-
 def test_no_counterexample_to_what_is_proved(ledger):
     prove(ledger, fact("equal", "cosine**2 + sine**2", "1", "identity"))
     refuted = fact("unequal", "cosine**2 + sine**2", "1", "counterexample")
@@ -162,33 +142,6 @@ def test_model_refuses_another_theory(ledger, change):
         ledger.add(BRIDGE)
 
 
-def test_transfer_keeps_the_statement_only(ledger):
-    ledger.open(UNIT_CIRCLE)
-    prove(ledger, fact("equal", "D(cosine)", "-sine", "identity"))
-    ledger.add(BRIDGE)
-    there = Fact(
-        "there",
-        "circle",
-        "equal",
-        ("D(cosine)",),
-        ("-sine",),
-        "transfer",
-        Grade.PROVED,
-        ("fact", "bridge"),
-    )
-    for wrong in (
-        replace(there, rhs=("sine",)),
-        replace(there, kind="root"),
-        replace(there, kind="unequal"),
-        replace(there, context="plane"),
-        replace(there, premises=("fact", "fact")),
-        replace(there, premises=("fact",)),
-    ):
-        with pytest.raises(KernelError):
-            ledger.add(wrong)
-    assert ledger.add(there).grade == Grade.PROVED
-
-
 def test_a_counterexample_is_not_transferred(ledger):
     ledger.open(UNIT_CIRCLE)
     point = {"point": {"x": "6", "y": "8", "r": "10"}}
@@ -197,22 +150,6 @@ def test_a_counterexample_is_not_transferred(ledger):
     there = replace(ledger.facts["fact"], id="there", context="circle", rule="transfer")
     with pytest.raises(KernelError):
         ledger.add(replace(there, premises=("fact", "bridge")))
-
-
-@pytest.mark.parametrize("claimed", [grade for grade in Grade if grade != Grade.ASSUMED])
-def test_a_transferred_assumption_stays_assumed(ledger, claimed):
-    ledger.open(UNIT_CIRCLE)
-    reference = {"reference": "a book"}
-    assumed = fact("equal", "x", "y", "assumption", grade=Grade.ASSUMED, certificate=reference)
-    with pytest.raises(KernelError, match="earned ASSUMED"):
-        ledger.add(replace(assumed, grade=claimed))
-    ledger.add(assumed)
-    ledger.add(BRIDGE)
-    there = replace(assumed, id="there", context="circle", rule="transfer")
-    there = replace(there, premises=("fact", "bridge"))
-    with pytest.raises(KernelError, match="earned ASSUMED"):
-        ledger.add(replace(there, grade=claimed))
-    assert ledger.add(there).grade == Grade.ASSUMED
 
 
 @pytest.mark.parametrize("certificate", [{}, {"reference": ""}, {"reason": "obvious"}])
