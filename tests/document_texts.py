@@ -1,4 +1,4 @@
-"""The texts that people read: README, pages and, for the commands they name, all documents."""
+"""Texts of README and pages, and the commands that all documents name."""
 
 import re
 from collections.abc import Iterator
@@ -22,18 +22,18 @@ FENCED = {
 
 
 def blocks(language, name=None):
-    """The fenced blocks of a language in one text, or in all."""
+    """Return the fenced blocks of a language in one text, or in all."""
     chosen = FENCED if name is None else [name]
     return [text for document in chosen for info, text in FENCED[document] if info == language]
 
 
 def words(name):
-    """A text without its line breaks."""
+    """Return a text without its line breaks."""
     return " ".join(TEXTS[name].split())
 
 
 def rows(name):
-    """The rows of a text's tables, as cells."""
+    """Return the rows of a text's tables, as cells."""
     lines = (line for line in TEXTS[name].splitlines() if line.startswith("| "))
     return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
 

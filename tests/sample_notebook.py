@@ -1,4 +1,4 @@
-"""A small notebook with what notebooks have: text, mathematics, a 3-D picture."""
+"""A small notebook with text, mathematics and a 3-D picture."""
 
 CELLS = (
     "import numpy as np\n\nimport rigidsym\n\n"
@@ -22,7 +22,7 @@ KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 
 
 def notebook():
-    """The notebook, not executed."""
+    """Return the notebook, not executed."""
     import nbformat
 
     cells = [nbformat.v4.new_markdown_cell(TEXT), *map(nbformat.v4.new_code_cell, CELLS)]

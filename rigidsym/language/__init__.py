@@ -1,1 +1,1 @@
-"""The language that both wings speak: expressions as trees, their text, values and LaTeX."""
+"""Expressions shared by proofs and numbers: trees, their text, their values and LaTeX."""

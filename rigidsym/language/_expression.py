@@ -28,7 +28,7 @@ class Name:
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """left operator right, the operator one of + - * / **."""
+    """A binary operation; its operator is one of + - * / **."""
 
     operator: str
     left: "Expression"
@@ -37,7 +37,7 @@ class Operation:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """function(arguments); negation is the function `neg`."""
+    """A function call; negation is a call of `neg`."""
 
     function: str
     arguments: tuple["Expression", ...]
@@ -47,7 +47,7 @@ Expression = Number | Name | Operation | Call
 
 
 def parse(text: str) -> Expression:
-    """Read Python's syntax for an expression; raises ValueError on anything else."""
+    """Parse Python's syntax for an expression; raise ValueError on anything else."""
     return _parse(ast.parse(text, mode="eval").body)
 
 
@@ -69,9 +69,9 @@ def _parse(node: ast.expr) -> Expression:
 def to_text(
     expression: Expression, rename: Mapping[str, str] | None = None, *, real: bool = False
 ) -> str:
-    """Return Python text with no more parentheses than needed; `rename` maps function names.
+    """Return Python text of an expression, with no more parentheses than needed.
 
-    `real` writes whole numbers with a decimal point, as C needs them.
+    `rename` maps function names.  `real` writes integers with a decimal point, as C needs them.
     """
     return _print(expression, rename or {}, ".0" if real else "")[0]
 
@@ -116,14 +116,14 @@ def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression
 
 
 def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
-    """Return the expression with others in the place of some names, all at once."""
+    """Substitute expressions for names, all at once."""
     if isinstance(expression, Name):
         return meaning.get(expression.name, expression)
     return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
 
 
 def names(expression: Expression) -> Iterator[str]:
-    """Yield the names an expression uses, from left to right, as often as they occur."""
+    """Yield the names in an expression from left to right, repetitions included."""
     if isinstance(expression, Name):
         yield expression.name
     for part in children(expression):
@@ -139,7 +139,7 @@ def by_products(expression: Expression) -> Expression:
 
 
 def complement(parameter: Expression) -> Expression:
-    """Return 1 - m of a parameter m, without a subtraction where m is written 1 - x."""
+    """Return 1 - m for a parameter m; return x where m is written 1 - x."""
     match parameter:
         case Operation("-", Number(1), right):
             return right

@@ -17,7 +17,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """name = expression, with its origin in the ledger; `source` lists equations of the paper.
+    """A formula, name = expression, with its origin in the ledger.
 
     `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
     that context says so, or "choice context.name" of a sign that makes its hypotheses hold;
@@ -33,12 +33,12 @@ class Formula:
 
     @property
     def is_reading(self) -> bool:
-        """True where the expression is the standard function that a name stands for."""
+        """True for a formula that sets a name to a standard function."""
         return self.fact.startswith("reading ")
 
 
 class FormulaSequence:
-    """Names set to expressions, in order of evaluation, over any numbers that mix with integers.
+    """Formulas in order of evaluation, over any numbers that mix with integers.
 
     Powers are calls of `power`, which the functions must include: the own powers of some kinds of
     numbers cannot be trusted.
@@ -55,11 +55,11 @@ class FormulaSequence:
 
     @cached_property
     def inputs(self) -> frozenset[str]:
-        """The names that the expressions use and no formula sets; constants aside."""
+        """The names that expressions use and no formula sets, except for constants."""
         return self.used - {name for name, _ in self.formulas} - {*CONSTANTS}
 
     def up_to(self, wanted: frozenset[str]) -> "FormulaSequence":
-        """Return the formulas that some quantities need."""
+        """Return the formulas that are needed for some quantities."""
         if wanted not in self._parts:
             needed, kept = set(wanted), []
             for name, expression in reversed(self.formulas):
@@ -70,7 +70,7 @@ class FormulaSequence:
         return self._parts[wanted]
 
     def evaluate(self, values: Mapping[str, Value], functions: Functions) -> dict[str, Value]:
-        """Return all quantities by name, with the values and functions themselves.
+        """Evaluate all formulas; return quantities, given values and functions by name.
 
         Raises NameError for a missing value or function.
         """
@@ -84,7 +84,7 @@ class FormulaSequence:
         functions: Functions,
         convert: Callable[[Value], Value],
     ) -> dict[str, Value]:
-        """Return all quantities by name, rational where a formula uses rational numbers alone.
+        """Evaluate formulas, exactly where all their operands are rational.
 
         A quantity that `values` has is not computed again.  Where a formula uses any number that is
         not rational, all that it uses is converted first.

@@ -42,12 +42,12 @@ Formula: TypeAlias = tuple[str, Statement]  # "fact" or "reading", and the state
 
 
 class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
-    """A theorem of the specification that a ledger does not prove, in the specification's words."""
+    """Exception for a theorem of the specification that a ledger does not prove."""
 
 
 @dataclass(slots=True)
 class Theorem:
-    """One block of a specification, with all that it includes; texts have no spaces."""
+    """One block of a specification with its included blocks; texts have no spaces."""
 
     name: str
     title: str = ""
@@ -63,14 +63,14 @@ class Theorem:
     cases: list[str] = field(default_factory=list)
 
     def hypotheses(self) -> dict[str, set[str]]:
-        """Return the hypotheses as they are written, by clause."""
+        """Return the hypotheses by clause."""
         moving = {f"{name}' = {text}" for name, text in (self.moving or {}).items()}
         parts = {"names": self.names, "zero": self.zero, "nonzero": self.nonzero}
         return parts | {"nonnegative": self.nonnegative, "moving": moving}
 
 
 def read(text: str) -> dict[str, Theorem]:
-    """Return all blocks of a specification by name; raises ValueError for a malformed one."""
+    """Parse the blocks of a specification; raise ValueError for a malformed one."""
     blocks: dict[str, Theorem] = {}
     for head, clauses in _blocks(text):
         kind, _, rest = head.partition(" ")
@@ -209,7 +209,7 @@ class Proved:
             )
 
     def lacks(self, theorem: Theorem) -> Iterator[str]:
-        """Yield, in words, everything that is missing of a theorem."""
+        """Yield a sentence for each part of a theorem that the ledger does not prove."""
         context = self.contexts.get(theorem.name)
         if context is None:
             yield "its hypotheses are not in the ledger"
@@ -235,7 +235,7 @@ class Proved:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
     def _places(self, name: str) -> list[str]:
-        """Return a context and all contexts that it is a model of, in one step or more."""
+        """Return a context and all contexts that it is a model of, directly or not."""
         places = [name]
         for place in places:
             places += (other for other in self._models.get(place, ()) if other not in places)
@@ -250,7 +250,7 @@ class Proved:
         }
 
     def _formulas(self, sequence: str, names: Iterable[str]) -> Iterator[Formula]:
-        """Yield the formulas of a sequence, only those of `names` if there are any."""
+        """Yield the formulas of a published sequence; if `names` are given, only those."""
         wanted = {*names}
         if sequence not in self.sequences:
             raise Unproved(f"the formula sequence {sequence} is not published")
@@ -272,7 +272,7 @@ class Proved:
 
 
 def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the hypotheses that only one of theorem and context has."""
+    """Yield the hypotheses that a theorem and its context do not share."""
     rates = context["rates"]
     if (rates is None) != (theorem.moving is None):
         yield "it is about one instant, or about a motion, where the ledger has the other"
@@ -293,7 +293,7 @@ def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _unsaid(theorem: Theorem, context: Mapping[str, Any], published: set[str]) -> Iterator[str]:
-    """Yield the definitions that differ, and those of the context that the theorem lacks."""
+    """Yield definitions that differ, and those that only the context has."""
     definitions = {name: _spaceless(text) for name, text in context["definitions"].items()}
     for name, text in theorem.let.items():
         if definitions.get(name) != text:

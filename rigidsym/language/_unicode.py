@@ -1,4 +1,4 @@
-r"""LaTeX as a line of plain text for terminals: the commands that printed equations use.
+r"""Conversion of LaTeX to a line of plain text for terminals.
 
 Fractions are written with a stroke, in brackets where they need them, matrices row by row; indices
 and powers are small where all their characters have a small form.
@@ -37,7 +37,7 @@ _SUB = dict(zip("0123456789+-=()aeijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈�
 
 
 def in_unicode(latex: str) -> str:
-    """Return the formula in characters; raises ValueError for an unknown command."""
+    """Convert LaTeX to Unicode text; raise ValueError for an unknown command."""
     text = _Reader(_TOKEN.findall(latex)).until("")
     for bare in _BARE:
         text = bare.sub(r"\1\2\3", text)
@@ -47,13 +47,13 @@ def in_unicode(latex: str) -> str:
 
 @dataclass(slots=True)
 class _Reader:
-    """Tokens, read from `place` on."""
+    """Reader of LaTeX tokens from a position on."""
 
     tokens: list[str]
     place: int = 0
 
     def next(self) -> str:
-        """Return the next token, "" behind the last."""
+        """Return the next token, or "" at the end."""
         self.place += 1
         return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
 
@@ -116,7 +116,7 @@ class _Reader:
 
 
 def _letter(form: str, name: str) -> str:
-    """Return a letter by its name in Unicode; raises ValueError for an unknown name."""
+    """Return a letter by its Unicode name; raise ValueError for an unknown name."""
     size = "CAPITAL" if name[:1].isupper() else "SMALL"
     known = "LAMDA" if name.lower() == "lambda" else name.upper()
     try:
@@ -134,7 +134,7 @@ def _fraction(reader: _Reader) -> str:
 
 
 def _outside(text: str) -> str:
-    """Return the part of a text that is in no brackets."""
+    """Return a text without its bracketed parts."""
     while (shorter := re.sub(rf"\([^()]*\)|{_OPEN}[^{_OPEN}{_CLOSE}]*{_CLOSE}", "", text)) != text:
         text = shorter
     return text

@@ -1,4 +1,4 @@
-"""The derived solution as data, read from the ledger: the formulas every number comes from."""
+"""Formulas of the derived solution, read from the ledger."""
 
 from rigidsym.solution._formulas import Formula, Solution, load, sealed, sequence
 

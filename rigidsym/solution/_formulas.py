@@ -1,6 +1,6 @@
-"""The derived solution as data: the sequences of formulas that the ledger publishes.
+"""Formula sequences of the solution, as the ledger publishes them.
 
-The number wing starts here.  It reads ledger.json and nothing else of the proof wing.  A formula is
+The number half starts here.  It reads ledger.json and nothing else of the proof half.  A formula is
 a proved fact, or a name's definition or reading in a context.  All other formulas are refused, and
 so are those that use a name before it is known.  A sequence's inputs are the names that it uses and
 does not set; another ledger's sequence may use no others than that of the installed ledger.
@@ -102,7 +102,7 @@ _OF_PARAMETER = {
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The sequences by name, a digest of all their statements, and the means to evaluate them.
+    """Formula sequences by name, with a digest of all their statements.
 
     partition: the signs that decide the kind of a motion.  The ledger does not publish
     two of the sequences: `decisions` is the partition as formulas, and `signs` has the signs that
@@ -132,7 +132,7 @@ def sequence(name: str) -> FormulaSequence:
 
 
 def load(text: str) -> Solution:
-    """Return the solution that a ledger publishes; raises LedgerError where it proves less."""
+    """Load the solution from a ledger; raise LedgerError if the ledger proves less."""
     data = ledger_data(text)
     facts, contexts, sequences = _published(data)
     evaluated = {name: _evaluated(formulas) for name, formulas in sequences.items()}
@@ -160,7 +160,7 @@ def load(text: str) -> Solution:
 
 
 def _published(data: Record) -> tuple[Records, Records, dict[str, tuple[Formula, ...]]]:
-    """Return the facts by id, the contexts by name, and the sequences that numbers need."""
+    """Return facts by id, contexts by name, and the sequences for numbers."""
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
@@ -177,7 +177,7 @@ def _published(data: Record) -> tuple[Records, Records, dict[str, tuple[Formula,
 
 @cache
 def _inputs() -> dict[str, frozenset[str]]:
-    """Return the inputs of each sequence in the ledger of this installation."""
+    """Return the inputs of each sequence in the installed ledger."""
     *_, sequences = _published(ledger_data(ledger_text()))
     return {name: _evaluated(formulas).inputs for name, formulas in sequences.items()}
 
@@ -189,7 +189,7 @@ def _evaluated(formulas: Iterable[Formula]) -> FormulaSequence:
 def _signs(
     nonnegative: Iterable[str], constants: Iterable[Formula], facts: Records
 ) -> tuple[Formula, ...]:
-    """Return the signs in their order; tau, on which chi depends, is the published formula."""
+    """Return the formulas of the signs, and of tau, on which chi depends."""
     (source,) = (tuple(x["source"]) for x in facts.values() if x["context"] == SIGNS_OF)
     *first, last = (
         Formula(name, expression, f"choice {SIGNS_OF}.{name}", SIGNS_OF, source)

@@ -1,4 +1,4 @@
-"""The kinds of motions, and the signs of quantities that decide them, from the ledger.
+"""Kinds of motions, and how the signs of quantities decide them, from the ledger.
 
 The ledger splits a context by the sign of a quantity into cases: zero, above zero and, for some
 quantities, below.  It splits cases again, down to leaves.  The fact `sorted_body.cases` says that
@@ -72,7 +72,7 @@ class Split:
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A kind of motion, and the fact that states its formulas' signs.
+    """A kind of motion, with the fact that states the signs of its formulas.
 
     side: 1 where the rates circulate about the axis of largest moment, -1 where about that of the
     smallest, 0 where they are constant.
@@ -86,21 +86,21 @@ class Leaf:
 
 @dataclass(frozen=True, slots=True)
 class Partition:
-    """The splits by context, the leaves they end in, and the formulas of their quantities."""
+    """The splits of contexts, the leaves where they end, and the deciding quantities."""
 
     splits: Mapping[str, Split]
     leaves: Mapping[str, Leaf]
     quantities: FormulaSequence
 
     def leaf(self, moments: tuple[Fraction, ...], rates: tuple[Fraction, ...]) -> Leaf:
-        """Return the leaf of a motion: moments, largest first, and the rates about these axes."""
+        """Return the leaf of a motion by its moments, largest first, and their axes' rates."""
         c_1, c_2, c_3 = moments
         given = dict(zip(INPUTS, (c_3, c_1 - c_3, c_2 - c_3, *rates), strict=True))
         values = self.quantities.evaluate(given, {"power": pow})
         return self.walk(lambda quantity: (values[quantity] > 0) - (values[quantity] < 0))
 
     def walk(self, sign_of: Callable[[str], int]) -> Leaf:
-        """Return the leaf that the signs of quantities, 0, 1 or -1, lead to."""
+        """Return the leaf that the signs of quantities lead to; a sign is 0, 1 or -1."""
         name = ROOT
         while name in self.splits:
             split = self.splits[name]
@@ -108,7 +108,7 @@ class Partition:
         return self.leaves[name]
 
     def path(self, case: str) -> tuple[tuple[str, int], ...]:
-        """Return the quantities that lead to a case, from the root on, and the sign of each."""
+        """Return the quantities, with their signs, that lead from the root to a case."""
         for name, split in self.splits.items():
             if case in split.cases:
                 sign = (0, 1, -1)[split.cases.index(case)]
@@ -119,7 +119,7 @@ class Partition:
 def partition_of(
     facts: Collection[Record], contexts: Mapping[str, Record], specified: Mapping[str, Theorem]
 ) -> Partition:
-    """Return the partition that a ledger proves; raises LedgerError where it proves none.
+    """Read the partition from a ledger; raise LedgerError if the ledger proves none.
 
     specified: the blocks of the specification, all of which the ledger proves.
     """
@@ -143,7 +143,7 @@ def partition_of(
 
 
 def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
-    """Return the splits by context, and the leaves, as often as splits lead to them."""
+    """Return the splits by context, and every leaf that a split leads to."""
     splits: dict[str, Split] = {}
     leaves, todo = [], [ROOT]
     for name in todo:
@@ -160,7 +160,7 @@ def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
 
 
 def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> FormulaSequence:
-    """Return the definitions of the root, which must be those of every context that is split."""
+    """Return the definitions of the root; every split context must have the same."""
     root = contexts[ROOT]
     for name in splits:
         if contexts[name]["definitions"] != root["definitions"]:
@@ -175,7 +175,7 @@ def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> Form
 def check_order(
     place: str, formulas: Iterable[tuple[str, Expression]], inputs: Iterable[str]
 ) -> None:
-    """Raise LedgerError for a formula that uses a name which is neither an input nor known yet."""
+    """Raise LedgerError for a formula that uses an unknown name."""
     known = {*inputs}
     for name, expression in formulas:
         if missing := sorted({*names(expression)} - known):
@@ -184,7 +184,7 @@ def check_order(
 
 
 def _leaf(name: str, facts: Iterable[Record], specified: Mapping[str, Theorem]) -> Leaf:
-    """Return a leaf with the fact that states its signs in the specification, and its side."""
+    """Return a leaf by name, with its fact and its side."""
     theorem, wanted = specified[name], (name, "nonnegative", "PROVED")
     required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
     stating = [
@@ -200,7 +200,7 @@ def _leaf(name: str, facts: Iterable[Record], specified: Mapping[str, Theorem]) 
 
 
 def decisions(partition: Partition) -> tuple[Formula, ...]:
-    """Return the sequence of formulas whose last, ROOT, is the side of a motion (see Leaf).
+    """Return formulas for the side of a motion (see Leaf), which the last one sets.
 
     Raises LedgerError for a quantity that might have either sign.
     """
@@ -226,7 +226,7 @@ def decisions(partition: Partition) -> tuple[Formula, ...]:
 
 
 def _check_sign(expression: Expression) -> None:
-    """Accept sums of products of moments, differences and squares: they are not negative."""
+    """Check that an expression is a sum of products of nonnegative factors."""
     match expression:
         case Operation("+" | "*"):
             for part in children(expression):
@@ -240,7 +240,7 @@ def _check_sign(expression: Expression) -> None:
 
 
 def _chosen(split: Split) -> Expression:
-    """Return the case for the sign of a quantity: zero, above, or below where there is that."""
+    """Return an expression that chooses a case by the sign of a quantity."""
     quantity, (zero, above, *below) = split.quantity, split.cases
     if below:
         zero = f"choose(0, {quantity}, {zero}, {below[0]})"
@@ -248,12 +248,12 @@ def _chosen(split: Split) -> Expression:
 
 
 def handedness(a: int, b: int, d: int) -> int:
-    """Return the Levi-Civita symbol of the axes 0, 1 and 2 in some order: HANDEDNESS."""
+    """Return the Levi-Civita symbol of three axes, each 0, 1 or 2."""
     return (b - a) * (d - a) * (d - b) // 2
 
 
 def sign_rules(nonnegative: Iterable[str]) -> dict[str, Expression]:
-    """Return every sign but epsilon as an expression, from the nonnegative products of SIGNS_OF.
+    """Derive the signs sigma, rho and chi from the products that SIGNS_OF states nonnegative.
 
     Each product starts with a sign.  The sign is that of the other factors, or 1 where they
     vanish.

@@ -1,4 +1,4 @@
-"""The kind of a motion, decided exactly from exact inputs by the ledger's partition."""
+"""Exact decision of the kind of a motion, by the ledger's partition."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Regime(StrEnum):
 
     @property
     def steady(self) -> bool:
-        """True where the rates are constant, and the attitude one exponential."""
+        """True for a regime with constant rates."""
         return self in (Regime.REST, Regime.SPHERICAL, Regime.SPIN)
 
 
@@ -95,7 +95,7 @@ def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
 
 
 class Mode(StrEnum):
-    """The axis that the momentum circulates about, as astronomers name it by the body's shape.
+    """The axis that the momentum circulates about, by its name in astronomy.
 
     The long axis is that of the smallest moment, the short axis that of the largest.  Source:
     Samarasinha and A'Hearn, Icarus 93 (1991), 194-225.
@@ -106,7 +106,7 @@ class Mode(StrEnum):
 
 
 def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Mode | None:
-    """Return the mode of a motion, spins about one of these axes included, decided exactly.
+    """Decide the mode of a motion, or of a spin, exactly.
 
     None on the separatrix, for spin about the middle axis, for spheres, and at rest.
     """

@@ -1,4 +1,4 @@
-"""The choices of Theorem 1 for one motion: the root of (13) that is zeta^2, and the sign of xi."""
+"""Choices of Theorem 1 for a motion: the root of (13) for zeta^2, and the sign of xi."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -20,7 +20,7 @@ def others(polhode: Polhode, i: int) -> tuple[int, int]:
 
 
 def half(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int:
-    """Return the sign of Remark 1: that of Omega_i' at t = 0, as Omega_i grows with xi at C_i."""
+    """Return the sign of Remark 1, the sign of Omega_i' at t = 0."""
     torque = (inertia[i - 2] - inertia[i - 1]) * omega0[i - 2] * omega0[i - 1]
     return -1 if torque < 0 else 1
 

@@ -1,4 +1,4 @@
-"""What README and pages tell to run, runs."""
+"""Code, case files and flags in README and pages work as they are printed."""
 
 import ast
 import re
@@ -35,14 +35,14 @@ ANSWERS = {
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_every_block_is_of_a_kind_that_is_run(name):
-    """A block that cannot run says so by a second word: ```python no-run."""
+    """Check kinds of blocks; one that cannot run says so by a second word: ```python no-run."""
     assert TEXTS[name].count("```") == 2 * len(FENCED[name])
     assert {info for info, _ in FENCED[name]} <= KINDS
 
 
 @pytest.mark.parametrize("name", [name for name in TEXTS if blocks("python", name)])
 def test_the_python_runs(name, tmp_path, monkeypatch):
-    """All of a text, from top to bottom, as a reader would type it."""
+    """Run all of a text, from top to bottom, as a reader would type it."""
     monkeypatch.chdir(tmp_path)
     scope = {}
     for code in blocks("python", name):

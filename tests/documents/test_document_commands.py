@@ -12,90 +12,75 @@ from functools import cache
 import pytest
 from document_texts import ROOT, blocks, commands
 
-from rigidsym._cli import main, parser, proofs
+from rigidsym._cli import main, parser
 
+TESTS = re.compile(r"pytest|bash .ci/run")
 NAME = "it names a command that needs arguments; it is run with them"
-TESTS = "it is the test command itself"
-INSTALLS = "it installs packages"
-WRITES = "it writes into the checkout"
-DERIVED = "tests/conftest.py derives every chapter once (`reproduced`)"
-WRITTEN = "tests/cli/test_cli.py writes and compares all targets, .ci/run all forms"
-REPLAYED = "tests/cli/test_cli.py replays the sealed ledger by it"
-AUDITED = "tests/derivations/test_specification.py runs it"
-FIGURES = "tests/manoeuvre/test_commands.py runs it"
-COMPARED = "minutes; tests/manoeuvre/comparison/test_compare.py runs it for one manoeuvre"
-FORMS = "half a minute; tests/validate/test_forms.py compares forms for few cases"
-METHODS = "tests/cli/test_cli.py runs it for a case of its own"
-COQ = "minutes of Coq, which .ci/coq runs; tests/proof/coq/test_theorems.py checks theorems"
-EXECUTED = "tests/notebooks/test_notebooks.py executes notebooks"
-ADDED = "the target is one that the notebook writes"
-
-# By command, as documents have it; `uv run`, `time` and `nice` before it are left out.
-NOT_RUN = {
-    **dict.fromkeys(
-        ("rigidsym codegen", "rigidsym export", "rigidsym fit",
-         "rigidsym init", "rigidsym plan", "rigidsym propagate", "rigidsym trace",
-         "rigidsym track", "rigidsym validate --case"),
-        NAME,
+# Commands by the reason; `uv run`, `time` and `nice` before them are left out.
+_NOT_RUN = {
+    NAME: (
+        "rigidsym codegen", "rigidsym export", "rigidsym fit", "rigidsym init", "rigidsym plan",
+        "rigidsym propagate", "rigidsym trace", "rigidsym track", "rigidsym validate --case",
     ),
-    **dict.fromkeys(
-        ("bash .ci/run", "pytest", "pytest -m slow", "pytest tests/test_motion.py",
-         "pytest tests/test_sensitivity.py",
-         "pytest tests/codegen/special_functions/test_third_kind.py",
-         "pytest tests/codegen/test_c_rules.py", "pytest tests/codegen/test_c_target.py",
-         "pytest tests/codegen/test_decisions.py", "pytest tests/codegen/test_pairs.py",
-         "pytest tests/codegen/test_seal_edits.py",
-         "pytest tests/derivations/test_sensitivities.py",
-         "pytest -m slow tests/derivations/test_random_edits.py",
-         "pytest -m slow tests/derivations/test_specification.py",
-         "pytest -m slow tests/fitting/test_simulated_strata.py",
-         "pytest -m slow tests/precise/test_mpmath.py",
-         "pytest -m slow tests/validate/test_fits.py"),
-        TESTS,
+    "it installs packages": (
+        "python3 -m venv .venv", ". .venv/bin/activate", "pip install uv", "pip install -e .",
+        'pip install -e ".[lab]"', "pip install pre-commit", "pre-commit install",
+        "uv sync --group all", "apt-get install chromium chromium-driver",
     ),
-    **dict.fromkeys(
-        ("python3 -m venv .venv", ". .venv/bin/activate", "pip install uv", "pip install -e .",
-         'pip install -e ".[lab]"', "pip install pre-commit", "pre-commit install",
-         "uv sync --group all", "apt-get install chromium chromium-driver"),
-        INSTALLS,
+    "other commands follow it": ("uv run", "uv run --no-sync"),
+    "it writes into the checkout": (
+        "rigidsym derive --in-place", "rigidsym codegen TARGET --in-place",
+        "rigidsym validate numpy c --cases 200 --record",
     ),
-    **dict.fromkeys(("uv run", "uv run --no-sync"), "other commands follow it"),
-    **dict.fromkeys(
-        ("rigidsym derive --in-place", "rigidsym codegen TARGET --in-place",
-         "rigidsym validate numpy c --cases 200 --record"),
-        WRITES,
+    "tests/conftest.py derives every chapter once (`reproduced`)": (
+        "rigidsym reproduce", "rigidsym derive", "rigidsym derive pi_form",
     ),
-    **dict.fromkeys(("rigidsym reproduce", "rigidsym derive", "rigidsym derive pi_form"), DERIVED),
-    **dict.fromkeys(("rigidsym check", "rigidsym check --independent"), REPLAYED),
-    **dict.fromkeys(("rigidsym audit", "rigidsym audit --json"), AUDITED),
-    **dict.fromkeys(
-        ("rigidsym codegen TARGET --check", "rigidsym codegen c --check",
-         "rigidsym codegen c -o DIR", "rigidsym codegen c -o attitude",
-         "rigidsym codegen c -o src/attitude", "rigidsym codegen c -o src/attitude --check",
-         "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
-         "rigidsym codegen c --form step -o DIR"),
-        WRITTEN,
+    "tests/cli/test_cli.py replays the sealed ledger by it": (
+        "rigidsym check", "rigidsym check --independent",
     ),
-    "rigidsym completion": "tests/cli/test_front_door.py runs it for every shell",
-    **dict.fromkeys(("rigidsym figures", "rigidsym figures -o figures"), FIGURES),
-    **dict.fromkeys(("rigidsym compare", "rigidsym compare -o compare"), COMPARED),
-    **dict.fromkeys(("rigidsym compare-forms", "rigidsym compare-forms -o DIR"), FORMS),
-    **dict.fromkeys(("rigidsym methods", "rigidsym methods --digits 50 1000"), METHODS),
-    **dict.fromkeys(
-        ("bash .ci/coq", "make -C DIR plain", "rigidsym export coq -o DIR --check"), COQ
+    "tests/derivations/test_specification.py runs it": ("rigidsym audit", "rigidsym audit --json"),
+    "tests/cli/test_cli.py writes and compares all targets, .ci/run all forms": (
+        "rigidsym codegen TARGET --check", "rigidsym codegen c --check",
+        "rigidsym codegen c -o DIR", "rigidsym codegen c -o attitude",
+        "rigidsym codegen c -o src/attitude", "rigidsym codegen c -o src/attitude --check",
+        "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
+        "rigidsym codegen c --form step -o DIR",
     ),
-    **dict.fromkeys(("python notebooks/build.py", "python notebooks/build.py --check"), EXECUTED),
-    **dict.fromkeys(("rigidsym codegen floats --in-place", "rigidsym validate floats"), ADDED),
-    "python notebooks/site/build.py": "tests/notebooks/test_site.py builds a site by it",
-    "python notebooks/site/picture.py": "tests/documents/test_document_links.py draws it twice",
-    "jupyter lab notebooks": "it does not end; tests/notebooks/test_browser.py opens its pages",
-    "rigidsym validate --faults": "minutes; tests/validate/faults/test_faults.py has its faults",
-    "rigidsym validate --peer heyoka --peer orekit": "extra bench; tests/validate/test_peers.py",
-    "rigidsym validate --cases 1_000_000 -o campaign --scheduler tcp://host:8786":
-        "it needs a cluster; tests/validate/test_cluster.py has one",
-    "cc -std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math main.c torque_free.c -lm":
-        "tests/documents/test_document_blocks.py compiles by it",
+    "tests/cli/test_front_door.py runs it for every shell": ("rigidsym completion",),
+    "tests/manoeuvre/test_commands.py runs it": ("rigidsym figures", "rigidsym figures -o figures"),
+    "minutes; tests/manoeuvre/comparison/test_compare.py runs it for one manoeuvre": (
+        "rigidsym compare", "rigidsym compare -o compare",
+    ),
+    "half a minute; tests/validate/test_forms.py compares forms for few cases": (
+        "rigidsym compare-forms", "rigidsym compare-forms -o DIR",
+    ),
+    "tests/cli/test_cli.py runs it for a case of its own": (
+        "rigidsym methods", "rigidsym methods --digits 50 1000",
+    ),
+    "minutes of Coq, which .ci/coq runs; tests/proof/coq/test_theorems.py checks theorems": (
+        "bash .ci/coq", "make -C DIR plain", "rigidsym export coq -o DIR --check",
+    ),
+    "tests/notebooks/test_notebooks.py executes notebooks": (
+        "python notebooks/build.py", "python notebooks/build.py --check",
+    ),
+    "the target is one that the notebook writes": (
+        "rigidsym codegen floats --in-place", "rigidsym validate floats",
+    ),
+    "tests/notebooks/test_site.py builds a site by it": ("python notebooks/site/build.py",),
+    "tests/documents/test_document_links.py draws it twice": ("python notebooks/site/picture.py",),
+    "it does not end; tests/notebooks/test_browser.py opens its pages": ("jupyter lab notebooks",),
+    "minutes; tests/validate/faults/test_faults.py has its faults": ("rigidsym validate --faults",),
+    "extra bench; tests/validate/test_peers.py": ("rigidsym validate --peer heyoka --peer orekit",),
+    "it needs a cluster; tests/validate/test_cluster.py has one": (
+        "rigidsym validate --cases 1_000_000 -o campaign --scheduler tcp://host:8786",
+    ),
+    "tests/documents/test_document_blocks.py compiles by it": (
+        "cc -std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math "
+        "main.c torque_free.c -lm",
+    ),
 }  # fmt: skip
+NOT_RUN = {command: reason for reason, named in _NOT_RUN.items() for command in named}
+NOT_RUN |= {command: "it runs tests" for command in commands() if TESTS.match(command)}
 # What stands for a placeholder.
 GIVEN = {"LINE": "900", "NUMBER": "10", "FILE": "torque_free.py", "TARGET": "c",
          "COMMAND": "check", "NAME": "dop853"}  # fmt: skip
@@ -122,7 +107,7 @@ def smallest(command):
 
 @cache
 def run_here():
-    """Return the commands to run; what is there with `-o` too is run so, and once."""
+    """Return the commands to run; prefer a form with `-o` to the same without."""
     written = {}
     for command in map(smallest, commands().keys() - NOT_RUN.keys()):
         bare = re.sub(r" -o \S+", "", command)
@@ -159,14 +144,6 @@ def test_every_benchmark_is_named_and_run():
     assert [path.name for path in scripts if f"benchmarks/{path.name} " not in run] == []
 
 
-@pytest.fixture(scope="module")
-def _replayed_once():
-    """The sealed ledger, which some commands ask for, is replayed for the first."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(proofs, "replayed", cache(proofs.replayed))
-        yield
-
-
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     """Return a folder to work in, with the files that documents speak of."""
@@ -177,7 +154,7 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
-@pytest.mark.usefixtures("_replayed_once")
+@pytest.mark.usefixtures("replayed_once")
 @pytest.mark.parametrize("command", run_here())
 def test_a_documented_command_runs(command, folder, capfd):
     program, *arguments = shlex.split(command)

@@ -1,4 +1,4 @@
-"""README and pages lead somewhere, on a code host as in the site; the README is one screen."""
+"""Links of README and pages lead to files; the README is one screen with its picture."""
 
 import importlib.util
 import re
@@ -34,7 +34,7 @@ def test_every_page_is_linked_from_the_readme():
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_a_page_is_plain_markdown(name):
-    """A code host knows neither substitutions nor directives."""
+    """Check that a code host can show the page, without substitutions and directives."""
     assert not re.search(r"\{\{|@@|^:::|^```\{|^\([\w-]+\)=", TEXTS[name], re.MULTILINE)
 
 

@@ -1,4 +1,4 @@
-"""What README and pages say in numbers is what the code does."""
+"""Numbers in README and pages are those that the code gives."""
 
 import json
 import re
@@ -6,12 +6,12 @@ from collections import Counter
 
 import pytest
 from document_texts import ROOT, TEXTS, blocks, rows, words
+from ledgers import LEDGER
 
 import rigidsym
 from rigidsym._codegen.header import MEASURED_FILE
 from rigidsym._codegen.seal import seal
 from rigidsym._codegen.trace import told
-from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.paper import Ruling, verdicts
 from rigidsym.solution import sealed
 from rigidsym.validate._campaign import CASES, SEED
@@ -19,7 +19,6 @@ from rigidsym.validate._oracle import SECOND_SHARE, is_due
 from rigidsym.validate.faults import all_faults
 from rigidsym.validate.strata import STRATA, count, draw
 
-LEDGER = json.loads(ledger_text())
 FAULTS = all_faults()
 GRADES = Counter(fact["grade"] for fact in LEDGER["facts"])
 FACTS, CONTEXTS = len(LEDGER["facts"]), len(LEDGER["contexts"])
@@ -34,10 +33,10 @@ def rulings():
     return "{} hold, {} hold under a condition, {} are misprints, {} ambiguous".format(*counts)
 
 
-def worst(*targets):
-    """The largest errors of modules by stratum: angle, and rates; of the default's by default."""
+def worst():
+    """Return the largest errors of both modules by stratum: angle, and rates."""
     found: dict = {}
-    for target in targets or ("numpy", "c"):
+    for target in ("numpy", "c"):
         for name, *errors in MEASURED[target]["worst"]:
             found[name] = [max(pair) for pair in zip(errors, found.get(name, errors), strict=True)]
     return found
@@ -78,7 +77,7 @@ def numbers(row):
 
 
 def test_the_table_of_the_readme():
-    """A row by its command; what is only measured has to be in a page as well."""
+    """Find rows by their command; what is only measured has to be in a page as well."""
     table = {row[-1]: row for row in rows("README.md") if row[-1].startswith("`")}
     assert table["`rigidsym errata`"][1] == rulings()
     assert numbers(table["`rigidsym derive`"]) == [str(n) for _, n in sorted(GRADES.items())[::-1]]
@@ -107,7 +106,7 @@ def test_times_in_the_readme_are_those_of_a_page(command, page):
         assert re.search(rf"(?<![\d.]){re.escape(number)}(?![\d.]\d)", TEXTS[page]), number
 
 
-def test_the_rooms_of_the_house_are_those_that_are_there():
+def test_the_map_of_packages_is_that_of_the_folders():
     (text,) = (text for text in blocks("text", "CONTRIBUTING.md"))
     folders = set(re.findall(r"^ {2}(\w+)/ ", text, re.MULTILINE))
     assert folders == {path.parent.name for path in ROOT.glob("rigidsym/*/__init__.py")}
@@ -142,54 +141,33 @@ def test_the_changelog_has_this_version():
     assert rigidsym.__version__ in (ROOT / "CHANGELOG.md").read_text("utf-8")
 
 
+# Strata by the row that has them.
 ACCURACY = {
     "the paper's spacecraft; motions others published": ["paper", "published"],
     "uniform; every axis order and sign": ["uniform", "axis orders and signs"],
     "the same, evenly over longer times": ["long times", "longest times"],
-    "1e-1 … 1e-16 from the separatrix, one ulp beside it": [
-        "near separatrix",
-        "beside separatrix",
-        "near separatrix, long",
-    ],
+    "1e-1 … 1e-16 from the separatrix, one ulp beside it":
+        ["near separatrix", "beside separatrix", "near separatrix, long"],
     "1e-17 … 1e-250 from the separatrix, by exact decimals": ["nearest separatrix"],
     "on the separatrix": ["separatrix"],
-    "symmetric; nearly so, to 1e-16, and by decimals to 1e-300": [
-        "symmetric",
-        "near prolate",
-        "near oblate",
-        "nearest symmetric",
-    ],
-    "sphere; nearly so, to 1e-16, and by decimals to 1e-250": [
-        "sphere",
-        "near sphere",
-        "nearest sphere",
-    ],
-    "spin; tilted from it by 1e-1 … 1e-300 (middle axis 1e-85); rest": [
-        "spin",
-        "near spin, largest",
-        "near spin, middle",
-        "near spin, smallest",
-        "rest",
-    ],
+    "symmetric; nearly so, to 1e-16, and by decimals to 1e-300":
+        ["symmetric", "near prolate", "near oblate", "nearest symmetric"],
+    "sphere; nearly so, to 1e-16, and by decimals to 1e-250":
+        ["sphere", "near sphere", "nearest sphere"],
+    "spin; tilted from it by 1e-1 … 1e-300 (middle axis 1e-85); rest":
+        ["spin", "near spin, largest", "near spin, middle", "near spin, smallest", "rest"],
     "flat bodies, rods, needles (1e-1 … 1e-59)": ["flat", "rod", "needle"],
     "special values and attitudes": ["special values", "special attitudes"],
-    "scales: moments 1e-322 … 1e306, rates 1e-298 … 1e297": [
-        "scales",
-        "small scales",
-        "large scales",
-        "extreme scales",
-    ],
+    "scales: moments 1e-322 … 1e306, rates 1e-298 … 1e297":
+        ["scales", "small scales", "large scales", "extreme scales"],
     "decimals that doubles only approximate": ["decimals"],
-    "where the series change; zeros of the rates; quarter periods": [
-        "branch switch",
-        "zeros of the rates",
-        "quarter periods",
-    ],
-}
+    "where the series change; zeros of the rates; quarter periods":
+        ["branch switch", "zeros of the rates", "quarter periods"],
+}  # fmt: skip
 
 
 def test_the_table_of_errors_is_what_was_recorded():
-    """Of both modules, the larger; each stratum is in one row."""
+    """Compare with the larger error of both modules; each stratum is in one row."""
     found, text = worst(), TEXTS["accuracy.md"]
     assert sorted(found) == sorted(name for names in ACCURACY.values() for name in names)
     for motions, names in ACCURACY.items():
@@ -199,7 +177,7 @@ def test_the_table_of_errors_is_what_was_recorded():
 
 
 def test_the_counts_of_the_validation_are_those_of_the_code():
-    """What `rigidsym validate` and `--faults` run by default; speeds are of their named command."""
+    """Compare with what `rigidsym validate` and `--faults` run by default."""
     sizes = {name: count(name, CASES) for name in STRATA}
     drawn = [draw(name, k, SEED) for name, size in sizes.items() for k in range(size)]
     faults = Counter(fault.target for fault in FAULTS)

@@ -43,7 +43,7 @@ BY_LATEX = {symbol(name).latex: value for name, value in VALUES.items()}
 
 
 class Reader:
-    """What LaTeX of this kind says, as a number: side by side is times."""
+    """Evaluator of LaTeX: factors stand side by side."""
 
     def __init__(self, text):
         self.tokens = [t for t in TOKEN.findall(text) if t not in (" ", r"\,", r"\cdot")]
@@ -118,7 +118,7 @@ expressions = st.recursive(
 
 
 def exact(expression):
-    """The same with names for whole numbers, so that quotients are exact, and their meaning."""
+    """Replace whole numbers by names, so that quotients are exact; return their values, too."""
     if isinstance(expression, Number):
         name = f"number_{expression.value}"
         return Name(name), {name: Fraction(expression.value)}
@@ -175,7 +175,7 @@ def test_in_a_context_no_two_names_look_alike(context):
 
 
 def parts(text):
-    """What stands side by side in a formula: to a renderer it is a row of these."""
+    """Yield the parts of a formula that stand side by side."""
     begin = depth = 0
     for found in re.finditer(r"\\left\b|\\right\b|[{} ]", text):
         depth += {"\\left": 1, "{": 1, "\\right": -1, "}": -1}.get(found[0], 0)

@@ -110,7 +110,7 @@ HARMLESS = ("/lsp/status",)
 
 
 def until(ask, what):
-    """Return what `ask` gives once that is true; fail with `what` where that never comes."""
+    """Call `ask` until its result is true, and return that; fail with `what` after a time."""
     end = time.monotonic() + HANGS
     while time.monotonic() < end:
         if found := ask():
@@ -127,7 +127,7 @@ def free_port():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Copies of the notebooks, so that running them changes nothing, and the sample."""
+    """Return a folder with copies of the notebooks, and the sample."""
     place = tmp_path_factory.mktemp("notebooks")
     for path in (ROOT / "notebooks").glob("*.ipynb"):
         shutil.copyfile(path, place / path.name)
@@ -141,7 +141,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def lab(folder, tmp_path_factory):
-    """The address and token of a JupyterLab that knows no configuration but ours."""
+    """Start a JupyterLab with our configuration alone; return its address and token."""
     home = tmp_path_factory.mktemp("jupyter")
     settings = home / "app_settings"
     settings.mkdir()
@@ -215,7 +215,7 @@ def source_of(folder, stem):
 
 
 def opened(browser, lab, stem):
-    """A notebook in a workspace of its own, with a kernel that waits for work."""
+    """Open a notebook in a workspace of its own, and wait for its kernel."""
     address, token = lab
     # What the page before says about being left is not this one's.
     browser.get("about:blank")
@@ -227,7 +227,7 @@ def opened(browser, lab, stem):
 
 
 def ran(browser):
-    """The code cells, once all that have text have a number and none is running."""
+    """Return the code cells once all have run, else None."""
     cells = browser.execute_script(CELLS)
     written = [cell for cell in cells or [] if cell["source"].strip()]
     done = all(cell["count"] and cell["state"] in ("idle", None) for cell in written)
@@ -266,7 +266,7 @@ return [said ?? '', [...scenes].filter(x => x.getBoundingClientRect().width > 10
     "stem", [pytest.param(PLAY, marks=pytest.mark.slow if is_current(PLAY) else ())]
 )
 def test_sliders_change_the_motion(browser, lab, folder, stem):
-    """The last slider to its end: the body turns about another axis, and the pictures follow."""
+    """Move sliders to their ends: the body turns about another axis, and pictures follow."""
     source_of(folder, stem)
     opened(browser, lab, stem)
     # Without the checks, which let go of the sliders.
@@ -295,7 +295,7 @@ def check_mathematics(browser, stem):
 
 
 def check_pictures(browser, stem, cells):
-    """Plotly's 3-D scenes, where a cell has one."""
+    """Wait for Plotly's 3-D scenes, where a cell has one."""
     if not any("application/vnd.plotly.v1+json" in cell["kinds"] for cell in cells):
         assert stem != SAMPLE
         return
@@ -311,7 +311,7 @@ def check_pictures(browser, stem, cells):
 
 
 def check_log(browser, lab):
-    """No error of the page, and no request but to JupyterLab."""
+    """Assert that the page had no error, and sent requests to JupyterLab alone."""
     told = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
     assert [x["message"] for x in told if not any(word in x["message"] for word in HARMLESS)] == []
     events = (json.loads(entry["message"])["message"] for entry in browser.get_log("performance"))

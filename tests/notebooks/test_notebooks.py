@@ -1,9 +1,10 @@
-"""Every notebook: text and .ipynb in step, and what it shows is what it computes."""
+"""Every notebook: its text is in step, it shows what it computes, and follows its setting."""
 
 import importlib.util
 import platform
 import re
 import shutil
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -19,9 +20,21 @@ build = importlib.util.module_from_spec(SCRIPT)
 SCRIPT.loader.exec_module(build)
 
 NAMES = build.names()
+every = pytest.mark.parametrize("name", NAMES)
 # It checks what it has changed before it changes it back.
 STEP_BY_STEP = ("howto_add_a_target",)
 executed = build.executed
+
+
+def committed(name):
+    return build.nbformat.read(build.FOLDER / f"{name}.ipynb", as_version=4)
+
+
+def with_code(line):
+    """Return a notebook with one line of code."""
+    notebook = build.source(NAMES[0])
+    notebook.cells = [build.nbformat.v4.new_code_cell(line)]
+    return notebook
 
 
 def test_there_are_notebooks_and_no_strays():
@@ -29,14 +42,18 @@ def test_there_are_notebooks_and_no_strays():
     assert {path.stem for path in build.FOLDER.glob("*.ipynb")} == set(NAMES)
 
 
+def gives_the_committed_notebook(name):
+    if name == "00_start_here":
+        pytest.importorskip("ipywidgets", reason="needs ipywidgets (extra lab)")
+    assert build.check(name) == ""
+
+
 @pytest.mark.parametrize(
     "name",
     [pytest.param(x, marks=pytest.mark.slow if executed.is_current(x) else ()) for x in NAMES],
 )
 def test_a_fresh_execution_gives_the_committed_notebook(name):
-    if name == "00_start_here":
-        pytest.importorskip("ipywidgets", reason="needs ipywidgets (extra lab)")
-    assert build.check(name) == ""
+    gives_the_committed_notebook(name)
 
 
 # Other processors: how C is compiled for them, and what NumPy, OpenBLAS and libm may use there.
@@ -64,29 +81,27 @@ def another_processor(request, once, monkeypatch):
         (folder / "cc").chmod(0o755)
 
     folder = once(request.param.replace(" ", "-"), make)
-    monkeypatch.setenv("CC", str(folder / "cc"))
-    monkeypatch.setenv("RIGIDSYM_CACHE", str(folder / "cache"))
-    monkeypatch.setenv("NPY_DISABLE_CPU_FEATURES", " ".join(x for x in found if x not in kept))
-    monkeypatch.setenv("OPENBLAS_CORETYPE", cores)
-    monkeypatch.setenv("GLIBC_TUNABLES", f"glibc.cpu.hwcaps={without}")
+    for name, value in {
+        "CC": str(folder / "cc"),
+        "RIGIDSYM_CACHE": str(folder / "cache"),
+        "NPY_DISABLE_CPU_FEATURES": " ".join(x for x in found if x not in kept),
+        "OPENBLAS_CORETYPE": cores,
+        "GLIBC_TUNABLES": f"glibc.cpu.hwcaps={without}",
+    }.items():
+        monkeypatch.setenv(name, value)
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("another_processor")
-@pytest.mark.parametrize("name", NAMES)
+@every
 def test_another_processor_gives_the_committed_notebook(name):
     """No output shows digits that rounding decides."""
-    if name == "00_start_here":
-        pytest.importorskip("ipywidgets", reason="needs ipywidgets (extra lab)")
-    assert build.check(name) == ""
+    gives_the_committed_notebook(name)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@every
 def test_text_and_notebook_are_in_step(name):
-    def committed(notebook, name):
-        return build.nbformat.read(build.FOLDER / f"{name}.ipynb", as_version=4)
-
-    assert build.check(name, committed) == ""
+    assert build.check(name, lambda notebook, name: committed(name)) == ""
 
 
 def test_a_notebook_is_current_until_something_it_depends_on_changes(monkeypatch, tmp_path):
@@ -130,7 +145,7 @@ def test_notebooks_depend_on_the_code_its_data_and_the_versions():
     assert not any("ruff " in line or "pycache" in line for line in lines)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@every
 def test_a_notebook_checks_itself_in_one_folded_cell_at_its_end(name):
     *others, last = [cell for cell in build.source(name).cells if cell.cell_type == "code"]
     assert "assert " in last.source
@@ -140,12 +155,12 @@ def test_a_notebook_checks_itself_in_one_folded_cell_at_its_end(name):
 
 
 def test_checks_and_pictures_are_folded_here_and_on_the_site():
-    folded = build.source("02_from_lax_pair_to_k_a1").cells
-    tagged = [cell for cell in folded if {*cell.metadata.get("tags", ())} & build.FOLDED]
-    assert tagged[-1] is folded[-1]
+    folded = build.source("02_from_lax_pair_to_k_a1")
+    tagged = [cell for cell in folded.cells if {*cell.metadata.get("tags", ())} & build.FOLDED]
+    assert tagged[-1] is folded.cells[-1]
     assert all(cell.metadata["jupyter"]["source_hidden"] for cell in tagged)
-    assert sum("jupyter" in cell.metadata for cell in folded) == len(tagged) > 1
-    assert "source_hidden" not in build.text(build.source("02_from_lax_pair_to_k_a1"))
+    assert sum("jupyter" in cell.metadata for cell in folded.cells) == len(tagged) > 1
+    assert "source_hidden" not in build.text(folded)
 
 
 def test_an_edited_text_is_noticed(monkeypatch):
@@ -157,15 +172,12 @@ def test_an_edited_text_is_noticed(monkeypatch):
 
 def test_another_output_is_noticed():
     def fresh(notebook, name):
-        executed = build.nbformat.read(build.FOLDER / f"{name}.ipynb", as_version=4)
-        outputs = next(cell.outputs for cell in executed.cells if cell.get("outputs"))
+        found = committed(name)
+        outputs = next(cell.outputs for cell in found.cells if cell.get("outputs"))
         outputs.append(build.nbformat.v4.new_output("stream", name="stdout", text="another"))
-        return executed
+        return found
 
     assert "+another" in build.check(NAMES[0], fresh)
-
-
-CODE = build.nbformat.v4.new_code_cell
 
 
 @pytest.mark.parametrize(
@@ -181,14 +193,64 @@ CODE = build.nbformat.v4.new_code_cell
 def test_what_must_not_be_committed_is_refused(line, reason, monkeypatch):
     if "sleep" in line:
         monkeypatch.setattr(build, "SECONDS", 1)
-    notebook = build.source(NAMES[0])
-    notebook.cells = [CODE(line)]
     with pytest.raises(build.NotebookError, match=reason):
-        build.execute(notebook, "a")
+        build.execute(with_code(line), "a")
 
 
 def test_the_kernel_runs_the_package_of_this_repository():
-    notebook = build.source(NAMES[0])
-    notebook.cells = [CODE("import os, rigidsym; print(os.path.relpath(rigidsym.__file__))")]
-    (cell,) = build.execute(notebook, "a").cells
+    line = "import os, rigidsym; print(os.path.relpath(rigidsym.__file__))"
+    (cell,) = build.execute(with_code(line), "a").cells
     assert cell.outputs[0].text.split() == [str(Path("..", "rigidsym", "__init__.py"))]
+
+
+# Notebooks that derive: all their cells follow the one line with the setting.
+
+OTHER = "Setting(sequence=(3, 1, 3), axis=2, sign=-1)"
+# Notebooks by their stems, with the contexts that no chapter has.
+DERIVING = {
+    "02_from_lax_pair_to_k_a1": set(),
+    "03_the_phi1_integral_and_pi": set(),
+    "04_no_sign_functions": {"psi", "regrouped", "shortest"},
+}
+
+
+def run(name, chosen, monkeypatch):
+    """Return the names that a notebook's code leaves behind, run with another setting."""
+    import matplotlib
+
+    matplotlib.use("agg")
+    monkeypatch.setattr(sys, "path", [str(build.FOLDER), *sys.path])
+    code = "\n".join(cell.source for cell in build.source(name).cells if cell.cell_type == "code")
+    changed, count = re.subn(r"(?m)^setting = Setting\(.*\)$", f"setting = {chosen}", code)
+    assert count == 1
+    left: dict = {}
+    exec(compile(changed, name, "exec"), left)
+    return left
+
+
+@pytest.fixture(scope="module")
+def chapters():
+    """Return the facts that the chapters find with the other setting."""
+    from derivations.setting import Setting
+    from rigidsym.proof.derivation import derive
+
+    derivation = derive(setting=eval(OTHER, {"Setting": Setting}))
+    return {fact.id: fact for chapter in derivation.chapters for fact in chapter.facts}
+
+
+@pytest.mark.parametrize("name", DERIVING)
+def test_with_another_setting_a_notebook_finds_what_the_chapters_find(name, chapters, monkeypatch):
+    found = run(name, OTHER, monkeypatch)["builder"].ledger.facts
+    known = {fact: value for fact, value in found.items() if value.context not in DERIVING[name]}
+    assert len(known) > 20
+    assert {*known} <= {*chapters}
+    for fact, value in known.items():
+        assert (value.lhs, value.rhs) == (chapters[fact].lhs, chapters[fact].rhs), fact
+
+
+def test_a_gyrostat_is_derived_with_its_wheel_across_the_axis(monkeypatch):
+    wheel = 'Setting(sequence=(3, 1, 3), sign=-1, lagrangian=KINETIC + " + h2*Omega2")'
+    left = run("11_derive_your_own", wheel, monkeypatch)
+    assert left["wheel"] == 1
+    rates = {str(w) for w in left["rate"].value.free_symbols if str(w).startswith("Omega")}
+    assert rates == {"Omega2", "Omega3"}

@@ -1,4 +1,4 @@
-"""The site: it builds without a warning, needs no network, and says what the code says."""
+"""The site: it builds without a warning, needs no network, and agrees with the code."""
 
 import importlib.util
 import json
@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 from browsers import HANGS, chromium, needs_browser
+from ledgers import FACTS, LEDGER
 from sample_notebook import notebook
 
-from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.kernel._rules import RULES
 from rigidsym.proof.paper import verdicts
 
@@ -24,12 +24,8 @@ MISSING = [name for name in NEEDED if importlib.util.find_spec(name) is None]
 pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"needs {', '.join(MISSING)} (extra docs)")
 ROOT = Path(__file__).parents[2]
 SITE = ROOT / "notebooks" / "site"
-FIGURE = {
-    "data": [{"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1]}],
-    "layout": {"height": 300},
-}
-
-
+SCATTER = {"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1]}
+FIGURE = {"data": [SCATTER], "layout": {"height": 300}}
 STILL = (
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk"
     "+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
@@ -37,19 +33,16 @@ STILL = (
 
 
 def executed():
-    """The sample, with outputs as an execution leaves them."""
-    sample = notebook()
-    outputs = {
-        2: {"text/latex": "$\\displaystyle \\dot q$", "text/plain": "q"},
-        3: {"application/vnd.plotly.v1+json": FIGURE, "image/png": STILL},
-    }
-    for number, data in outputs.items():
-        output = nbformat.v4.new_output("execute_result", data, execution_count=number)
+    """Return the sample with outputs as an execution leaves them."""
+    sample, v4 = notebook(), nbformat.v4
+    formula = {"text/latex": "$\\displaystyle \\dot q$", "text/plain": "q"}
+    picture = {"application/vnd.plotly.v1+json": FIGURE, "image/png": STILL}
+    card = {"text/html": r"<p>a card: \(a &lt; b\)</p>", "text/latex": "$a < b$"}
+    table = {"text/markdown": "| of | is |\n| --- | --- |\n| $c_1$ | 2 |"}
+    for number, data in ((2, formula), (3, picture)):
+        output = v4.new_output("execute_result", data, execution_count=number)
         sample.cells[number].outputs = [output]
-    cards = {"text/html": r"<p>a card: \(a &lt; b\)</p>", "text/latex": "$a < b$"}
-    tables = {"text/markdown": "| of | is |\n| --- | --- |\n| $c_1$ | 2 |"}
-    for data in (cards, tables):
-        sample.cells[3].outputs.append(nbformat.v4.new_output("display_data", data))
+    sample.cells[3].outputs += (v4.new_output("display_data", data) for data in (card, table))
     return sample
 
 
@@ -66,7 +59,7 @@ def build(output, notebooks, **how):
 
 @pytest.fixture(scope="session")
 def html(once):
-    """A built site with a chapter and a how-to."""
+    """Return the folder of a built site with a chapter and a how-to."""
 
     def make(folder):
         for name in ("01_sample.ipynb", "satellite.ipynb"):
@@ -77,22 +70,25 @@ def html(once):
     return once("site", make) / "out" / "html"
 
 
+@pytest.fixture(scope="module")
 def pages(html):
+    """Return the text of every page by its path."""
     return {path.relative_to(html).as_posix(): path.read_text() for path in html.rglob("*.html")}
 
 
-def test_all_pages_are_there(html):
-    expected = {"index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite",
-                "use", "proofs", "digits", "code", "accuracy", "validation", "contributing",
-                "glossary", "stability",
-                "reference/api", "reference/command", "reference/formats", "reference/kernel",
-                "manoeuvres", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre",
-                "reference/api/rigidsym.io"}  # fmt: skip
-    assert {f"{name}.html" for name in expected} <= set(pages(html))
+def test_all_pages_are_there(pages):
+    expected = {
+        *("index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite", "use"),
+        *("proofs", "digits", "code", "accuracy", "validation", "contributing", "glossary"),
+        *("stability", "manoeuvres", "reference/api", "reference/command", "reference/formats"),
+        *("reference/kernel", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre"),
+        "reference/api/rigidsym.io",
+    }
+    assert {f"{name}.html" for name in expected} <= set(pages)
 
 
-def test_nothing_is_fetched_from_elsewhere(html):
-    for name, text in pages(html).items():
+def test_nothing_is_fetched_from_elsewhere(html, pages):
+    for name, text in pages.items():
         loaded = re.findall(r"<(?:script|img|iframe|link rel=\"stylesheet\")[^>]*"
                             r"(?:src|href)=\"(https?:[^\"]+)", text)  # fmt: skip
         assert loaded == [], name
@@ -100,29 +96,25 @@ def test_nothing_is_fetched_from_elsewhere(html):
         assert not re.search(r"@import|url\([\"']?https?:", path.read_text()), path
 
 
-def test_local_links_lead_somewhere(html):
-    for name, text in pages(html).items():
+def test_local_links_lead_somewhere(html, pages):
+    for name, text in pages.items():
         for link in re.findall(r"(?:href|src)=\"([^\"#?]+)", text):
             if not re.match(r"[a-z]+:", link):
                 assert ((html / name).parent / link).exists(), (name, link)
 
 
-def test_formulas_are_mathematics_and_none_is_left_over(html):
-    every = pages(html)
-    assert every["errata.html"].count("<math ") >= len(verdicts(ledger_data(ledger_text())))
-    assert every["guide/01_sample.html"].count("<math ") == 5
-    words = re.sub(r"<script.*?</script>|<[^>]*>", "", every["errata.html"], flags=re.DOTALL)
+def test_formulas_are_mathematics_and_none_is_left_over(pages):
+    assert pages["errata.html"].count("<math ") >= len(verdicts(LEDGER))
+    words = re.sub(r"<script.*?</script>|<[^>]*>", "", pages["errata.html"], flags=re.DOTALL)
     assert not re.search(r"\\(?:frac|Omega|mathrm)|\$\$", words)
 
 
-def test_formulas_and_tables_that_cells_give_are_shown(html):
-    text = pages(html)["guide/01_sample.html"]
+def test_a_notebook_has_its_formulas_tables_and_pictures(html, pages):
+    text = pages["guide/01_sample.html"]
+    assert text.count("<math ") == 5
     assert re.search(r"<p>a card: <math ", text)
     assert re.search(r"<td><p><math |<td><math ", text)
-
-
-def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
-    text = pages(html)["guide/01_sample.html"]
+    # A picture is drawn from files of the site.
     assert text.count('<script src="../_static/plotly.min.js">') == 1
     assert "Plotly.newPlot" in text
     assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
@@ -132,7 +124,7 @@ def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
 @pytest.mark.filterwarnings("ignore::ResourceWarning")
 @pytest.mark.parametrize("width", [1400, 390])
 def test_what_is_drawn_is_seen_and_nothing_sticks_out(html, width, tmp_path):
-    """On a desk and on a phone: no layer of a picture hides the others, no page is wider."""
+    """Look at pages on a desk and on a phone: no picture is hidden, no page is wider."""
     from matplotlib.image import imread
 
     metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
@@ -152,39 +144,34 @@ def test_what_is_drawn_is_seen_and_nothing_sticks_out(html, width, tmp_path):
     pytest.fail("the picture is blank")
 
 
-def test_rules_and_assumptions_are_those_of_the_code(html):
-    text = pages(html)["reference/kernel.html"]
+def test_the_reference_has_rules_assumptions_and_formats(pages):
+    text = pages["reference/kernel.html"]
     assert all(f">{name}</span>" in text for name in RULES)
-    facts = ledger_data(ledger_text())["facts"]
-    assert all(f["id"] in text for f in facts if f["rule"] == "assumption")
-
-
-def test_the_formats_of_manoeuvres_are_described(html):
-    text = pages(html)["reference/formats.html"]
+    assert all(name in text for name, fact in FACTS.items() if fact["rule"] == "assumption")
+    text = pages["reference/formats.html"]
     assert all(f'id="{name}"' in text for name in ("rigidsym-plan-1", "rigidsym-track-1"))
     assert "natural_frequency" in text
 
 
-def test_the_reference_has_what_plans_and_examines(html):
-    every = pages(html)
+def test_the_reference_has_what_plans_and_examines(pages):
     for name in ("rigidsym.plan", "rigidsym.principal_axes", "rigidsym.manoeuvre.Plan",
                  "rigidsym.manoeuvre.flight.fly", "rigidsym.io.aem",
                  "rigidsym.validate.examine"):  # fmt: skip
-        page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
+        page = pages[f"reference/api/{name.rpartition('.')[0]}.html"]
         assert f'id="{name}"' in page, name
-    page = every["reference/api/rigidsym.html"]
+    page = pages["reference/api/rigidsym.html"]
     assert "ArrayLike" in page
-    assert not any("_SupportsArray" in page for page in every.values())
+    assert not any("_SupportsArray" in page for page in pages.values())
     assert "<strong>allow_nonphysical</strong>" in page, "parameters are a list"
 
 
-def test_links_into_the_repository_lead_to_pages_that_show_it(html):
-    every = pages(html)
+def test_links_into_the_repository_lead_to_pages_that_show_it(pages):
+    article = {name: pages[f"{name}.html"].partition("<article")[2] for name in ("trust", "use")}
     for page in ("trust", "proofs", "digits", "code", "accuracy", "validation", "use"):
-        assert f'href="{page}.html"' in every["index.html"].partition("<article")[2], page
-    assert 'href="reference/kernel.html"' in every["trust.html"].partition("<article")[2]
-    assert 'href="index.html"' in every["use.html"].partition("<article")[2]
-    assert re.search(r"<img[^>]*_images/\w+\.svg", every["index.html"])
+        assert f'href="{page}.html"' in pages["index.html"].partition("<article")[2], page
+    assert 'href="reference/kernel.html"' in article["trust"]
+    assert 'href="index.html"' in article["use"]
+    assert re.search(r"<img[^>]*_images/\w+\.svg", pages["index.html"])
 
 
 @pytest.mark.slow
@@ -217,24 +204,20 @@ def test_a_formula_that_is_not_understood_is_an_error(tmp_path):
     assert "nosuchthing" in line
 
 
-def test_the_landing_page_has_a_picture_of_each_chapter_that_has_one(html):
+def test_the_landing_page_has_a_picture_of_each_chapter_that_has_one(html, pages):
     tile = r'<a class="tile" href="([^"]+)"><img src="([^"]+)"[^>]*><span>([^<]+)</span>'
-    ((link, picture, title),) = re.findall(tile, pages(html)["index.html"])
+    ((link, picture, title),) = re.findall(tile, pages["index.html"])
     assert (link, title) == ("guide/01_sample.html", "A sample")
     assert (html / picture).read_bytes().startswith(b"\x89PNG")
 
 
-def test_the_project_is_on_the_site(html):
-    every = pages(html)
-    assert "MIT License" in every["licence.html"]
-    assert "cff-version" in every["citation.html"]
-    assert "0.1.0" in every["changes.html"]
-
-
-def test_titles_of_pages_differ(html):
+def test_the_project_is_on_the_site_and_titles_of_pages_differ(pages):
+    assert "MIT License" in pages["licence.html"]
+    assert "cff-version" in pages["citation.html"]
+    assert "0.1.0" in pages["changes.html"]
     # Both notebooks are the sample; modules have pages of their code beside those of their names.
-    every = {name: text for name, text in pages(html).items() if name != "guide/satellite.html"}
-    found = [re.search(r"<title>(.*?)</title>", text)[1] for text in every.values()]
+    others = (text for name, text in pages.items() if name != "guide/satellite.html")
+    found = [re.search(r"<title>(.*?)</title>", text)[1] for text in others]
     assert len(found) == len(set(found))
 
 

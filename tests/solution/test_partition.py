@@ -1,4 +1,4 @@
-"""The partition of motions, read from the ledger, and refused where it proves none."""
+"""The partition of motions: read from the ledger, decided by formulas, or refused."""
 
 import copy
 import json
@@ -31,7 +31,7 @@ def test_every_leaf_has_a_regime():
 
 @pytest.mark.parametrize("leaf", PARTITION.leaves.values(), ids=str)
 def test_the_side_of_a_leaf_is_that_of_its_squares(leaf):
-    """The first is A_a^2 = E_d/(c_a c_ad), shown nonnegative with that axis as a."""
+    """Find the side in the first statement, A_a^2 = E_d/(c_a c_ad), about that axis."""
     (fact,) = (fact for fact in LEDGER["facts"] if fact["id"] == leaf.fact)
     assert (fact["context"], fact["grade"]) == (leaf.name, "PROVED")
     assert polhode._REGIMES[leaf.name].steady == (leaf.side == 0)
@@ -50,7 +50,7 @@ MOTIONS = [
 
 
 def decided(moments, rates):
-    """The side by the formulas of the table."""
+    """Return the side of a motion by the formulas of the table."""
     c_1, c_2, c_3 = moments
     given = [c_1 - c_2, c_1 - c_3, c_2 - c_3, *rates]
     e_2 = c_1 * (c_1 - c_2) * rates[0] ** 2 - c_3 * (c_2 - c_3) * rates[2] ** 2
@@ -77,7 +77,7 @@ def test_a_quantity_that_is_not_seen_to_have_one_sign_is_no_row_of_the_table():
 
 @pytest.mark.parametrize("axes", [*permutations(range(3))])
 def test_epsilon_makes_the_equations_of_axes_a_b_d_those_of_axes_1_2_3(axes):
-    """The specification has Euler's equations and the kinematics both ways."""
+    """Compare the two ways in which the specification has the equations of motion."""
     blocks = read(specification_text())
     laws, steady = (
         {lhs: rhs for _, lhs, rhs in blocks[name].then if lhs.startswith("D(")}

@@ -1,4 +1,4 @@
-"""The formulas as data: read from the ledger, refused where it does not prove them."""
+"""Formulas of the solution: read from the ledger, or refused where it does not prove them."""
 
 import json
 from fractions import Fraction
@@ -93,7 +93,7 @@ def test_every_formula_is_a_proved_fact_a_definition_a_reading_or_a_choice():
 
 
 def test_no_published_fact_restates_a_definition():
-    """What a context defines is published as a definition."""
+    """Check that definitions of contexts are published as definitions, not as facts."""
     contexts = {context["name"]: context for context in LEDGER["contexts"]}
     facts = {fact["id"]: fact for fact in LEDGER["facts"]}
     for entry in (e for entries in sequences(LEDGER).values() for e in entries):
@@ -104,12 +104,12 @@ def test_no_published_fact_restates_a_definition():
 
 
 def defined(context, name):
-    """The entry for what a context defines a name as."""
+    """Return the published entry of a definition."""
     return {"context": context, "definition": name, "source": ["1"]}
 
 
 def changed(**sequences):
-    """The ledger with formula sequences of these facts, or of these entries."""
+    """Return the ledger with other formula sequences, of these facts or entries."""
     listed = {
         name: [{"fact": entry} if isinstance(entry, str) else entry for entry in entries]
         for name, entries in sequences.items()
@@ -120,7 +120,7 @@ def changed(**sequences):
 
 
 def unmodelled(context):
-    """The ledger without what says that a context has models."""
+    """Return the ledger without the facts that a context has models."""
     told = [f for f in LEDGER["facts"] if (f["kind"], f["rhs"]) != ("model", [context])]
     return json.dumps({**LEDGER, "facts": told})
 

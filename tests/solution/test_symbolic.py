@@ -1,4 +1,4 @@
-"""The solution as SymPy: against the balls, its equations, and what people do with expressions."""
+"""Forms in SymPy against precise states and the equations of motion; and how users apply them."""
 
 import itertools
 from fractions import Fraction
@@ -35,7 +35,7 @@ def motion_of(form):
 
 
 def forms(*names, slow=()):
-    """Parameters; expressions that SymPy takes seconds over are left to `-m slow`."""
+    """Parametrize by forms; those that take SymPy seconds are marked slow."""
     marked = [pytest.param(name, marks=pytest.mark.slow) for name in slow]
     return pytest.mark.parametrize("form", [*(n for n in names if n not in slow), *marked])
 
@@ -46,14 +46,14 @@ def solutions():
 
 
 def numbers(column, digits=60):
-    """The real parts of a column that is real up to rounding."""
+    """Return the real parts of a column that is real up to rounding."""
     found = [sp.N(x, digits) for x in column]
     assert all(abs(sp.im(x)) < 1e-50 for x in found)
     return [sp.re(x) for x in found]
 
 
 def kinematics(q, omega):
-    """q (0, omega)/2."""
+    """Return q' = q (0, omega)/2."""
     (a, b, c, d), (x, y, z) = q, omega
     rows = (-b * x - c * y - d * z, a * x - d * y + c * z, d * x + a * y - b * z)
     return [row / 2 for row in (*rows, -c * x + b * y + a * z)]
@@ -115,7 +115,7 @@ def test_it_rests_on_facts_definitions_and_readings_of_the_ledger(form):
 
 @forms("pi", slow=("theta", "separatrix"))
 def test_free_symbols_take_numbers(form, solutions):
-    """`subs` of a motion's constants into the form with free symbols gives that motion."""
+    """Substitute a motion's constants into the form with free symbols: it is that motion."""
     free, own = symbolic(form), solutions[form]
     numbers_of = {x: sp.N(value, 40) for x, value in own.constants.items()}
     found = free.omega(AT).subs(numbers_of)
@@ -126,7 +126,7 @@ def test_free_symbols_take_numbers(form, solutions):
 
 
 def lambdified(solution, times, modules="numpy"):
-    """q and omega (7, N) by arrays of times, and by one time at a time."""
+    """Evaluate q and omega (7, N) at an array of times; compare with one time alone."""
     call = sp.lambdify(solution.t, [*solution.q(), *solution.omega()], modules)
     found = np.array([np.broadcast_to(x, times.shape) for x in call(times)])
     assert found.dtype == float
@@ -177,7 +177,7 @@ def test_lambdify_in_every_order_of_axes(form):
 @pytest.mark.parametrize(("order", "signs"), [*zip(ORDERS, SIGNS, strict=True)])
 @pytest.mark.parametrize("shape", ["pi", "theta"])
 def test_theorem1_is_followed_past_zeros_of_omega3(shape, order, signs):
-    """Forward and back, with each axis as the one that rates circulate about."""
+    """Follow motions forward and back, with each axis as the circulation axis."""
     motion = reordered(*SHAPES[shape], order, signs)
     times = np.linspace(-40.0, 60.0, 101)
     q, omega = motion(times)
@@ -224,7 +224,7 @@ def test_series_in_time(solutions, form):
 
 @pytest.mark.parametrize("form", FORMS)
 def test_taylor_polynomials_are_the_motion(form):
-    """Eight terms leave out 1e-48 and less of a millionth of a second."""
+    """Take eight terms, which leave out less than 1e-48 after a microsecond."""
     motion = motion_of(form)
     expected = motion.precise(STEP, 50)
     with mpmath.workdps(60):
@@ -249,7 +249,7 @@ def test_coefficients_are_exact():
 
 @pytest.mark.parametrize("form", ["pi", "theta", "symmetric"])
 def test_taylor_polynomials_with_free_symbols_take_numbers(form):
-    """By the handedness of the axes a, b, d, whatever it is."""
+    """Substitute constants for axes of either handedness."""
     solution, own = symbolic(form), motion_of(form).symbolic(form)
     numbers = {**own.constants}
     free = solution.taylor(4)[1].subs(numbers).subs(solution.t, STEP)
@@ -273,7 +273,7 @@ def test_a_series_has_a_term():
 
 @pytest.mark.parametrize("form", ["pi", "separatrix", "symmetric"])
 def test_the_start_is_the_attitude_itself(form):
-    """psi vanishes there as an expression: its digits are not looked for one after the other."""
+    """Check that psi vanishes at t = 0 as an expression, without evaluating digits."""
     found = motion_of(form).symbolic(form).q(0)
     assert not any(isinstance(x, sp.tanh) for x in found.atoms(sp.cos))
     size = sp.sqrt(sum(sp.Rational(x) ** 2 for x in ATTITUDE))

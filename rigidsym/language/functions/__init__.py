@@ -1,4 +1,4 @@
-"""Special functions for SymPy that it lacks: Jacobi's, Legendre's Pi over them, and thetas."""
+"""Special functions that SymPy lacks: Jacobi's functions, Legendre's Pi and theta functions."""
 
 from rigidsym.language.functions import _jacobi as jacobi
 from rigidsym.language.functions import _thetas as thetas

@@ -1,4 +1,4 @@
-"""The base class of special functions: cached values, and printed code that calls our tables."""
+"""Base class of special functions, with cached values and code printers."""
 
 from functools import lru_cache, partialmethod
 from typing import Any
@@ -11,13 +11,13 @@ _STEP = 128  # bits
 
 
 class Coded(DefinedFunction):
-    """A function with implementations, by its name, in the tables `NUMPY` and `MPMATH`."""
+    """A SymPy function whose implementations are in the tables `NUMPY` and `MPMATH`."""
 
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
 
     def _number(self, prec: int) -> Any:
-        """Return the value to so many bits; None for arguments outside of the domain."""
+        """Return the value to `prec` bits; None for arguments outside of the domain."""
         try:
             wide = 2 * prec + 64 + self._guard(prec)  # 1 - m keeps enough digits when m is near 1
             with mp.workprec(prec):
@@ -31,7 +31,7 @@ class Coded(DefinedFunction):
         raise NotImplementedError
 
     def _guard(self, prec: int) -> int:
-        """Return the bits that the arguments need beside those for `prec`."""
+        """Return the extra bits that the arguments need for a value of `prec` bits."""
         return 0
 
     def _eval_is_real(self) -> bool | None:
@@ -59,5 +59,5 @@ def rounded_up(prec: int) -> int:
 
 @lru_cache(maxsize=4096)
 def _evaluated(function: Coded, prec: int) -> Any:
-    """Return a cached value: formulas have the same function in many places."""
+    """Return the value of a function, cached because formulas repeat functions."""
     return function._number(prec)

@@ -141,7 +141,7 @@ def _functions(u: Any, m: Any) -> tuple[Any, Any, Any]:
 
 
 def _drift(u: Any, m: Any) -> Any:
-    """Return D of the table, the part of d/dm that is not elementary."""
+    """Return D of the table above: (1 - m) u - epsilon."""
     return (1 - m) * u - jacobi_epsilon(u, m)
 
 
@@ -155,7 +155,7 @@ def _am_dm(u: Any, m: Any) -> Any:
 
 
 def _tilt(u: Any, m: Any) -> Any:
-    """Return W of the table, which dn and epsilon share in d/dm."""
+    """Return W of the table above, a factor of d/dm of dn and epsilon."""
     sn, cn, dn = _functions(u, m)
     if _is_one(m):
         return (u * cn + sn / cn) / 4
@@ -207,12 +207,12 @@ _RULES = {
 
 
 def _lost_bits(*arguments: Any) -> int:
-    """Return the bits that the reduction of u may lose; periods are short where m is large."""
+    """Return the bits that the reduction of u may lose, more for large m."""
     return sum(max(0, int(mp.mag(x))) for x in arguments if x and mp.isfinite(x))
 
 
 def _mp_am(u: Any, m: Any) -> Any:
-    """Return the amplitude of real u, reduced by half turns: am(u + 2 K) = am(u) + pi."""
+    """Return the amplitude of a real argument, reduced by am(u + 2 K) = am(u) + pi."""
     if mp.im(u) or mp.im(m):
         raise ValueError("am is many-valued off the real line: real u and m expected")
     u, m = mp.re(u), mp.re(m)
@@ -227,7 +227,7 @@ def _mp_am(u: Any, m: Any) -> Any:
 
 
 def _mp_epsilon(u: Any, m: Any) -> Any:
-    """Return E u / K plus Jacobi's zeta function, by theta functions (DLMF 22.16.30)."""
+    """Return epsilon by theta functions (DLMF 22.16.30)."""
     if m == 1:
         return mp.tanh(u)
     k, q = mp.ellipk(m), mp.qfrom(m=m)
@@ -237,7 +237,7 @@ def _mp_epsilon(u: Any, m: Any) -> Any:
 
 
 def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
-    """Return one of the five over mpmath numbers, at the precision of the call."""
+    """Return one of the five functions for mpmath numbers, at the working precision."""
     function = {"am": _mp_am, "epsilon": _mp_epsilon}.get(
         kind, lambda u, m: mp.ellipfun(kind, u, m=m)
     )
@@ -280,7 +280,7 @@ def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
 
 
 def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], list[Any]]:
-    """Return turns and v of u = 2 K turns + v, if |v| is past K/2, the AGM and the tangents.
+    """Reduce an argument to u = 2 K turns + v; return both, the AGM and the tangents.
 
     A far |v| is reflected to K - |v| (DLMF 22.4(iii)), so that cn and dn come without
     cancellation.  m = 1, where K is infinite, has its closed forms.
@@ -296,7 +296,7 @@ def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], l
 
 
 def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
-    """Return the half turns of am(u), sine and cosine of the rest, and dn."""
+    """Return the half turns in am(u), the sine and cosine of the rest, and dn."""
     mc = 1 - m
     turns, v, far, _, (t, *_) = _np_reduce(u, mc)
     size, kc = np.abs(v), np.sqrt(mc)
@@ -308,7 +308,7 @@ def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def _np_epsilon(u: Any, m: Any) -> Any:
-    """Return E u / K plus Jacobi's zeta function of v.
+    """Return epsilon: E u / K plus Jacobi's zeta function of v.
 
     Gauss's transformation (DLMF 19.8(iii)) of the integral of x cos^2 am + y sin^2 am leaves one
     of the same form and a term of zeta, until x = y = E / K.  For m >= 0 no term is negative.
@@ -326,7 +326,7 @@ def _np_epsilon(u: Any, m: Any) -> Any:
 
 
 def _np_function(kind: str) -> Callable[[Any, Any], Any]:
-    """Return one of the five over arrays of real numbers that broadcast; nan where m > 1."""
+    """Return one of the five functions for arrays that broadcast; nan for m > 1."""
 
     @np.errstate(all="ignore")
     def evaluate(u: Any, m: Any) -> Any:

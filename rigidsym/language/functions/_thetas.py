@@ -23,13 +23,13 @@ _TERMS = 36
 
 
 class _Part(Coded):
-    """One part of a theta function: the real one if `_real_part` is true."""
+    """Base class of the real and the imaginary part of a theta function."""
 
     _real_part: bool
 
     @classmethod
     def eval(cls, k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Return zero where a part vanishes on an axis."""
+        """Return zero on an axis where the part vanishes."""
         if not (k.is_Integer and 1 <= k <= 4 and r.is_Integer and r >= 0):
             raise ValueError(f"{cls.__name__}: k = 1, 2, 3 or 4 and whole r >= 0 expected")
         if y.is_zero and not cls._real_part:

@@ -66,7 +66,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
 
 
 def _mp_pi(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi by R_J (DLMF 19.25.14) of u less its half turns, and the complete integral."""
+    """Return Pi by R_J (DLMF 19.25.14), after reducing u by half turns."""
     n, u, m = map(mp.convert, (n, u, m))
     if mp.im(n) or mp.im(m) or mp.re(m) > 1 or mp.re(n) >= 1:
         raise ValueError("jacobi_pi: real n < 1 and m <= 1 expected")
@@ -89,7 +89,7 @@ def _mp_pi(n: Any, u: Any, m: Any) -> Any:
 
 
 def _mp_across(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi(+-K + i y): i (y + n/(1 - n) Pi(m'/(1 - n); y | m')) more than Pi(+-K)."""
+    """Return Pi(+-K + i y) = Pi(+-K) + i (y + n/(1 - n) Pi(m'/(1 - n); y | m'))."""
     with mp.extraprec(64):
         quarter, y = mp.ellipk(m), mp.im(u)
         if abs(abs(mp.re(u)) - quarter) > mp.ldexp(quarter, -mp.prec // 4):
@@ -99,7 +99,7 @@ def _mp_across(n: Any, u: Any, m: Any) -> Any:
 
 
 def _np_pi(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi over arrays of real numbers that broadcast; m < 1 and n < 1."""
+    """Return Pi for arrays of real numbers that broadcast; m < 1 and n < 1."""
     n, u, m = (np.asarray(x, dtype=float) for x in (n, u, m))
     mc = 1 - m
     period = 2 * np.pi / sum(jacobi._np_agm(np.asarray(mc))[-1])  # 2 K by the AGM

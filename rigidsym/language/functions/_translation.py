@@ -1,4 +1,4 @@
-"""Formulas of the ledger as SymPy's expressions.
+"""Translation of the ledger's expressions to SymPy.
 
 SymPy's functions take the parameter m.  The ledger's facts write it, too; formulas for numbers have
 its complement 1 - m as the last argument (`BY_COMPLEMENT`).  Integrals and inverses that SymPy has
@@ -26,7 +26,7 @@ _OPERATORS: Functions = {"+": add, "-": sub, "*": mul, "/": truediv, "**": pow}
 def sympified(
     expression: Expression, value_of: Callable[[str], Any], functions: Functions
 ) -> sympy.Expr:
-    """Return an expression of the ledger in SymPy, with values for its names.
+    """Translate an expression of the ledger to SymPy, with values for its names.
 
     Raises ValueError for a function that is not in the table.
     """
@@ -52,14 +52,14 @@ BY_PARAMETER: Functions = {
 
 
 def _elliptic_j(u: Any, n: Any, m: Any) -> Any:
-    """Return the integral of sn^2/(1 - n sn^2): (Pi - u)/n, and elementary where n = 0 = m."""
+    """Return the integral of sn^2/(1 - n sn^2); for n = 0, where m = 0, it is elementary."""
     if n == 0:
         return (u - sympy.sin(u) * sympy.cos(u)) / 2
     return (jacobi_pi(n, u, m) - u) / n
 
 
 def _elliptic_pi(n: Any, *rest: Any) -> Any:
-    """Return the complete integral, or that to an amplitude, by Jacobi's argument of that."""
+    """Return the complete integral, or the incomplete one by Jacobi's argument."""
     if len(rest) == 1:
         return elliptic_pi(n, *rest)
     amplitude, m = rest

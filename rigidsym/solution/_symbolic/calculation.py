@@ -1,4 +1,4 @@
-"""Calculations on symbols by the formulas of the ledger, and conditions under which they hold."""
+"""Symbolic calculations by the formulas of the ledger, and their conditions."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ _CONSTANTS = {"pi": pi, "I": I}
 
 @dataclass(frozen=True, slots=True)
 class ExactMotion:
-    """A motion in SymPy's exact numbers: moments, rates, a unit quaternion, and its kind.
+    """A motion in SymPy's exact numbers, with its kind.
 
     exact: moments and rates as fractions.
     """
@@ -35,7 +35,7 @@ class ExactMotion:
     exact: tuple[Sequence[Fraction], Sequence[Fraction]]
 
     def numbers(self, axes: Sequence[int] = (0, 1, 2)) -> list[Any]:
-        """List moments, rates and the quaternion at t = 0, in an order of the axes."""
+        """List moments, rates and quaternion at t = 0, with the axes in a given order."""
         columns = (self.inertia, self.omega0, self.attitude0[1:])
         moments, rates, vector = ([values[k] for k in axes] for values in columns)
         return [*moments, *rates, self.attitude0[0], *vector]
@@ -43,7 +43,7 @@ class ExactMotion:
 
 @dataclass
 class Calculation:
-    """Quantities by name, the constants among them in order, and the facts that they rest on.
+    """A symbolic calculation: known quantities, constants in order, and facts used.
 
     With the numbers of a motion, constants are numbers with a name.  Otherwise later constants
     contain the symbols of earlier ones, except for those that are a number whatever the motion.
@@ -83,7 +83,7 @@ class Calculation:
         return tuple(self.known[name] for name in names)
 
     def begin(self, names: Sequence[str], numbers: Iterable[Any]) -> None:
-        """Name the inputs of a form, which are free symbols where no motion is given."""
+        """Name the inputs of a form: free symbols, or a motion's numbers."""
         if self.given is None:
             self.known |= {name: named(name) for name in names}
         else:
@@ -91,7 +91,7 @@ class Calculation:
                 self.name(name, value)
 
     def name(self, name: str, value: Any, rename: str = "") -> None:
-        """Add a constant, by its symbol."""
+        """Add a constant under its symbol."""
         symbol = named(rename or name)
         self.constants[symbol] = value
         plain = Constant(rename or name, value) if self.given else symbol
@@ -103,7 +103,7 @@ class Calculation:
         only: Iterable[str] | None = None,
         rename: Mapping[str, str] | None = None,
     ) -> None:
-        """Add the constants of a sequence that are needed for `only` and not known yet."""
+        """Compute the unknown constants of a sequence, all or those needed for `only`."""
         solution = sealed()
         needed = solution.evaluated[sequence].up_to(frozenset(only)).formulas if only else ()
         wanted = {name for name, _ in needed}
@@ -116,7 +116,7 @@ class Calculation:
     def work_out(
         self, sequence: str, known: Mapping[str, Any], constant: Collection[str] = ()
     ) -> dict[str, Any]:
-        """Return the quantities of a sequence, each put into those after it.
+        """Evaluate a sequence, with each quantity substituted into the later ones.
 
         Those in `constant` are skipped.  Only the facts are added to the calculation.
         """
@@ -130,7 +130,7 @@ class Calculation:
 
 
 def evaluated(expression: Expression, known: Mapping[str, Any]) -> Any:
-    """Return an expression of the ledger with values for its names; `pi` and `I` are SymPy's."""
+    """Evaluate an expression of the ledger in SymPy, with values for its names."""
 
     def argument(sn: Any, cn: Any, dn: Any) -> Any:
         """Return u of sn where cn >= 0."""
@@ -156,7 +156,7 @@ def _contexts() -> dict[str, Mapping[str, Any]]:
 def conditions_of(
     context: str, known: Mapping[str, Any], given: Iterable[str] = ()
 ) -> tuple[Boolean, ...]:
-    """Return the conditions of a context on known names, and its relations between `given` ones."""
+    """Return the conditions of a context on known names."""
     ledger, inputs = _contexts()[context], {*given}
     clauses = (("units", Ne, {*known}), ("nonnegative", Ge, {*known}), ("relations", Eq, inputs))
     found = (
@@ -169,5 +169,5 @@ def conditions_of(
 
 
 def nontrivial(conditions: Iterable[Any]) -> tuple[Boolean, ...]:
-    """Return the conditions that are not true whatever their symbols, each once."""
+    """Return the conditions that are not always true, each once."""
     return tuple(dict.fromkeys(c for c in conditions if c is not True and c != True))  # noqa: E712

@@ -1,4 +1,4 @@
-"""The forms of the solution by name, made of the sequences of the ledger."""
+"""Forms of the solution by name, built from the sequences of the ledger."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -81,9 +81,10 @@ def of_motion(
     omega0: Sequence[Fraction],
     attitude0: Sequence[Fraction],
 ) -> Symbolic:
-    """Return a form with a motion's exact numbers; for None, the form that serves its regime.
+    """Return a form of the solution with a motion's exact numbers.
 
-    Raises InputError for an unknown form, and for one that does not hold in the motion's regime.
+    For None, take the form that serves the motion's regime.  Raises InputError for an unknown form,
+    and for one that does not hold in this regime.
     """
     polhode = classify(inertia, omega0)
     serving = _SERVING.get(polhode.regime, "pi")
@@ -159,7 +160,7 @@ def _regular(work: Calculation) -> Symbolic:
 
 
 def _thetas(work: Calculation) -> None:
-    """Add the constants of the theta form and its quaternion in front: psi does not start at 0."""
+    """Add the constants of the theta form, and its constant quaternion in front."""
     work.compute("theta", used("circular_state", "circular") | {"Lambda"})
     work.compute("circular")
     begin = work.work_out("circular_state", {"t": S.Zero, **_IDENTITY})
@@ -170,7 +171,7 @@ def _thetas(work: Calculation) -> None:
 
 
 def _quantities(work: Calculation) -> dict[str, Any]:
-    """Return energy, momentum, modulus and parameter, the period of the rates and mean rates."""
+    """Return energy, momentum, modulus, period and mean rates by name."""
     form, known = work.form, work.known
     found = {
         "energy": known["H"],
@@ -198,7 +199,7 @@ def _quantities(work: Calculation) -> dict[str, Any]:
 
 
 def _steady(work: Calculation) -> Symbolic:
-    """Return a form with constant rates: the attitude is one exponential."""
+    """Return a form with constant rates, whose attitude is one exponential."""
     moments, rates = ([f"{letter}{k}" for k in (1, 2, 3)] for letter in ("c", "Omega"))
     start, known = ["p0", "p1", "p2", "p3"], work.known
     work.begin([*moments, *rates, *start], work.given.numbers() if work.given else ())

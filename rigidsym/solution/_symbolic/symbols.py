@@ -1,4 +1,4 @@
-"""Names of formulas in SymPy: symbols, with their signs, and constants of exact value."""
+"""SymPy symbols for names of formulas, and named constants of exact value."""
 
 from functools import lru_cache
 from typing import Any

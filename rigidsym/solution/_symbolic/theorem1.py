@@ -1,4 +1,4 @@
-"""Theorem 1 as SymPy: rates by Lemma 1, phi1 by Pi, the mended halves, (18) and (37).
+"""Theorem 1 in SymPy: rates by Lemma 1, phi1 by Pi, then (18) and (37).
 
 With free symbols it is the paper's solution on one interval, over complex numbers.  With a motion's
 numbers it holds at all times, and is real:
@@ -43,7 +43,7 @@ _INPUTS = [
 
 
 def theorem1(work: Calculation) -> Symbolic:
-    """Return the paper's solution: on one interval, or of a motion at all times."""
+    """Return the paper's solution on one interval, or a motion's solution at all times."""
     given = work.given
     if given:
         sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
@@ -84,7 +84,7 @@ def theorem1(work: Calculation) -> Symbolic:
 
 
 def _sine(work: Calculation, i: int) -> Calculation:
-    """Return the constants of one rate; their names end with the number of its axis."""
+    """Compute the constants of one rate; their names end with the number of its axis."""
     given = work.given
     j, k = sines.others(given.polhode, i) if given else _CYCLIC[i]
     known: dict[str, Any] = {
@@ -106,7 +106,7 @@ def _sine(work: Calculation, i: int) -> Calculation:
 
 
 def _across_the_line(part: Calculation, i: int) -> None:
-    """Name xi and C - +-K(mu), divided by i and Remark 1's sign, and compute sn: all are real."""
+    """Add the real constants of an imaginary xi, and compute sn from them."""
     known = part.known
     sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
     part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
@@ -116,7 +116,7 @@ def _across_the_line(part: Calculation, i: int) -> None:
 
 
 def _third_kind_across(work: Calculation) -> Expr:
-    """Return Pi less its value at t = 0, divided by i and Remark 1's sign."""
+    """Return the real form of Pi(t) - Pi(0) for an imaginary xi."""
     n, mu, xi, begin = (work.known[name] for name in ("n", "mu", "xi", "C_1"))
     nu = (1 - mu) / (1 - n)
     work.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))
@@ -127,7 +127,7 @@ def _third_kind_across(work: Calculation) -> Expr:
 def _followed(
     work: Calculation, given: ExactMotion, moving: dict[str, Any], third: dict[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the quaternions of (18) at t = 0 and at all times, continuous at zeros of Omega3."""
+    """Return (18) at t = 0 and at all times, made continuous at zeros of Omega3."""
     right = _by_angles(work, moving)
     start = _by_angles(work, {"t": S.Zero, "Pi": S.Zero})
     (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
@@ -156,19 +156,19 @@ def _followed(
 
 
 def _left(right: dict[str, Any]) -> dict[str, Any]:
-    """Return (18) with -F4 for F3 and F3 for F4, where phi3 is larger by pi."""
+    """Return (18) for phi3 larger by pi: -F4 takes the place of F3, and F3 that of F4."""
     zero, a, b, d = right.values()
     return dict(zip(right, (-a, zero, d, -b), strict=True))
 
 
 def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
-    """Return the quaternion of (18), axes 1, 2, 3 being a, b, d."""
+    """Return the quaternion of (18), with axes 1, 2, 3 named a, b, d."""
     found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
 
 def _turned(work: Calculation, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
-    """Name the constant quaternion of (37), and return the attitude with the given one at t = 0."""
+    """Return the attitude that starts at the given one, by the constant quaternion of (37)."""
     given = {f"q_{x}": work.known[f"q{k}"] for k, x in enumerate(_ABD)}
     front = work.work_out("pull_back", {**start, **given, "epsilon": S.One})
     for x in _ABD:

@@ -1,4 +1,4 @@
-"""A solution as SymPy's expressions, and its Taylor polynomials.
+"""A solution as SymPy expressions of the time, with its Taylor polynomials.
 
 The polynomials follow from Euler's equations and q' = q (0, Omega)/2: the equations give one
 coefficient after the other by products alone.  SymPy's `series` of a quotient of square roots of
@@ -35,7 +35,7 @@ class Dynamics:
     handedness: Any = 1
 
     def taylor(self, q: Any, omega: Any, count: int) -> tuple[Coefficients, Coefficients]:
-        """Return the first coefficients of q and omega in the time since they had these values."""
+        """Return the first Taylor coefficients of q and omega about these values."""
         turn, rate, c = [[x] for x in q], [[x] for x in omega], self.moments
         for k in range(1, count):
             slopes = [self._turning(turn, rate, i) for i in range(4)]
@@ -56,7 +56,7 @@ class Dynamics:
 
 
 def _product(x: list[Any], y: list[Any]) -> Any:
-    """Return the last known coefficient of a product."""
+    """Return the last coefficient of the product of two power series."""
     return sum(one * other for one, other in zip(x, reversed(y), strict=True))
 
 
