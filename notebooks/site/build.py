@@ -1,4 +1,4 @@
-"""Builds the site, without network: `python notebooks/site/build.py` (extra `docs`).
+"""Build of the site, without network: `python notebooks/site/build.py` (extra `docs`).
 
 Its pages are this folder's, the README, the notebooks as they are committed, and what
 `generate` makes from the code.  All of it goes to DIR/source and from there, by Sphinx, to
@@ -15,18 +15,7 @@ from pathlib import Path
 import docstrings  # noqa: F401  (before the package is imported)
 from sphinx.cmd.build import main as sphinx
 
-from generate import (
-    api,
-    command,
-    displays,
-    errata,
-    formats,
-    gallery,
-    kernel,
-    links,
-    notebook,
-    project,
-)
+from generate import gallery, links, notebook, project
 
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parents[1]
@@ -48,7 +37,7 @@ FIRST = "propagate"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Stage the sources and run Sphinx; returns its exit status."""
+    """Stage the sources and run Sphinx; return its exit status."""
     parser = argparse.ArgumentParser(description="Build the site.")
     parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "site", metavar="DIR")
     parser.add_argument("-n", "--notebooks", type=Path, default=SITE.parent, metavar="DIR")
@@ -66,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def render(output: Path) -> int:
-    """Run Sphinx over what is staged; returns its exit status."""
+    """Run Sphinx over what is staged; return its exit status."""
     places = ["-c", SITE, "-d", output / "cache", "-D", f"html_static_path={output / 'static'}"]
     quiet = ["-W", "--keep-going", "-q"]
     status = sphinx([*quiet, *map(str, [*places, output / "source", output / "html"])])
@@ -76,7 +65,10 @@ def render(output: Path) -> int:
 
 
 def stage(source: Path, notebooks: Sequence[Path]) -> None:
-    """Every page of the site as a file under `source`."""
+    """Write every page of the site as a file under `source`."""
+    # They import most of the package, which rendering does not need.
+    from generate import api, command, displays, errata, formats, kernel
+
     shutil.copytree(SITE / "pages", source)
     for name, page in project.pages(ROOT).items():
         _write(source / name, page)
@@ -93,7 +85,7 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
 
 
 def stage_static(static: Path, notebooks: Sequence[Path]) -> None:
-    """What pages load: a style, the font of formulas, pictures of the gallery, plotly if needed."""
+    """Write files that pages load: style, font of formulas, pictures, and plotly if needed."""
     shutil.copytree(SITE / "static", static)
     for name, data in gallery.pictures(_texts(notebooks)).items():
         (static / name).write_bytes(data)
@@ -107,13 +99,13 @@ def _texts(notebooks: Sequence[Path]) -> dict[str, str]:
 
 
 def _copy(package: str, name: str, folder: Path) -> None:
-    """A file that an installed package brings."""
+    """Copy a file of an installed package."""
     file = resources.files(package).joinpath(name)
     (folder / name.rpartition("/")[2]).write_bytes(file.read_bytes())
 
 
 def _stage_guide(source: Path, notebooks: Sequence[Path]) -> None:
-    """README, pages and notebooks, with links between them; how-tos come after the chapters."""
+    """Write README, pages and notebooks with links between them, how-tos after chapters."""
     shutil.copyfile(ROOT / "CONTRIBUTING.md", source / "contributing.md")
     pages = [path.name for path in source.glob("*.md") if path.name != "index.md"]
     below = SHOWN | {name: name for name in pages}
