@@ -1,4 +1,4 @@
-"""Numbers as users give them, as exact rationals, with a one-line error where they are wrong.
+"""Conversion of user input to exact rationals, with one-line errors.
 
 Floats mean the exact binary64 value; strings ("0.0109", "1/3", "0x1.8p+1"), Fraction, Decimal and
 mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls of python-flint are uncertain.
@@ -13,13 +13,12 @@ from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from functools import cache
 from numbers import Rational, Real
-from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeGuard, Union, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Union
 
 from rigidsym.errors import InputError, written
 
 if TYPE_CHECKING:
     import flint
-    import numpy as np
 
     # mpmath makes its mpf as it runs, of this class.
     from mpmath.ctx_mp_python import _mpf
@@ -71,17 +70,17 @@ Number = Fraction | Uncertain
 
 
 def middle(value: Number) -> Fraction:
-    """Return an exact number itself, or the middle of an uncertain one."""
+    """Return the value of an exact number, or the middle of an uncertain one."""
     return value.middle if isinstance(value, Uncertain) else value
 
 
 def radius(value: Number) -> Fraction:
-    """Return the radius of a number; 0 for an exact one."""
+    """Return the radius of a number, which is 0 for an exact one."""
     return value.radius if isinstance(value, Uncertain) else Fraction(0)
 
 
 def is_uncertain(*values: Number) -> bool:
-    """Return True if any number is only known within a radius."""
+    """Return True if any number is uncertain."""
     return any(isinstance(value, Uncertain) for value in values)
 
 
@@ -89,11 +88,12 @@ def number(field: str, value: ExactNumber) -> Number:
     """Read an exact or an uncertain number; raise InputError unless it is finite and real."""
     if isinstance(value, Uncertain):
         return value
-    parts: list[ExactNumber] = [value]
-    if isinstance(value, str):
-        parts = [*value.strip().removeprefix("[").removesuffix("]").split("+/-")]
-    elif _is_ball(value):
-        parts = [value.mid(), value.rad()]
+    given: Any = value
+    parts = [given]
+    if isinstance(given, str):
+        parts = given.strip().removeprefix("[").removesuffix("]").split("+/-")
+    elif _is_ball(given):
+        parts = [given.mid(), given.rad()]
     if len(parts) == 1:
         return exact(field, value)
     if len(parts) != 2:
@@ -109,7 +109,7 @@ def number(field: str, value: ExactNumber) -> Number:
 def certain(
     field: str, values: Sequence[Number], rule: str = "is uncertain; only enclose takes that"
 ) -> tuple[Fraction, ...]:
-    """Return exact numbers unchanged; raise InputError for the first that is uncertain."""
+    """Return the numbers; raise InputError for the first uncertain one."""
     exact_ones = tuple(value for value in values if isinstance(value, Fraction))
     for k, value in enumerate(values):
         if isinstance(value, Uncertain):
@@ -147,39 +147,30 @@ def is_true(field: str, value: bool) -> bool:
     return value
 
 
-def _is_ball(value: object) -> "TypeGuard[flint.arb]":
-    """Return True for a ball of Arb's: nothing else has a middle and a radius."""
-    return hasattr(value, "rad") and hasattr(value, "mid")
-
-
-def _is_mpf(value: object) -> "TypeGuard[_mpf | flint.arb]":
-    """Return True for mpmath's numbers, and for balls of radius 0, which look like them."""
-    return hasattr(value, "_mpf_")
-
-
-def _is_float(value: object) -> TypeGuard[float | Decimal]:
-    """Return True for real numbers; NumPy's count as floats."""
-    return isinstance(value, Real | Decimal)
-
-
 def exact(field: str, value: ExactNumber) -> Fraction:
-    """Return the exact rational value; raise InputError unless the number is finite and real."""
-    if isinstance(value, str):
-        return _exact_text(field, value)
-    if isinstance(value, bool):
-        raise InputError(field, value, "must be a number")
-    if isinstance(value, Uncertain) or (_is_ball(value) and value.rad() != 0):
-        raise InputError(field, value, "is uncertain; it must be exact")
-    if _is_mpf(value):
-        return _exact_mpf(field, value)
-    if isinstance(value, Rational):
+    """Convert a number to an exact rational; raise InputError unless it is finite and real."""
+    given: Any = value
+    if isinstance(given, str):
+        return _exact_text(field, given)
+    if isinstance(given, bool):
+        raise InputError(field, given, "must be a number")
+    if isinstance(given, Uncertain) or (_is_ball(given) and given.rad() != 0):
+        raise InputError(field, given, "is uncertain; it must be exact")
+    if hasattr(given, "_mpf_"):  # mpmath's numbers, and balls of radius 0, which look like them
+        return _exact_mpf(field, given)
+    if isinstance(given, Rational):
         # A fraction would keep NumPy's integers, which overflow.
-        return Fraction(int(value.numerator), int(value.denominator))
-    if _is_float(value):
-        if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
-            raise InputError(field, value, "must be finite")
-        return Fraction(*value.as_integer_ratio())
-    raise InputError(field, written(value, repr), "must be a number")
+        return Fraction(int(given.numerator), int(given.denominator))
+    if isinstance(given, Real | Decimal):  # NumPy's floats, too
+        if not (given.is_finite() if isinstance(given, Decimal) else math.isfinite(given)):
+            raise InputError(field, given, "must be finite")
+        return Fraction(*given.as_integer_ratio())
+    raise InputError(field, written(given, repr), "must be a number")
+
+
+def _is_ball(value: object) -> bool:
+    """Return True for a ball of python-flint, which has a middle and a radius."""
+    return hasattr(value, "rad") and hasattr(value, "mid")
 
 
 def _exact_mpf(field: str, value: "_mpf | flint.arb") -> Fraction:
@@ -213,12 +204,8 @@ def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Numbe
     return tuple(number(f"{field}[{k}]", item) for k, item in enumerate(items))
 
 
-@overload
-def sequence(field: str, values: Times, ndim: Literal[1] = 1) -> list[ExactNumber]: ...
-@overload
-def sequence(field: str, values: "ArrayLike", ndim: Literal[2]) -> list[Vector3]: ...
-def sequence(field: str, values: Times, ndim: int = 1) -> list[Any]:
-    """Return the items of a list, tuple or array of `ndim` axes; raise InputError for others."""
+def sequence(field: str, values: Any, ndim: int = 1) -> list[Any]:
+    """Return the items of an ordered sequence with `ndim` axes; raise InputError for others."""
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
         raise InputError(field, written(values, repr), "must be a list of numbers")
@@ -233,7 +220,7 @@ ALLOW = "allow_nonphysical=True or --allow-nonphysical lets it pass"
 def inertia(
     values: Vector3, allow_nonphysical: bool = False, next_step: str = ALLOW
 ) -> tuple[Number, ...]:
-    """Read three principal moments of a body that can exist, or any positive ones if so allowed.
+    """Read three principal moments; raise InputError unless a body can have them.
 
     next_step: how the message says to have other moments accepted.
     """
@@ -255,7 +242,7 @@ def inertia(
 
 
 def can_exist(largest: Fraction, *others: Fraction) -> bool:
-    """Return True if a body can have these positive moments, up to rounding.
+    """Return True if a body can have these positive moments, within rounding.
 
     The largest is at most the sum of the others, or that sum as a double, or beyond it by 2^-50 of
     the smallest.  Rounding makes flat bodies exceed the sum: the second condition is for moments
@@ -286,22 +273,13 @@ def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]
     return quaternion
 
 
-def _is_one(values: object) -> TypeGuard[ExactNumber]:
-    """Return True for one number rather than several."""
-    return isinstance(values, str | Real | Decimal) or _is_mpf(values)
-
-
-def _has_item(values: object) -> "TypeGuard[np.ndarray | np.generic]":
-    """Return True for an array without axes."""
-    return getattr(values, "ndim", 1) == 0
-
-
 def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
-    """Return times exactly, and True if they are one number rather than a list."""
-    if _is_one(values):
-        return (exact("t", values),), True
-    if _has_item(values):
-        return (exact("t", values.item()),), True
+    """Read times as exact numbers; also return True if they are a single number."""
+    given: Any = values
+    if isinstance(given, str | Real | Decimal) or hasattr(given, "_mpf_"):
+        return (exact("t", given),), True
+    if getattr(given, "ndim", 1) == 0:
+        return (exact("t", given.item()),), True
     return tuple(exact(f"t[{k}]", x) for k, x in enumerate(sequence("t", values))), False
 
 
@@ -334,7 +312,7 @@ def seconds(value: ExactNumber | None) -> float | None:
 
 
 def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
-    """Return the nearest doubles; raise InputError where they overflow."""
+    """Round to the nearest doubles; raise InputError if one overflows."""
     try:
         return [float(value) for value in values]
     except OverflowError:
@@ -342,13 +320,13 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
 
 
 def shown(values: Sequence[Number]) -> str:
-    """Write numbers for a message, to a dozen digits."""
+    """Write numbers as a list with 12 digits each, for messages."""
     texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
     return f"[{', '.join(texts)}]"
 
 
 def decimal(value: Fraction, digits: int) -> str:
-    """Write a rational rounded correctly to `digits` digits, without trailing zeros."""
+    """Write a rational as a decimal, rounded to `digits` digits, without trailing zeros."""
     context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return str(context.divide(Decimal(value.numerator), Decimal(value.denominator)))
 

@@ -1,4 +1,4 @@
-"""The main job: derive, check, generate, validate on the paper's body, and report."""
+"""The main job of `rigidsym reproduce`: derive, check, generate, validate, report."""
 
 import json
 import subprocess
@@ -44,7 +44,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True, slots=True)
 class Reproduction:
-    """The results of one run."""
+    """Results of one run of the main job."""
 
     derivation: Derivation
     checked: bool
@@ -60,7 +60,7 @@ class Reproduction:
 
 
 def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
-    """Run every stage and write the results into a directory.
+    """Run every stage of the main job and write the results into a directory.
 
     say: is called with each stage, its result, its seconds and whether it passed.  progress: takes
     the name of a stage, and returns a function of the work done and the total.  Raises InputError
@@ -113,7 +113,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
 
 def _pages(result: Reproduction) -> dict[str, str]:
-    """Return the pages for readers by file name, the report last."""
+    """Return the text of all report files by file name."""
     told, validation = results(result), result.validation
     verdicts = result.verdicts
     printed = (Printed(v.equation.number, str(v.ruling), list(details(v))) for v in verdicts)
@@ -133,7 +133,7 @@ def _derived() -> tuple[Derivation, float]:
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
-    """Generate every module; the kernel decides that it is what was derived."""
+    """Generate every module and let the kernel verify it against the derivation."""
     seal(solution)
     generated = {target: generate(target, solution) for target in TARGETS}
     for module in generated.values():
@@ -147,7 +147,7 @@ def _timed(stage: Callable[[], Value]) -> tuple[Value, float]:
 
 
 def plot(case: Case) -> str:
-    """Plot quaternion and body rates of a motion over time, by the generated module, as SVG."""
+    """Plot the attitude and body rates of a case over time, as SVG."""
     times = [float(t) for t in case.times]
     if not times:
         raise InputError("times", "[]", "a plot needs at least one time")
@@ -165,7 +165,7 @@ def plot(case: Case) -> str:
 
 
 def results(result: Reproduction) -> Results:
-    """Return the contents of the report."""
+    """Collect the contents of the report."""
     facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
     grades = Counter(str(fact.grade) for fact in facts).most_common()
     chapters = [chapter for chapter in result.derivation.chapters if chapter.facts]

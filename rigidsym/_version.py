@@ -1,3 +1,3 @@
-"""The version of this project, for all who have to name it."""
+"""The version of the package."""
 
 __version__ = "0.1.0"

@@ -1,4 +1,4 @@
-"""Errors that users see, always as one line, and checks for optional packages."""
+"""Exceptions with one-line messages, and checks for optional packages."""
 
 from collections.abc import Callable
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
@@ -12,7 +12,7 @@ _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 
 def written(value: object, write: Callable[[object], str] = str) -> str:
-    """Return a value as text, to a dozen digits where Python refuses to write a long number."""
+    """Write a value as text, also an integer too long for Python's `str`."""
     try:
         return write(value)
     except ValueError:  # int to str stops at 4300 digits
@@ -23,7 +23,7 @@ def written(value: object, write: Callable[[object], str] = str) -> str:
 
 
 class InputError(ValueError):
-    """An input that breaks a rule: one line with the field, its value, the rule and what to do.
+    """Invalid input; the message has the field, its value, the rule and the next step.
 
     All parameters are attributes of the error.
 
@@ -58,13 +58,13 @@ class InputError(ValueError):
         self.body, self.time, self.next_step = body, time, next_step
 
     def __reduce__(self) -> "tuple[type[InputError], tuple[object, ...]]":
-        """Return the arguments, so that the error comes back from other processes as it was."""
+        """Return the arguments, so that the error can be pickled."""
         given = self.field, self.value, self.rule, self.body, self.time, self.next_step
         return type(self), given
 
 
 class EngineError(ValueError):
-    """An array that an engine cannot compute with: the field and the rule it breaks.
+    """Array that an engine refuses, with its field and the rule it breaks.
 
     body, time: the numbers of the first body and time that do.  Engines do not have the values as
     users gave them: the public functions add these, and raise InputError.
@@ -77,20 +77,20 @@ class EngineError(ValueError):
         self.field, self.rule, self.body, self.time = field, rule, body, time
 
     def __reduce__(self) -> "tuple[type[EngineError], tuple[object, ...]]":
-        """Return the arguments, so that the error comes back from other processes as it was."""
+        """Return the arguments, so that the error can be pickled."""
         return type(self), (self.field, self.rule, self.body, self.time)
 
 
 class LedgerError(ValueError):
-    """A ledger that is missing, damaged, or does not prove what it publishes."""
+    """Ledger that is missing, damaged, or does not prove what it publishes."""
 
 
 class PrecisionError(ArithmeticError):
-    """A computation that did not reach the requested digits."""
+    """Computation that did not reach the requested precision."""
 
 
 def package(name: str, user: str, extra: str = "lab") -> ModuleType:
-    """Import a module of an extra by its name; raise ImportError, in one line, without it."""
+    """Import an optional module; raise a one-line ImportError if it is not installed."""
     try:
         return import_module(name)
     except ImportError:
@@ -98,7 +98,7 @@ def package(name: str, user: str, extra: str = "lab") -> ModuleType:
 
 
 def require(user: str, *names: str, extra: str = "app") -> None:
-    """Raise ImportError, in one line, for the packages of these names that are not installed.
+    """Raise a one-line ImportError for the packages that are not installed.
 
     It looks for them and does not import them, which takes long for some.
     """

@@ -1,4 +1,4 @@
-"""Torque-free motion of a rigid body: the public class and the function for batches."""
+"""Torque-free motion: the class of one motion, and `propagate` for many bodies."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -120,7 +120,7 @@ class TorqueFreeMotion:
         return tuple(map(Fraction, self._floats["attitude0"]))
 
     def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
-        """Return another motion, with some of the arguments changed.
+        """Return a copy of the motion with some arguments changed.
 
         `degrees` is about an omega0 among the changes.  Raises InputError as the class does.
         """
@@ -151,7 +151,7 @@ class TorqueFreeMotion:
 
     @property
     def _value(self) -> tuple[str, *tuple[tuple[Number, ...], ...]]:
-        """The engine and the numbers, by which motions are compared."""
+        """The engine and the numbers, which equality and hash use."""
         return self.engine, self.inertia, self.omega0, self.attitude0
 
     def __copy__(self) -> "TorqueFreeMotion":
@@ -176,7 +176,7 @@ class TorqueFreeMotion:
         return motion_latex(self)
 
     def __getstate__(self) -> dict[str, object]:
-        """Return the state without caches, which belong to this process."""
+        """Return the attributes without caches, for pickle."""
         return {name: value for name, value in self.__dict__.items() if name not in _CACHED}
 
     def __call__(
@@ -219,7 +219,7 @@ class TorqueFreeMotion:
     def sensitivity(
         self, t: ArrayLike, errors: str = "raise", columns: Iterable[str] | None = None
     ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-        """Return q and omega at times, as a call does, and their derivatives by all inputs.
+        """Return the states at times and their derivatives by all inputs.
 
         The derivatives are in closed form, at all times and in every regime.  Errors are below
         1e-13 of a column: of the rotation, and of the rates over |omega0|, by a change of omega0 or
@@ -357,12 +357,12 @@ class TorqueFreeMotion:
 
     @cached_property
     def exact(self) -> dict[str, tuple[Fraction, ...]]:
-        """Inertia, omega0 and attitude0 by name; raises InputError where one is uncertain."""
+        """Inertia, omega0 and attitude0 by name; raises InputError if one is uncertain."""
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
     def _in_doubles(self) -> dict[str, tuple[float, ...]]:
-        """Inertia, omega0 and attitude0 by name if all of them are doubles, else nothing."""
+        """Inertia, omega0 and attitude0 by name if all are doubles; else empty."""
         if self._floats:
             return self._floats
         given = self.exact
@@ -383,7 +383,7 @@ class TorqueFreeMotion:
 
     @property
     def regime(self) -> "Regime":
-        """The kind of motion, decided exactly from the given numbers."""
+        """The regime of the motion, decided exactly from the given numbers."""
         return self._by("theta", self._given).polhode.regime
 
     @property
@@ -489,7 +489,7 @@ class TorqueFreeMotion:
         return self._quantities.nutation
 
     def _by(self, method: str, given: Mapping[str, tuple[Number, ...]]) -> "PreciseMotion":
-        """Return this motion by a method of `precise`."""
+        """Return the motion with a method of `precise`; keep it for later calls."""
         from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
 
         known = (*METHODS, *ESTIMATED)
@@ -531,7 +531,7 @@ class TorqueFreeMotion:
         max_seconds: float | None = None,
         sensitivity: bool = False,
     ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
-        """Return states of mpmath numbers with `digits` certain significant digits.
+        """Return states as mpmath numbers with `digits` certain significant digits.
 
         The numbers print these digits; results computed from them have mpmath's precision at the
         time.  A number whose ball has shrunk around zero to less than 2^-4000 is zero.
@@ -603,7 +603,7 @@ class TorqueFreeMotion:
         max_seconds: float | None = None,
         sensitivity: bool = False,
     ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
-        """Return states of Arb's balls (`flint.arb`) that contain the true values.
+        """Return states as balls (`flint.arb`) that contain the true values.
 
         Radii are at most 10^-digits max(1, |value|) where the inputs are exact; else they are what
         the uncertainty of the inputs makes them.
@@ -655,7 +655,7 @@ class TorqueFreeMotion:
         return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def _by_balls(self, method: str | None) -> "PreciseMotion":
-        """Return the motion by one of the methods that have error bounds."""
+        """Return the motion with a method that has error bounds; raise InputError for others."""
         from rigidsym.precise import ESTIMATED, METHODS
 
         if isinstance(method, str) and method in ESTIMATED:
@@ -672,7 +672,7 @@ class TorqueFreeMotion:
         return BoxedMotion(**self._given)
 
     def symbolic(self, form: str | None = None) -> "Symbolic":
-        """Return the motion as SymPy expressions of the time, with its exact numbers.
+        """Return the motion as SymPy expressions of the time with exact numbers.
 
         Parameters
         ----------
@@ -898,7 +898,7 @@ def propagate(
 def _floats(
     inertia: Vector3, omega0: Vector3, attitude0: Quaternion
 ) -> dict[str, tuple[float, ...]]:
-    """Return inertia, omega0 and attitude0 by name if they are valid doubles, else nothing."""
+    """Return the inputs by name as floats; return {} if they need the full checks."""
     moments, rates = batches.moments(inertia), batches.floats(omega0, 3)
     start = _IDENTITY if attitude0 is IDENTITY else batches.floats(attitude0, 4)
     if moments is None or rates is None or start is None or not any(start):
@@ -909,7 +909,7 @@ def _floats(
 def _with_sensitivities(
     rows: "Iterable[Sequence[arb | mpf]]", single: bool
 ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-    """Split rows of 67 numbers into q, omega, both derivatives (3, 9), and both by the time."""
+    """Split rows of 67 numbers into q, omega and their sensitivities."""
     q, omega, *changes, turns_t, rates_t = _split(rows, single, (4, 3, 27, 27, 3, 3))
     attitude, rates = (x.reshape(*x.shape[:-1], 3, 9) for x in changes)
     return q, omega, Sensitivity(attitude, rates, turns_t, rates_t)
@@ -918,7 +918,7 @@ def _with_sensitivities(
 def _split(
     rows: "Iterable[Sequence[arb | mpf]]", single: bool, widths: tuple[int, ...] = (4, 3)
 ) -> tuple[np.ndarray, ...]:
-    """Split rows into object arrays of these widths; a single row has no axis of times."""
+    """Split rows into object arrays of given widths; drop the axis of a single time."""
     listed = [*rows]
     table = np.empty((len(listed), sum(widths)), dtype=object)
     for k, row in enumerate(listed):

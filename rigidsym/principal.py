@@ -1,4 +1,4 @@
-"""Principal axes of a body: from its inertia tensor to the inputs of a motion, and back."""
+"""Principal axes of an inertia tensor, and conversion of states to and from them."""
 
 from dataclasses import dataclass
 
@@ -40,7 +40,7 @@ class PrincipalAxes:
     quaternion: np.ndarray
 
     def to_principal(self, omega: ArrayLike, attitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Convert rates (..., 3) and attitudes (..., 4) of the given axes to the principal ones.
+        """Convert rates (..., 3) and attitudes (..., 4) from the given to the principal axes.
 
         Returns omega0 and attitude0 of a motion.  Raises InputError for other shapes.
         """
@@ -48,7 +48,7 @@ class PrincipalAxes:
         return rates @ self.matrix, product(q, self.quaternion)
 
     def from_principal(self, q: ArrayLike, omega: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Convert attitudes (..., 4) and rates (..., 3) of a motion to the given axes.
+        """Convert attitudes (..., 4) and rates (..., 3) from the principal to the given axes.
 
         Returns both in this order.  Raises InputError for other shapes.
         """
@@ -114,7 +114,7 @@ class PrincipalAxes:
         )
 
     def _by_tensor(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the derivatives (3, 6) of axes, along themselves, and moments by entries."""
+        """Return derivatives (3, 6) of the principal axes and moments by the tensor's entries."""
         m, axes = self.moments, self.matrix
         for i, j in ((0, 1), (1, 2)):
             if m[i] == m[j]:
@@ -187,7 +187,7 @@ def _entries(tensor: ArrayLike) -> np.ndarray:
 
 
 def _solved(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return ascending moments, zero where they are below rounding, and axes as columns."""
+    """Return ascending moments, with rounding errors set to zero, and axes as columns."""
     if np.array_equal(tensor, np.diag(np.diag(tensor))):
         order = np.argsort(np.diag(tensor), kind="stable")
         return np.diag(tensor)[order], np.eye(3)[:, order]

@@ -1,4 +1,4 @@
-"""Quaternions as arrays (..., 4) of doubles, scalar first; leading shapes broadcast."""
+"""Operations on quaternions, arrays (..., 4) with the scalar first; shapes broadcast."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ _CROSS = np.cross(np.eye(3), np.eye(3)[:, None])
 
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return Hamilton's product p q.
+    """Return the Hamilton product p q.
 
     >>> product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0, 0.0]))
     array([0., 0., 0., 1.])
@@ -20,7 +20,7 @@ def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def conjugate(q: np.ndarray) -> np.ndarray:
-    """Return the conjugate: the inverse rotation, for a unit quaternion."""
+    """Return the conjugate, which is the inverse of a unit quaternion."""
     return q * [1.0, -1.0, -1.0, -1.0]
 
 
@@ -32,7 +32,7 @@ def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
 
 
 def cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """Return the matrices (..., 3, 3) of the cross products v x, of vectors v (..., 3)."""
+    """Return the matrices (..., 3, 3) of the cross product with vectors v (..., 3)."""
     return np.tensordot(vectors, _CROSS, 1)
 
 
@@ -43,7 +43,7 @@ def matrices(q: np.ndarray) -> np.ndarray:
 
 
 def of_matrix(m: np.ndarray) -> np.ndarray:
-    """Return the unit quaternion (4,) of a rotation matrix (3, 3), scalar part not negative.
+    """Convert a rotation matrix (3, 3) to a unit quaternion (4,) with scalar part >= 0.
 
     The root is taken of the largest of four squares (Shepperd, J. Guidance and Control 1, 1978).
     """
@@ -59,7 +59,7 @@ def of_matrix(m: np.ndarray) -> np.ndarray:
 
 
 def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
-    """Return the shorter rotation vectors (..., 3) of unit quaternions (..., 4), rad."""
+    """Convert unit quaternions (..., 4) to their shortest rotation vectors (..., 3), rad."""
     scalar, vector = quaternions[..., :1], quaternions[..., 1:]
     length = np.linalg.norm(vector, axis=-1, keepdims=True)
     half = np.arctan2(length, np.abs(scalar))
@@ -68,7 +68,9 @@ def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
 
 
 def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
-    """Return the derivative (..., 3, 3) of rotation vectors (..., 3) by a later small rotation.
+    """Return the inverse left Jacobian (..., 3, 3) of rotation vectors (..., 3).
+
+    It is the derivative of a rotation vector by a small rotation that follows it.
 
     Angles are below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
 
@@ -85,7 +87,7 @@ def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
 
 
 def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:
-    """Return the unit quaternions (..., 4) of rotation vectors (..., 3), rad.
+    """Convert rotation vectors (..., 3), rad, to unit quaternions (..., 4).
 
     >>> of_rotation_vectors(np.array([np.pi, 0.0, 0.0])).round(12)
     array([0., 1., 0., 0.])

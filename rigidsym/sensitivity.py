@@ -1,4 +1,4 @@
-"""Derivatives of the state of a motion by its inputs."""
+"""The class of a state's derivatives by the inputs of a motion."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,9 @@ from rigidsym.errors import InputError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sensitivity:
-    """Derivatives of the state at some times; ... is the shape of the bodies, then of the times.
+    """Derivatives of states by the inputs of a motion.
+
+    In shapes, ... is the shape of the bodies, then of the times.
 
     The columns of `attitude` and `rates` are by the small rotation at t = 0 (3, rad), omega0 (3,
     rad/s) and the principal moments (3, kg m^2), in the order of the inputs.
@@ -37,7 +39,7 @@ class Sensitivity:
 
     @property
     def transition(self) -> np.ndarray:
-        """The state transition matrix (..., 6, 6): the small rotation and rates by those at t = 0.
+        """The state transition matrix (..., 6, 6) from t = 0, for small rotation and rates.
 
         Raises InputError without the columns of attitude0 and omega0.
         """

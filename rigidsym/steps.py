@@ -1,4 +1,4 @@
-"""Single steps of torque-free motion for many bodies: the public function `step`."""
+"""The public function `step`, a single step of torque-free motion for many bodies."""
 
 import math
 
@@ -22,7 +22,7 @@ def step(
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the torque-free motion of bodies after the time dt.
+    """Return the states of bodies after a torque-free motion of dt seconds.
 
     A step starts from any state and costs the same in every regime.  Leading shapes broadcast.
     For one body, tuples, lists and arrays of floats are fastest; the constants of the last bodies
@@ -93,9 +93,9 @@ def _one(
     engine: str,
     out: tuple[np.ndarray, np.ndarray] | None,
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return the step of one body of plain finite numbers, by the shortest way to the engine.
+    """Step one body of plain finite numbers, fast; return None for all other input.
 
-    None for what needs a closer look or is refused, which `step` does.
+    `step` then takes a closer look, or refuses the input.
     """
     moments, start = batches.moments(inertia), batches.floats(q, 4)
     rates = batches.floats(omega, 3)
@@ -111,7 +111,7 @@ def _one(
 
 
 def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
-    """Return the shape that leading shapes broadcast to; raise InputError where they do not."""
+    """Broadcast the leading shapes of arrays; raise InputError where they do not fit."""
     shape: tuple[int, ...] = ()
     for name, array in given.items():
         size, found = _SIZES.get(name), f"an array of shape {array.shape}"

@@ -1,4 +1,4 @@
-"""The `rigidsym` command: parse the arguments, run the command, turn errors into exit statuses.
+"""The `rigidsym` command: its parser, and the exit status of what it runs.
 
 Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad input or usage.
 """
@@ -89,7 +89,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 class _Help(argparse.RawDescriptionHelpFormatter):
-    """Help that shows the default of options that have a value as default."""
+    """Help text that ends with the default value of an option."""
 
     def _get_help_string(self, action: argparse.Action) -> str | None:
         silent = action.default in (None, argparse.SUPPRESS) or isinstance(action.default, bool)

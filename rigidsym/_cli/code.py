@@ -9,7 +9,7 @@ from rigidsym.errors import InputError
 
 
 def codegen(options: Namespace) -> int:
-    """Write a generated module, print it, or compare it with files; return 1 where it differs."""
+    """Write, print or check a generated module; return 1 where it differs from files."""
     import rigidsym.generated
     from rigidsym._cli.proofs import replayed
     from rigidsym._codegen import generate
@@ -52,7 +52,7 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 
 def trace(options: Namespace) -> int:
-    """Print the facts and equations of a generated line, or the lines of an equation."""
+    """Print the facts behind a generated line, or the lines that rest on an equation."""
     from rigidsym._codegen.trace import TraceError, lines_of_equation, told
     from rigidsym.proof.paper import EQUATIONS
 

@@ -1,4 +1,4 @@
-"""The table of all commands: names, arguments, help texts and examples, in the order of the help.
+"""The table of all commands, in the order of the help.
 
 The parser, the completion of shells and the reference on the site are computed from this table.
 Functions are named as "module:function" of `rigidsym._cli` and imported when they run.  Nothing
@@ -14,21 +14,21 @@ _MOST = 999_999_999
 
 
 class Argument:
-    """An argument: its names, and the keywords of `ArgumentParser.add_argument`."""
+    """Names and keywords of one argument, as for `ArgumentParser.add_argument`."""
 
     def __init__(self, *names: str, **keywords: Any) -> None:
         self.names, self.keywords = names, keywords
 
 
 class Group:
-    """Arguments below a title of their own in the help; without a title they exclude each other."""
+    """Arguments with a title of their own in the help, or without one, that exclude each other."""
 
     def __init__(self, *arguments: Argument, title: str = "") -> None:
         self.arguments, self.title = arguments, title
 
 
 class Command:
-    """A command: the function it runs, its summary, an example, and its arguments."""
+    """One command with its function, summary, example and arguments."""
 
     def __init__(
         self, name: str, run: str, summary: str, example: str, *arguments: Argument | Group
@@ -38,14 +38,14 @@ class Command:
 
 
 def as_path(text: str) -> Path:
-    """Return the path of a file or directory; the type of an argument."""
+    """Parse a path; raise ArgumentTypeError for an empty one."""
     if not text:
         raise argparse.ArgumentTypeError("'' must name a file or directory")
     return Path(text)
 
 
 def as_count(text: str) -> int:
-    """Return a positive whole number; the type of an argument."""
+    """Parse a positive whole number; raise ArgumentTypeError for other text."""
     if not re.fullmatch(r"[0-9]+(_[0-9]+)*", text) or not 1 <= int(text[:20]) <= _MOST:
         rule = f"must be a whole number, at least 1 and at most {_MOST}"
         raise argparse.ArgumentTypeError(f"{text!r:.40} {rule}")
@@ -53,7 +53,7 @@ def as_count(text: str) -> int:
 
 
 def as_seconds(text: str) -> float:
-    """Return a positive time, s; the type of an argument."""
+    """Parse a positive number of seconds; raise ArgumentTypeError for other text."""
     try:
         seconds = float(text)
     except ValueError:

@@ -10,7 +10,7 @@ from rigidsym.io._files import probe, write_text
 
 
 def reproduce(options: Namespace) -> int:
-    """Run the main job and report its stages; return 1 where one fails."""
+    """Run all stages of the main job and print a table of them; return 1 where one fails."""
     from rigidsym._reproduce import reproduce
     from rigidsym.proof.derivation import DerivationError
 
@@ -32,7 +32,7 @@ def reproduce(options: Namespace) -> int:
 
 
 def init(options: Namespace) -> int:
-    """Write a template."""
+    """Write a template file with comments."""
     path = options.output or Path(options.template)
     if path.exists():
         raise InputError("output", path, "is there already: give -o FILE")

@@ -17,7 +17,7 @@ BARS = ExitStack()
 
 
 def prepare_output() -> None:
-    """Make closed streams and encodings without our characters harmless."""
+    """Let output never fail because a stream is closed or cannot encode a character."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
@@ -27,13 +27,13 @@ def prepare_output() -> None:
 
 
 def discard_output() -> None:
-    """Discard what is still buffered, so that the exit does not fail again."""
+    """Send buffered output to the null device, so that the exit does not fail again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextmanager
 def reader_may_leave() -> Generator[None]:
-    """Keep the exit status when the reader of a pipe closes it, as `head` does."""
+    """Ignore a pipe that its reader closes early, as `head` does."""
     try:
         yield
         sys.stdout.flush()
@@ -42,7 +42,7 @@ def reader_may_leave() -> Generator[None]:
 
 
 def progress(label: str) -> Callable[[int, int], None]:
-    """Return a function that shows the steps done and their total as a progress bar.
+    """Return a function that updates a progress bar by the steps done and their total.
 
     The bar is shown on a terminal only, with the time left.
     """
@@ -66,12 +66,12 @@ def progress(label: str) -> Callable[[int, int], None]:
 
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Print a table, as wide as the terminal, or 120 characters."""
+    """Print a table that is as wide as the terminal; 120 characters elsewhere."""
     sys.stdout.write(table_text(title, columns, rows))
 
 
 def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return the table that `table` prints."""
+    """Return a table as text."""
     from rich.table import Table
     from rich.text import Text
 
@@ -84,7 +84,7 @@ def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
 
 
 def entries_text(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Return names and their descriptions below a title.
+    """Return a list of names with their descriptions, below a title, as text.
 
     A name is shown once for all consecutive entries.
     """
@@ -135,11 +135,11 @@ def deliver(options: Namespace, result: Any, show: Callable[[], None]) -> None:
 
 
 def say(message: str) -> None:
-    """Print to stderr."""
+    """Print a message to stderr."""
     print(message, file=sys.stderr)
 
 
 def say_written(paths: Iterable[Path]) -> None:
-    """Report the files that were written."""
+    """Print the paths of written files to stderr."""
     for path in paths:
         say(f"wrote {path}")

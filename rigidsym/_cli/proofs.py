@@ -23,7 +23,7 @@ ERRATA_SCHEMA = "rigidsym.errata/2"
 
 
 def derive(options: Namespace) -> int:
-    """Derive chapters; print them as a table, JSON or an article, and write the ledger."""
+    """Derive chapters, print them, and write the ledger; return 1 where a proof fails."""
     from derivations.setting import setting_of
     from rigidsym.proof.derivation import DerivationError, derive, sealed_counts
 
@@ -53,7 +53,7 @@ def derive(options: Namespace) -> int:
 
 
 def _chapters(derivation: "Derivation") -> None:
-    """Print each chapter with its numbers of computed and of guessed facts."""
+    """Print a table of chapters that counts computed and guessed facts."""
     rows = []
     for chapter in derivation.chapters:
         facts, computed = len(chapter.facts), chapter.computed
@@ -65,7 +65,7 @@ def _chapters(derivation: "Derivation") -> None:
 
 
 def _mutants(derivation: "Derivation") -> None:
-    """Report how many mutants are counted, and which counts are of an earlier run."""
+    """Print how many mutants were counted now, and how many in an earlier run."""
     facts = derivation.mutants
     if not facts:
         return
@@ -93,7 +93,7 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 
 
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
-    """Write the ledger of all chapters to its place, or to the user's file."""
+    """Write the ledger to the user's file or, with --in-place, into the package."""
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
@@ -118,7 +118,7 @@ def _compared(ledger: str) -> str:
 
 
 def check(options: Namespace) -> int:
-    """Print facts by grade; return 1 where the ledger is refused, or a fact is only assumed."""
+    """Check a ledger and count its facts by grade; return 1 where it is not accepted."""
 
     grades = _independent_grades if options.independent else _kernel_grades
     specification = "" if options.facts else stored.specification_text()
@@ -178,7 +178,7 @@ def _ledger_text(path: Path | None) -> str:
 
 
 def export(options: Namespace) -> int:
-    """Write a ledger for Coq, and let Coq decide it with --check."""
+    """Write a ledger as theorems of Coq; with --check, run Coq on them."""
     from rigidsym.proof._coq import export
     from rigidsym.proof.algebra._enclosures import encloses
     from rigidsym.proof.kernel import KernelError, replay
@@ -197,7 +197,7 @@ def export(options: Namespace) -> int:
 
 
 def _exported(written: "Export") -> None:
-    """Print how many facts of each rule are theorems in Coq, and which are not."""
+    """Print how many facts of each rule Coq states, and which facts it does not state."""
     from rigidsym.proof._coq import SUPPOSED
 
     total = sum(written.exported.values())
@@ -214,7 +214,7 @@ def _exported(written: "Export") -> None:
 
 
 def _make(directory: Path) -> int:
-    """Run Coq by make; return 1 where it refuses, or is not installed."""
+    """Run Coq by make; return 1 where Coq refuses a theorem or is not installed."""
     from os import cpu_count
     from shutil import which
     from subprocess import run
@@ -230,7 +230,7 @@ def _make(directory: Path) -> int:
 
 
 def audit(options: Namespace) -> int:
-    """Print what is trusted, theorem by theorem."""
+    """Print the assumptions that each theorem rests on."""
     from dataclasses import asdict
 
     from rigidsym._codegen.lines import RUNTIMES, handwritten
@@ -258,7 +258,7 @@ def audit(options: Namespace) -> int:
 
 
 def errata(options: Namespace) -> int:
-    """Print the verdicts on the printed equations and on claims in the paper's prose."""
+    """Print the verdicts on the paper's equations and on claims in its prose."""
     from rigidsym.proof.paper import judged, verdicts
     from rigidsym.proof.paper._table import details
 
@@ -283,7 +283,7 @@ def errata(options: Namespace) -> int:
 
 
 def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
-    """Return the verdicts that are asked for; raise InputError for an unknown equation."""
+    """Select verdicts by the options; raise InputError for an unknown equation."""
     numbers = {verdict.equation.number.lower(): verdict for verdict in ruled}
     wanted = [name.strip("()").lower() for name in options.equations]
     for name, given in zip(wanted, options.equations, strict=True):

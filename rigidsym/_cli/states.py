@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def propagate(options: Namespace) -> int:
-    """Write the states of a case in one of the formats."""
+    """Write the states of a case file to stdout or to a file."""
     from rigidsym.io._tables import FORMATS
 
     options.format = _format(options)
@@ -40,7 +40,7 @@ def propagate(options: Namespace) -> int:
 
 
 def _format(options: Namespace) -> str:
-    """Return the format that an option or the file name gives; raise InputError without one."""
+    """Return the output format by option or by file name; raise InputError for neither."""
     if options.format or not options.output:
         return options.format or STATE_FORMATS[0]
     ending = options.output.suffix.removeprefix(".").lower()
@@ -51,7 +51,7 @@ def _format(options: Namespace) -> str:
 
 
 def _heading(options: Namespace) -> dict[str, Any]:
-    """Return the options of a message by name; raise InputError for other formats."""
+    """Return the options of --format aem; raise InputError where they are for another format."""
     names = [name.replace("-", "_") for name in MESSAGE]
     given = {name: getattr(options, name) for name in (*names, "rates")}
     given = {name: value for name, value in given.items() if value is not None}
@@ -100,7 +100,7 @@ def _states(case: "Case", options: Namespace) -> "Table":
 
 
 def methods(options: Namespace) -> int:
-    """Compare the methods for many digits."""
+    """Print the cost and accuracy of the methods for many digits."""
     from rigidsym.precise._comparison import DIGITS, compare
 
     if options.output:

@@ -25,7 +25,7 @@ _APPLICATIONS = {"fits": "rigidsym.validate._fits", "torques": "rigidsym.validat
 
 
 def compare_forms(options: Namespace) -> int:
-    """Compare the three forms of the solution."""
+    """Print costs and errors of the three forms of the solution."""
     from rigidsym.validate._forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
     if options.output:
@@ -69,7 +69,7 @@ def validate(options: Namespace) -> int:
 
 
 def _chosen(options: Namespace) -> dict[str, Any]:
-    """Return the arguments of a campaign that the user gave.
+    """Return the arguments of a campaign from the options.
 
     Without targets these are all that can be measured on this machine.
     """

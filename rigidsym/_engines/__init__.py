@@ -1,4 +1,4 @@
-"""Engines: they compute states from prepared motions and times, by NumPy or by C compiled here.
+"""Engines that compute states, by NumPy or by C that is compiled on this machine.
 
 Their states at the same times agree within the errors they are measured to have.  A warning about
 an engine is given once in a process.
@@ -48,65 +48,62 @@ _WARNED: dict[str, Any] = {}
 
 
 def engine(name: str) -> Engine:
-    """Return the engine of a name in EVERY; without a C compiler, NumPy's for C's and a warning.
+    """Return an engine by its name in EVERY; without a C compiler, warn and return NumPy's.
 
     The first call for C's may compile, for a second or two.  Raises InputError for other names.
     """
-    if checked(name).startswith("c"):
-        found = _compiled_or_reason(name)
-        if not isinstance(found, str):
-            return found
-    return _numpy(name)
+    found = _compiled_or_reason(name) if checked(name).startswith("c") else ""
+    return _numpy(name) if isinstance(found, str) else found
 
 
 def exactly(name: str) -> Engine:
-    """Return the engine of this name; raise InputError where there is no compiler for it."""
-    return _compiled(name) if checked(name).startswith("c") else _numpy(name)
+    """Return an engine by its name; raise InputError if it needs a missing C compiler."""
+    return _exactly(checked(name))
+
+
+def stepper(name: str) -> Stepper:
+    """Return the stepper of an engine; without a C compiler, warn and return NumPy's."""
+    found = _compiled_or_reason("c-step") if checked(name, ENGINES) == "c" else ""
+    return _NUMPY_STEPS if isinstance(found, str) else found
+
+
+def exact_stepper(name: str) -> Stepper:
+    """Return a stepper by its name in STEPPERS; raise InputError without its C compiler."""
+    return _exactly(checked(name, STEPPERS))
+
+
+def integrator() -> CStepper | None:
+    """Return the stepper in C, which also integrates; None without a compiler."""
+    found = _compiled_or_reason("c-step")
+    return None if isinstance(found, str) else found
 
 
 def checked(name: str, among: tuple[str, ...] = EVERY) -> str:
-    """Return the name; raise InputError unless it is among those."""
+    """Return the name; raise InputError unless it is in `among`."""
     if name not in among:
         raise InputError("engine", repr(name), f"must be one of: {', '.join(among)}")
     return name
 
 
 def forget() -> None:
-    """Look for C's engines again at their next use."""
+    """Forget the C engines, so that the next use looks for a compiler again."""
     _obtained.cache_clear()
     _WARNED.clear()
 
 
-def stepper(name: str) -> Stepper:
-    """Return the steps by one of ENGINES; NumPy's, with a warning, without a compiler."""
-    if checked(name, ENGINES) == "c" and isinstance(x := _compiled_or_reason("c-step"), CStepper):
-        return x
-    return _NUMPY_STEPS
-
-
-def exact_stepper(name: str) -> Stepper:
-    """Return the steps of this name in STEPPERS; raise InputError where there is no compiler."""
-    return _compiled(name) if checked(name, STEPPERS) == "c-step" else _NUMPY_STEPS
-
-
-def integrator(name: str) -> CStepper | None:
-    """Return the integrator under torques: None but for C's engine with a compiler."""
-    found = _compiled_or_reason("c-step") if name == "c" else None
-    return found if isinstance(found, CStepper) else None
-
-
-def _compiled(name: str) -> Any:
-    """Return an engine in C; raise InputError where there is none."""
-    found = _obtained(name)[0]
+def _exactly(name: str) -> Any:
+    found = _obtained(name)[0] if name.startswith("c") else _numpy(name)
     if isinstance(found, str):
         raise InputError("engine", name, found)
     return found
 
 
-def _numpy(name: str) -> Engine:
-    """Return NumPy's engine of the form that a name has."""
+def _numpy(name: str) -> Any:
+    """Return the engine or stepper of a name on a NumPy module."""
     if "-" not in name:
         return _NUMPY
+    if name in STEPPERS:
+        return _NUMPY_STEPS
     # Here, because the default does not need it.
     from rigidsym.generated import torque_free_pi
 
@@ -114,7 +111,7 @@ def _numpy(name: str) -> Engine:
 
 
 def _compiled_or_reason(name: str) -> Any:
-    """Return what `_obtained` does, with a warning to the caller's caller at the first time."""
+    """Return a C engine or the reason why there is none; warn of problems once."""
     found = _WARNED.get(name)
     if found is None:
         with _LOCK:
@@ -128,7 +125,7 @@ def _compiled_or_reason(name: str) -> Any:
 
 @cache
 def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
-    """Return one of C's engines, or why there is none, and warnings that were not given yet."""
+    """Return a C engine, or the reason why there is none, and warnings to give."""
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym._engines.build import library
     from rigidsym._engines.c_engine import CEngine

@@ -1,4 +1,4 @@
-"""Arrays as engines take and give them: times, batches of bodies, and outputs."""
+"""Input and output arrays of engines: times, batches of bodies, and states."""
 
 import math
 from collections.abc import Iterable
@@ -29,7 +29,7 @@ _DOUBLE = np.dtype(np.float64)
 
 
 class Batch(NamedTuple):
-    """Bodies and times as arrays that broadcast.
+    """Bodies and times of a batch, as arrays that broadcast.
 
     bodies: inertia (..., 3), omega0 (..., 3) and attitude0 (..., 4) by name.  t: (), (N,) or
     (..., N).  leading: the shape that their leading axes broadcast to.
@@ -46,17 +46,17 @@ class Batch(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The shape of the states: that of the bodies, then the number of times."""
+        """The shape of the states: the bodies' leading shape, then the number of times."""
         return *self.leading, *self.t.shape[-1:]
 
     @property
     def times(self) -> np.ndarray:
-        """The times, (1, N) for all bodies or (B, N), a row for each."""
+        """The times as one row (1, N) for all bodies, or a row for each body (B, N)."""
         return row_or_rows(self.t, self.leading)
 
 
 def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayLike) -> Batch:
-    """Return bodies and times as arrays; raise InputError where shapes do not broadcast."""
+    """Make a batch of bodies and times; raise InputError if their shapes do not broadcast."""
     given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     bodies = {name: np.asarray(value, float) for name, value in given.items()}
     for name, array in bodies.items():
@@ -79,7 +79,7 @@ def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayL
 
 
 def times(t: ArrayLike) -> np.ndarray:
-    """Return times as a contiguous float64 array of no or one dimension."""
+    """Convert times to a contiguous float64 array () or (N,)."""
     array = np.asarray(t, float)
     if array.ndim > 1:
         raise EngineError("t", BAD_TIMES)
@@ -87,26 +87,26 @@ def times(t: ArrayLike) -> np.ndarray:
 
 
 def is_lenient(errors: str) -> bool:
-    """Return True if states of NaN stand for inputs that are refused."""
+    """Return True for "nan" and False for "raise"; raise InputError for other values."""
     if errors not in ERRORS:
         raise InputError("errors", errors, "must be 'raise' or 'nan'")
     return errors == "nan"
 
 
 def in_one_piece(array: np.ndarray) -> np.ndarray:
-    """Return the array, or a copy that is contiguous and aligned as C needs it."""
+    """Return the array, or a copy if it is not contiguous and aligned."""
     whole = array.flags.c_contiguous and array.flags.aligned
     return array if whole else array.copy(order="C")
 
 
 def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Return the vectors of a batch as rows, (B, 3) or (B, 4)."""
+    """Broadcast vectors to a leading shape and flatten it: (B, 3) or (B, 4)."""
     size = array.shape[-1]
     return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(math.prod(shape), size))
 
 
 def row_or_rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Return one row for all bodies of a batch, (1, N), or one for each, (B, N)."""
+    """Return one row (1, N) if all bodies share it, else a row for each body (B, N)."""
     if math.prod(array.shape[:-1]) == 1:
         return in_one_piece(array.reshape(1, array.size))
     return rows(array, shape)
@@ -118,7 +118,7 @@ def outputs(
     *inputs: object,
     own: tuple[object, object] = (None, None),
 ) -> States:
-    """Check the caller's arrays, or make new ones: (*shape, 4) and (*shape, 3).
+    """Return the checked output arrays of a caller, or new ones: (*shape, 4), (*shape, 3).
 
     They must share no memory with each other or an input that is an array, but may be the two of
     `own`, each in its place.
@@ -143,7 +143,7 @@ def outputs(
 
 
 def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool:
-    """Return True if q, omega and the arrays to read are parts of different arrays.
+    """Return True if outputs and inputs certainly share no memory.
 
     False does not mean that they overlap.
     """
@@ -163,7 +163,7 @@ def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool
 
 
 def columns(names: Iterable[str] | None) -> tuple[str, ...]:
-    """Return these names in the order of COLUMNS; all names for None."""
+    """Sort names of columns as in COLUMNS; return all for None.  Raises InputError."""
     if names is None or names is COLUMNS:
         return COLUMNS
     try:
@@ -179,7 +179,7 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
 
 
 def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
-    """Return the last axes of states and of their derivatives by columns; of states for None."""
+    """Return the last axes of q, omega and, unless `columns` is None, of their derivatives."""
     if columns is None:
         return (4,), (3,)
     by_t = (3 if "t" in columns else 0,)
@@ -188,7 +188,7 @@ def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
 
 
 def sensitivities(shape: tuple[int, ...], columns: tuple[str, ...] = COLUMNS) -> Sensitivities:
-    """Make arrays for states of this shape and their derivatives."""
+    """Allocate arrays for states of a shape and their derivatives."""
     count, ends = math.prod(shape), shapes(columns)
     block, begin, derivatives = _memory(count * sum(map(math.prod, ends[2:]))), 0, []
     for last in ends[2:]:
@@ -201,7 +201,7 @@ def sensitivities(shape: tuple[int, ...], columns: tuple[str, ...] = COLUMNS) ->
 
 
 class _Loan:
-    """A block of memory that returns to the cache when no array refers to it."""
+    """Memory that returns to the cache when no array uses it any more."""
 
     def __init__(self, room: np.ndarray) -> None:
         self.room, self.__array_interface__ = room, room.__array_interface__
@@ -211,7 +211,7 @@ class _Loan:
 
 
 def _memory(size: int) -> np.ndarray:
-    """Return an uninitialised array of `size` doubles, from the cache if possible.
+    """Allocate `size` uninitialised doubles, from the cache if possible.
 
     The system clears new memory, which takes as long as the computation: the last block of up to
     48 MB is kept for the next call.  Allocators keep blocks below 4 MB themselves.

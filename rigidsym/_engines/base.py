@@ -1,4 +1,4 @@
-"""The interface of an engine, and the half of a batch that all engines share."""
+"""The abstract class of engines, with the methods that all engines share."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
@@ -19,7 +19,7 @@ Prepared: TypeAlias = Any
 
 
 class Engine(ABC):
-    """Prepared motions, states at times, on grids and of batches, and sensitivities, in float64.
+    """Engine that prepares motions and computes their states and sensitivities in float64.
 
     Times in s, rates in rad/s, inertia in kg m^2, quaternions scalar first.  With `out`, a pair of
     C-contiguous arrays of exactly the shapes named that share no memory with each other or an
@@ -33,11 +33,11 @@ class Engine(ABC):
     @property
     @abstractmethod
     def has_sensitivities(self) -> bool:
-        """True if the module has sensitivities: modules of the theta form alone have them."""
+        """True if the engine has sensitivities; only modules of the theta form have them."""
 
     @abstractmethod
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Return the constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
+        """Prepare one motion from float64 arrays (3,), (3,) and (4,)."""
 
     def prepare_exactly(
         self,
@@ -45,7 +45,7 @@ class Engine(ABC):
         omega0: Sequence[Fraction],
         attitude0: Sequence[Fraction],
     ) -> Prepared:
-        """Return the constants of one motion from exact numbers, not rounded to float64 first."""
+        """Prepare one motion from exact numbers, without rounding them to float64."""
         # Here, because doubles need nothing of it.
         from rigidsym._engines.exact_inputs import exact_inputs
 
@@ -53,13 +53,13 @@ class Engine(ABC):
 
     @abstractmethod
     def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
-        """Return the constants of one motion from numbers that are sums of two doubles."""
+        """Prepare one motion from numbers that are sums of two doubles."""
 
     @abstractmethod
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """Return q and omega: (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
+        """Return q (4,) and omega (3,) at a scalar t, or (N, 4) and (N, 3) at t (N,)."""
 
     @abstractmethod
     def sensitivities(
@@ -69,7 +69,7 @@ class Engine(ABC):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return states at times and their derivatives, by some of `arrays.COLUMNS` or by all."""
+        """Return states at times and their derivatives by the named columns, or by all."""
 
     @abstractmethod
     def grid(
@@ -107,12 +107,12 @@ class Engine(ABC):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return states of many bodies, as `propagate` does, and their derivatives."""
+        """Return the states of many bodies and their derivatives."""
         batch, names = arrays.batch(inertia, omega0, attitude0, t), arrays.columns(columns)
         return self.batch_sensitivities(batch, arrays.is_lenient(errors), names)
 
     def batch_states(self, batch: Batch, lenient: bool, out: Outputs = None) -> States:
-        """Return the states of a batch; `lenient` stands for errors="nan"."""
+        """Return the states of a batch; with `lenient`, NaN for refused bodies and times."""
         states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
         self._fill(batch, states, lenient, None)
         return states

@@ -1,4 +1,4 @@
-"""User input as arrays of doubles: numbers, times and bodies; and errors with their values."""
+"""Conversion of user input to arrays of doubles, with errors that name the wrong number."""
 
 import math
 import sys
@@ -19,7 +19,7 @@ _BLOCK = 1 << 14
 def array(
     name: str, value: ArrayLike, lenient: bool = False, last: tuple[int, ...] = ()
 ) -> np.ndarray:
-    """Return an array of doubles, whose last axes have these sizes.
+    """Convert user input to an array of doubles whose last axes have the sizes `last`.
 
     Raises InputError for the first number that is masked or, unless `lenient`, not finite.
     """
@@ -52,7 +52,7 @@ def batch(
     degrees: bool,
     allow_nonphysical: bool,
 ) -> arrays.Batch:
-    """Return bodies and times as arrays that broadcast; rates may be in degrees.
+    """Convert bodies and times as users give them to a batch.
 
     Raises InputError for the first number that is refused, unless `lenient`, and for shapes.
     """
@@ -65,7 +65,7 @@ def batch(
 
 
 def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
-    """Return times as a float or an array (N,); raise InputError as `array` does."""
+    """Convert times to a float or an array (N,); raise InputError as `array` does."""
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
     if is_number and abs(t) <= sys.float_info.max:
         return float(t)
@@ -76,7 +76,7 @@ def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
 
 
 def number(name: str, value: ArrayLike) -> float:
-    """Return one finite number."""
+    """Convert one finite number to a float; raise InputError for anything else."""
     found = array(name, value)
     if found.ndim:
         raise InputError(name, f"an array of shape {found.shape}", "must be one number")
@@ -84,7 +84,7 @@ def number(name: str, value: ArrayLike) -> float:
 
 
 def floats(value: object, length: int) -> tuple[float, ...] | None:
-    """Return a vector of finite doubles as Python floats, or None if it needs the full checks."""
+    """Convert a plain vector to floats fast; return None if it needs the full checks."""
     listed = value.tolist() if type(value) is np.ndarray else value
     if not isinstance(listed, (tuple, list)) or len(listed) != length:
         return None
@@ -100,7 +100,7 @@ def floats(value: object, length: int) -> tuple[float, ...] | None:
 
 
 def moments(value: object) -> tuple[float, ...] | None:
-    """Return the moments of one body that certainly can exist, as `floats` does.
+    """Convert plain moments of a body that can exist to floats; else return None.
 
     Where a rounded sum is above a double, so is the exact sum; and three moments that are each
     below the sum of the others are positive.
@@ -113,7 +113,7 @@ def moments(value: object) -> tuple[float, ...] | None:
 
 
 def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
-    """Return moments (..., 3) of bodies that can exist; raise InputError for the first that cannot.
+    """Check moments (..., 3); raise InputError for the first body that cannot exist.
 
     Where `lenient`, return a copy in which such bodies have moments of NaN.
     """
@@ -139,13 +139,13 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
 
 @np.errstate(over="ignore", invalid="ignore")
 def _doubtful(inertia: np.ndarray) -> np.ndarray:
-    """Return the indices of rows of (B, 3) moments that sums of doubles leave in doubt."""
+    """Return the indices of bodies (B, 3) that rounded sums do not prove possible."""
     a, b, c = inertia.T
     return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
 
 
 def _are_impossible(inertia: np.ndarray) -> np.ndarray:
-    """Return which of (B, 3) positive moments `inputs.can_exist` refuses, without rounding.
+    """Return a mask of bodies (B, 3) that `inputs.can_exist` refuses, decided exactly.
 
     With largest moments between 1 and 2 every sum is a double and its error, which decide.
     """
@@ -158,7 +158,7 @@ def _are_impossible(inertia: np.ndarray) -> np.ndarray:
 
 
 def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return the rounded sum of a and b and its rounding error (Knuth)."""
     total = a + b
     part = total - a
     return total, (a - (total - part)) + (b - part)
@@ -173,7 +173,7 @@ def _refuse(
 
 
 def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
-    """Return the error of an engine with the value that it refuses, and its place in a batch.
+    """Convert an EngineError to an InputError with the refused value and its index.
 
     given: what the engine was given, by name: arrays of shape (..., k), dt (...), and others.
     """
@@ -203,5 +203,5 @@ def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
 
 
 def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
-    """Return the shape of the bodies of an array: all of its axes but the last, or all of dt's."""
+    """Return the leading shape of an array: all axes but the last, or all axes of dt."""
     return array.shape if field == "dt" else array.shape[:-1]

@@ -1,4 +1,4 @@
-"""The library for this machine: from the cache, or compiled and put there.
+"""The compiled C library for this machine, built once and cached.
 
 The user's cache directory keeps built libraries.  The name of a file has the digest of what it was
 built from and of its own bytes, so that a damaged file is noticed.  One move puts it there whole,
@@ -33,7 +33,7 @@ _PROCESSOR = {"model name", "flags", "Features", "CPU implementer", "CPU archite
 
 
 def library(remarks: list[str], engine: str = "c") -> Library:
-    """Load or build the library of an engine; add warnings for the user to `remarks`.
+    """Load the C library of an engine, or build it; append warnings to `remarks`.
 
     Raises CompilerError and LibraryError where there can be no library.
     """
@@ -46,13 +46,13 @@ def library(remarks: list[str], engine: str = "c") -> Library:
 
 
 def package_sources(engine: str = "c") -> Mapping[str, str]:
-    """Return the generated C module of an engine by file name."""
+    """Return the C sources of an engine by file name."""
     package = resources.files("rigidsym.generated")
     return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES[engine]}
 
 
 def processor() -> list[str]:
-    """Describe the processor that `-march=native` depends on, as far as the system tells."""
+    """Return lines that identify the processor, on which `-march=native` depends."""
     found = [platform.machine()]
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -83,7 +83,7 @@ def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library
 
 
 def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
-    """Compile in a temporary directory, and keep the library in the cache if possible."""
+    """Compile a library and, if possible, put it into the cache."""
     try:
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
             built = compile_library(compiler, sources, Path(work))
@@ -107,11 +107,11 @@ def _keep_and_load(sources: Mapping[str, str], key: str, built: Path) -> Library
 
 
 class CacheError(Exception):
-    """A cache directory that cannot be used; its text is one line."""
+    """Cache directory that cannot be used; the message is one line."""
 
 
 def cache_directory() -> Path:
-    """Return $RIGIDSYM_CACHE, else rigidsym in $XDG_CACHE_HOME or the platform's cache directory.
+    """Return the cache directory: $RIGIDSYM_CACHE, or `rigidsym` in the platform's cache.
 
     Raises CacheError where a user has no home.
     """
@@ -132,7 +132,7 @@ def cache_directory() -> Path:
 
 
 def is_whole(path: Path) -> bool:
-    """Return True if a file's bytes have the digest in its name."""
+    """Return True if the digest of a file is the one in its name."""
     try:
         return path.stem.rsplit("-", 1)[1] == _digest(path.read_bytes())
     except OSError:
@@ -140,7 +140,7 @@ def is_whole(path: Path) -> bool:
 
 
 def _keep(key: str, built: Path) -> Path:
-    """Copy a built library to the cache; raise CacheError where that fails."""
+    """Copy a built library to the cache; raise CacheError on failure."""
     place, data = cache_directory(), built.read_bytes()
     try:
         return write_bytes(place / f"{_PREFIX}-{key}-{_digest(data)}{_SUFFIX}", data)
@@ -149,7 +149,7 @@ def _keep(key: str, built: Path) -> Path:
 
 
 def _drop(path: Path) -> None:
-    """Remove a useless file, where that is possible."""
+    """Remove a file if possible."""
     with suppress(OSError):
         path.unlink(missing_ok=True)
 

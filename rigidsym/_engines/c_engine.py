@@ -1,4 +1,4 @@
-"""The engine on the generated C module, as the system's compiler built it."""
+"""The engine on the generated C module, compiled on this machine."""
 
 import ctypes
 import math
@@ -31,7 +31,7 @@ PREPARATION, _SENSITIVITY = 256, 8
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """States alone, or with columns of sensitivities: as C takes them, and as they lie in memory.
+    """Memory layout of states with or without derivatives, and arguments of C for them.
 
     flags: arguments of C before the outputs; cost: of a time, in plain states; shapes and sizes: of
     each array at one time; offsets: in bytes, where a time and all arrays follow each other.
@@ -47,7 +47,7 @@ class _Layout:
 
 @cache
 def _layout(names: tuple[str, ...] | None) -> _Layout:
-    """Return the layout of states with the columns of these names; of states alone for None."""
+    """Return the layout of states with these columns, or of states alone for None."""
     shapes = arrays.shapes(names)
     sizes = tuple(map(math.prod, shapes))
     offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
@@ -57,7 +57,7 @@ def _layout(names: tuple[str, ...] | None) -> _Layout:
 
 
 class CEngine(Engine):
-    """The engine on torque_free.c; threads may share it and its prepared motions."""
+    """Engine on torque_free.c; threads may share it and its prepared motions."""
 
     __slots__ = ("_prepared_type", "_state_at", "library")
 
@@ -73,7 +73,7 @@ class CEngine(Engine):
         return hasattr(self.library, "states_with_columns")
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """See `Engine`."""
+        """Prepare one motion by the C library."""
         given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
         return self._prepared(self.library.motion_init, given, ())
 
@@ -89,7 +89,7 @@ class CEngine(Engine):
         tail: tuple[int, ...],
         *unit: float,
     ) -> Prepared:
-        """Return a motion by a function of C; arrays are (3, *tail) or (4, *tail)."""
+        """Prepare a motion by a C function from arrays (3, *tail) or (4, *tail)."""
         bodies = {}
         for name, value in given.items():
             array = np.asarray(value, float)
@@ -110,7 +110,7 @@ class CEngine(Engine):
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """See `Engine`."""
+        """Return states at times by the C library."""
         lenient = errors != "raise" and arrays.is_lenient(errors)
         if out is None and isinstance(t, float) and not lenient:
             # NumPy's types do not know that arrays of ctypes are buffers.
@@ -131,7 +131,7 @@ class CEngine(Engine):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """See `Engine`."""
+        """Return states and derivatives at times by the C library."""
         self._check_has_sensitivities()
         lenient, names = arrays.is_lenient(errors), arrays.columns(columns)
         layout = _layout(names)
@@ -143,7 +143,7 @@ class CEngine(Engine):
         return found
 
     def _sensitivities_at(self, prepared: Prepared, t: float, layout: _Layout) -> Sensitivities:
-        """Return sensitivities at one time, by a shorter way from Python to C and back."""
+        """Return states and derivatives at one time, with few calls between Python and C."""
         numbers: Any = layout.memory(t)
         address = addressof(numbers)
         rows = (address + offset for offset in layout.offsets)
@@ -160,7 +160,7 @@ class CEngine(Engine):
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """See `Engine`."""
+        """Return states at exactly start + k step by the C library."""
         q, omega = arrays.outputs(out, (count,))
         addresses = q.ctypes.data, omega.ctypes.data
 
@@ -185,7 +185,7 @@ class CEngine(Engine):
         lenient: bool,
         layout: _Layout,
     ) -> None:
-        """Fill arrays at the times of one motion; threads share the times."""
+        """Fill the arrays of one motion at times t; threads share the times."""
         function = self.library.states_with_columns if layout.flags else self.library.states_at
         near = None
         if lenient:
@@ -208,7 +208,7 @@ class CEngine(Engine):
     def _refused(
         self, code: int, prepared: Prepared, t: np.ndarray, found: Sequence[np.ndarray] = ()
     ) -> EngineError:
-        """Return the error of a code, with the index of the first time it is for."""
+        """Convert an error code to an EngineError with the index of the first refused time."""
         flat, rule = t.reshape(-1), self.library.rule(code).decode()
         if len(found) > 2 and code == self.library.GROWTH:
             lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
@@ -234,7 +234,7 @@ class CEngine(Engine):
         work = layout.cost * times + PREPARATION
 
         def alone(k: int) -> None:
-            """Compute body k by itself; errors have its index."""
+            """Compute body k alone; errors have its index."""
             rows = [
                 x.reshape(count, times, *y)[k] for x, y in zip(found, layout.shapes, strict=True)
             ]
@@ -270,7 +270,10 @@ class CEngine(Engine):
 
 
 def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> list[int]:
-    """Return the codes of all pieces of so many states, each at the cost of some plain ones."""
+    """Run pieces of a number of states by threads; return their codes.
+
+    cost: the cost of each state in plain states.
+    """
     return threads.in_parts(piece, states, threads.threads(cost * states), threads.PIECE // cost)
 
 

@@ -1,4 +1,4 @@
-"""The system's C compiler: found, identified, and run once."""
+"""Search for the system's C compiler, and compilation of a shared library."""
 
 import os
 import shlex
@@ -31,19 +31,19 @@ _OUTPUT = "torque_free.so"
 
 
 class CompilerError(Exception):
-    """No compiler, or one that cannot compile; its text is one line."""
+    """Missing or failing compiler; the message is one line."""
 
 
 @dataclass(frozen=True, slots=True)
 class Compiler:
-    """A command that compiles C, and the text of its --version."""
+    """Command of a C compiler and the text of its --version."""
 
     command: tuple[str, ...]
     version: str
 
 
 def find() -> Compiler:
-    """Return the compiler that $CC names, else the first of cc, gcc and clang on the path."""
+    """Return the compiler in $CC, or the first of cc, gcc and clang on the path."""
     given = os.environ.get("CC", "")
     try:
         named = shlex.split(given)
@@ -60,7 +60,7 @@ def find() -> Compiler:
 def compile_library(
     compiler: Compiler, sources: Mapping[str, str], directory: Path, flags: tuple[str, ...] = FLAGS
 ) -> Path:
-    """Write the sources into an empty directory and compile them there into a shared library."""
+    """Compile sources into a shared library in an empty directory, and return its path."""
     for name, text in sources.items():
         (directory / name).write_text(text, encoding="utf-8")
     units = [name for name in sources if name.endswith(".c")]

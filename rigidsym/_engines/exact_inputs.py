@@ -1,4 +1,4 @@
-"""Exact numbers as the unevaluated sums of two doubles that numeric modules take.
+"""Conversion of exact inputs to pairs of doubles, unevaluated sums for numeric modules.
 
 Rounding inertia and rates to doubles would put the motion on another polhode, which is a different
 motion near the separatrix or where moments nearly agree.  So each number becomes two doubles, right
@@ -27,7 +27,7 @@ INDISTINCT = Fraction(1, 2**250)
 
 
 class ExactInputs(NamedTuple):
-    """The arguments of `prepare_from_double_doubles`."""
+    """Arguments of `prepare_from_double_doubles` in a numeric module."""
 
     inertia: list[DoubleDouble]
     differences: list[DoubleDouble]
@@ -40,7 +40,10 @@ class ExactInputs(NamedTuple):
 def exact_inputs(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> ExactInputs:
-    """Scale by powers of two and round to pairs; raises InputError for what is out of range."""
+    """Scale exact inputs by powers of two and round them to pairs of doubles.
+
+    Raises InputError for numbers out of range.
+    """
     moments = _merged(_over_power_of_two(inertia)[0])
     rates, exponent = _over_power_of_two(omega0)
     quaternion, _ = _over_power_of_two(attitude0)
@@ -56,7 +59,7 @@ def exact_inputs(
 
 
 def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
-    """Make the last three columns of a motion prepared exactly derivatives by moments in kg m^2.
+    """Convert derivatives by scaled moments to derivatives by moments in kg m^2, in place.
 
     `exact_inputs` has divided the moments by a power of two.
     """
@@ -66,7 +69,9 @@ def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
 
 
 def pair(value: Fraction) -> DoubleDouble:
-    """Return the nearest double, which is zero for zero alone, and the double nearest to the rest.
+    """Return the double nearest to a number, and the double nearest to the remainder.
+
+    The first is zero only if the number is zero.
 
     >>> pair(Fraction(1, 10))
     (0.1, -5.551115123125783e-18)
@@ -78,7 +83,7 @@ def pair(value: Fraction) -> DoubleDouble:
 
 
 def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
-    """Return the moments, with those that are INDISTINCT made equal."""
+    """Make moments equal that differ by less than INDISTINCT of the smallest."""
     merged, least = list(moments), min(moments) * INDISTINCT
     order = sorted(range(3), key=lambda k: moments[k])
     for low, high in pairwise(order):
@@ -88,7 +93,7 @@ def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
 
 
 def _over_power_of_two(values: Sequence[Fraction]) -> tuple[tuple[Fraction, ...], int]:
-    """Divide by the power of two that brings the largest into [1, 2); return its exponent too."""
+    """Divide by the power of two that puts the largest in [1, 2); also return its exponent."""
     largest = max(map(abs, values))
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length() if largest else 0
     if largest and largest < Fraction(2) ** exponent:

@@ -1,4 +1,4 @@
-"""The compiled functions of a generated module, by the prototypes in its header."""
+"""Calls of compiled functions through the prototypes in a generated header."""
 
 import ctypes
 import operator
@@ -21,12 +21,15 @@ _ELEMENTS = {"double": np.dtype(np.float64), "int": np.dtype(np.intc), "size_t":
 
 
 class LibraryError(Exception):
-    """A file that is not the library of the sources."""
+    """File that is not a library built from the sources."""
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter as a prototype declares it; least: the elements that a pointer must have."""
+    """Parameter of a C function as its prototype declares it.
+
+    least: the number of elements that a pointer must have.
+    """
 
     text: str
     name: str
@@ -37,7 +40,7 @@ class Parameter:
     may_be_null: bool
 
     def given(self, value: Any, sizes: Mapping[str, int]) -> Any:
-        """Return the value as ctypes passes it; raise TypeError for another type than declared.
+        """Convert an argument for ctypes; raise TypeError for another type than declared.
 
         A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.
         """
@@ -89,14 +92,14 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """A function as its prototype declares it."""
+    """C function as its prototype declares it."""
 
     name: str
     result: type[c_char_p | c_double | c_int | c_size_t]
     parameters: tuple[Parameter, ...]
 
     def arguments(self, given: tuple[Any, ...], sizes: Mapping[str, int]) -> list[Any]:
-        """Return arguments as ctypes passes them; raise TypeError for a wrong number or type."""
+        """Convert all arguments for ctypes; raise TypeError for a wrong number or type."""
         if len(given) != len(self.parameters):
             names = ", ".join(x.name for x in self.parameters)
             rule = f"{self.name} takes {len(self.parameters)} arguments ({names})"
@@ -105,7 +108,7 @@ class Signature:
 
 
 def signatures(header: str) -> dict[str, Signature]:
-    """Return the functions that a generated header declares, by name.
+    """Parse the prototypes of a generated header; return the functions by name.
 
     >>> found = signatures("int f(size_t n, const double x[3], int *codes /* or NULL */);")
     >>> [x.text for x in found["f"].parameters]
@@ -134,7 +137,7 @@ def _parameters(text: str) -> tuple[Parameter, ...]:
 
 
 class Library:
-    """The functions of a header, as attributes by their names without the module's prefix.
+    """Compiled functions as attributes, named without the module's prefix.
 
     A call with a wrong number of arguments, or a wrong one, raises TypeError.  `raw` has the same
     functions for engines, which pass addresses of arrays that they have checked: other types raise
@@ -190,7 +193,7 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
 
 
 def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError where the library prepares nothing: options in $CC can do that."""
+    """Raise LibraryError if options of the compiler broke the arithmetic of a library."""
     one, size = np.ones(4), ctypes.sizeof(c_double)
     if "body_init" in library.signatures:
         code = library.body_init((c_double * -(-library.body_size() // size))(), one)
@@ -202,7 +205,7 @@ def check_arithmetic(library: Library) -> None:
 
 
 def written_digest(sources: Mapping[str, str]) -> str | None:
-    """Return the digest in the comment of the sources, if there is one."""
+    """Return the digest in a comment of the sources; None without one."""
     text = "\n".join(sources.values())
     found = re.search(r"^\W*digest ([0-9a-f]{64})\b", text, re.MULTILINE)
     return found[1] if found else None

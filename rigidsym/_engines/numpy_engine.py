@@ -1,4 +1,4 @@
-"""The engine on the generated NumPy module: it works everywhere, without a compiler."""
+"""The engine on the generated NumPy module, which needs no compiler."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ _BODIES = 4096
 
 @dataclass(frozen=True, slots=True)
 class NumpyEngine(Engine):
-    """The engine on `rigidsym.generated.torque_free` or a module like it."""
+    """Engine on `rigidsym.generated.torque_free` or a module like it."""
 
     module: Any = torque_free
 
@@ -39,7 +39,7 @@ class NumpyEngine(Engine):
             raise EngineError(error.field, error.rule, error.body, error.time) from None
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """See `Engine`."""
+        """Prepare one motion by the NumPy module."""
         return self._called(self.module.prepare, inertia, omega0, attitude0)
 
     def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
@@ -48,7 +48,7 @@ class NumpyEngine(Engine):
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """See `Engine`."""
+        """Return states at times by the NumPy module."""
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*prepared["shape"], *times.shape), times)
@@ -61,7 +61,7 @@ class NumpyEngine(Engine):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """See `Engine`."""
+        """Return states and derivatives at times by the NumPy module."""
         self._check_has_sensitivities()
         names = arrays.columns(columns)
         return self._called(self.module.sensitivities, prepared, t, errors, names)
@@ -69,7 +69,7 @@ class NumpyEngine(Engine):
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """See `Engine`."""
+        """Return states at the doubles nearest to start + k step."""
         return self.states(prepared, start + step * np.arange(count), out)
 
     def _fill(
@@ -99,7 +99,7 @@ class NumpyEngine(Engine):
 
 
 def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
-    """Yield blocks of bodies as slices of all of them, with their rows (B, 3), (B, 3), (B, 4)."""
+    """Yield blocks of bodies as slices, with their rows (B, 3), (B, 3) and (B, 4)."""
     leading = batch.leading
     whole = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in batch.bodies.values()]
     for first in range(0, batch.number, _BODIES):

@@ -1,4 +1,4 @@
-"""Steps of many bodies by the NumPy or C module of the form `step`, and by C whole integrations."""
+"""Single steps of many bodies by NumPy or C, and integrations under a torque by C."""
 
 import ctypes
 import struct
@@ -28,7 +28,7 @@ Moments = tuple[float, ...]
 
 
 class _Torque(ctypes.Structure):
-    """The struct torque_free_torque."""
+    """The C struct torque_free_torque."""
 
     _fields_ = (
         *(("coefficients", ctypes.c_void_p), ("coefficients_stride", ctypes.c_size_t)),
@@ -38,7 +38,7 @@ class _Torque(ctypes.Structure):
 
 
 class _Splitting(ctypes.Structure):
-    """The struct torque_free_splitting."""
+    """The C struct torque_free_splitting."""
 
     _fields_ = (
         ("count", ctypes.c_size_t),
@@ -48,7 +48,9 @@ class _Splitting(ctypes.Structure):
 
 @dataclass(frozen=True, slots=True)
 class Kicks:
-    """Bodies, their torque and a splitting method; contiguous float64 arrays.
+    """Arguments of an integration in C: bodies, torque and splitting method.
+
+    Arrays are contiguous and float64.
 
     inertia (B, 3), coefficients (B, 13) and vector (B, 3), or one row for all; orbit (11,), which
     takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).  more: the
@@ -65,20 +67,20 @@ class Kicks:
 
 
 def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
-    """Return the address of a row and the stride to the next, 0 where one row serves all."""
+    """Return the address of row `first` and the stride of rows, 0 if one row serves all."""
     stride = rows.size // len(rows) if len(rows) > 1 else 0
     return rows.ctypes.data + first * stride * _DOUBLE, stride
 
 
 class Stepper(ABC):
-    """Steps of bodies by a module of the form `step`."""
+    """Engine of single steps, on a generated module of the form `step`."""
 
     __slots__ = ()
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """Write the motion of B bodies after dt to out, which may be (q, omega).
+        """Write the states of B bodies after dt to out, which may be (q, omega).
 
         inertia (B, 3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece
         of memory.  Raises EngineError with the index of the first body that is refused.
@@ -99,7 +101,7 @@ class Stepper(ABC):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Return q (4,) and omega (3,) of one body of Python's floats, with the bits of `step`.
+        """Return q (4,) and omega (3,) of one body after dt, with the same bits as `step`.
 
         They are new arrays, or those of out.  Return None, and write nothing, for a body that
         `step` refuses or that leaves binary64 on the way.
@@ -109,11 +111,11 @@ class Stepper(ABC):
     def _steps(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """Write the motion of one or more bodies, or raise EngineError."""
+        """Write the states of all bodies after dt, or raise EngineError."""
 
 
 class NumpyStepper(Stepper):
-    """Steps by `rigidsym.generated.torque_free_step` or a module like it."""
+    """Stepper on `rigidsym.generated.torque_free_step` or a module like it."""
 
     __slots__ = ("_body", "_module")
 
@@ -137,7 +139,7 @@ class NumpyStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """See `Stepper`."""
+        """Step one body by the NumPy module; return None for a body that it refuses."""
         try:
             after = self._module.step_one(self._body(inertia), q, omega, dt)
         except (ValueError, ArithmeticError):
@@ -149,7 +151,7 @@ class NumpyStepper(Stepper):
 
 
 class _Memory(threading.local):
-    """Memory for one state in each thread, with addresses and arrays of q and omega."""
+    """Memory of each thread for one state, with its addresses and arrays."""
 
     def __init__(self) -> None:
         state = (ctypes.c_double * 7)()
@@ -158,7 +160,7 @@ class _Memory(threading.local):
 
 
 class CStepper(Stepper):
-    """Steps by torque_free_step.c; threads share the bodies."""
+    """Stepper on the compiled torque_free_step.c; threads share the bodies."""
 
     __slots__ = ("_body", "_library", "_memory", "_put", "_step")
 
@@ -169,7 +171,7 @@ class CStepper(Stepper):
 
         @lru_cache(_KEPT)
         def prepared(inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
-            """Return the constants of a body, or None for one that is refused."""
+            """Return the constants of a body, or None if C refuses it."""
             body = (ctypes.c_double * size)()
             return None if raw.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
 
@@ -198,7 +200,7 @@ class CStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """See `Stepper`."""
+        """Step one body by the C library; return None for a body that it refuses."""
         body = self._body(inertia)
         state, at_q, at_omega, q_after, omega_after = self._memory.state
         self._put(state, 0, *q, *omega)
@@ -213,7 +215,7 @@ class CStepper(Stepper):
     def integrate(
         self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
     ) -> None:
-        """Integrate B bodies q (B, 4), omega (B, 3) in place; threads share the bodies.
+        """Integrate bodies q (B, 4), omega (B, 3) in place; threads share the bodies.
 
         span: the time begin (s), the step (s), and the first and last number of steps.  Raises
         EngineError for the first body that is refused; states are undefined then.

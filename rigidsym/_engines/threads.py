@@ -1,4 +1,4 @@
-"""Work shared among threads, with the same bits whatever their number.
+"""Sharing of work among threads, with results that do not depend on their number.
 
 Threads are kept from one call to the next.  Each takes the next piece when it is done with one, the
 caller's among them, so that a thread which starts late, or not at all, delays nothing.
@@ -26,7 +26,7 @@ _kept: list[ThreadPoolExecutor] = []
 
 
 def threads(states: int) -> int:
-    """Return how many threads are worth waking for so many states."""
+    """Return how many threads are worth using for a number of states."""
     wanted = min(_MOST, states // (_LEAST * PIECE))
     return min(wanted, processors()) if wanted > 1 else 1
 
@@ -34,7 +34,7 @@ def threads(states: int) -> int:
 def in_parts(
     work: Callable[[int, int], Result], count: int, parts: int, piece: int
 ) -> list[Result]:
-    """Return work(begin, end) for consecutive pieces of range(count), results in their order.
+    """Run work(begin, end) on pieces of range(count); return the results in order.
 
     The first error of a piece is raised once all threads are done.
     """
@@ -73,7 +73,7 @@ def processors() -> int:
 
 
 def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
-    """Start so many helpers; none where the interpreter is about to end and starts no threads."""
+    """Start helper threads; none if the interpreter is shutting down."""
     with suppress(RuntimeError), _LOCK:
         if not _kept:
             _kept.append(ThreadPoolExecutor(_MOST - 1, "rigidsym"))
@@ -82,7 +82,7 @@ def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
 
 
 def _forget() -> None:
-    """Forget the threads, which a forked process does not have, and a lock that one may hold."""
+    """Reset threads and lock in a forked process, which inherits no threads."""
     global _LOCK
     _LOCK = threading.Lock()
     _kept.clear()

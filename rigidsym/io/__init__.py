@@ -1,4 +1,4 @@
-"""Files: case files, tables of states, and tracks for other programs (CCSDS messages, splines)."""
+"""Case files, tables of states, and exports for other programs: CCSDS messages and splines."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -11,7 +11,7 @@ __all__ = ["Track", "aem", "rotation_spline", "sampled"]
 
 
 def __getattr__(name: str) -> object:
-    """Import at first use: packages that only read and write files need no motions."""
+    """Import a public name at its first use, because reading files needs no motions."""
     if name not in __all__:
         raise AttributeError(f"module 'rigidsym.io' has no attribute {name!r}")
     home = "attitude_ephemeris" if name == "aem" else "tracks"

@@ -1,4 +1,4 @@
-"""Attitude ephemeris messages in KVN: written by CCSDS 504.0-B-2, read by 504.0-B-1 and -2.
+"""CCSDS attitude ephemeris messages: written by 504.0-B-2, read by 504.0-B-1 and -2, in KVN.
 
 The quaternion of a message is "from frame A to frame B": of the rotation that carries the axes of A
 into those of B (annex F2.1).  With A inertial and B the body it turns components along B into
@@ -52,7 +52,7 @@ def aem(
     time_system: str = "UTC",
     creation_date: str | None = None,
 ) -> str:
-    """Return the message of a track, or of several with a segment for each, as ASCII text.
+    """Write one or several tracks as a CCSDS attitude ephemeris message (AEM), in ASCII.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def aem(
 
 
 def _check_order(instants: Sequence[Sequence[int]]) -> None:
-    """Raise InputError unless times increase in segments (4.2.4.8.1) and between them."""
+    """Raise InputError unless times increase within and between segments (4.2.4.8.1)."""
     for within in instants:
         for k, (one, other) in enumerate(pairwise(within), 1):
             if other <= one:
@@ -130,7 +130,7 @@ def _check_order(instants: Sequence[Sequence[int]]) -> None:
 
 
 def text_value(field: str, text: str) -> str:
-    """Return a text value by 6.6.3, 6.8.6 to 6.8.8, short enough for any keyword (6.6.1)."""
+    """Return a text value; raise InputError unless the standard allows it (6.6, 6.8.6 to 6.8.8)."""
     if not isinstance(text, str) or not _PRINTABLE.fullmatch(text):
         raise InputError(field, ascii(text), "must be printable ASCII characters on one line")
     if text != " ".join(text.split()):
@@ -144,7 +144,7 @@ def text_value(field: str, text: str) -> str:
 
 
 def _segment(track: Track, instants: Sequence[int], names: Message, rates: bool) -> list[str]:
-    """Return the metadata in the order of table 4-3, and the lines of table 4-4.
+    """Return the lines of one segment: metadata (table 4-3), then data (table 4-4).
 
     USEABLE_START_TIME and USEABLE_STOP_TIME are optional: the states are good to both ends.
     """
@@ -178,7 +178,7 @@ def _fields(fields: Message) -> list[str]:
 
 
 def message_fields(table: object, known: Collection[str] = MESSAGE_FIELDS) -> Message:
-    """Return the fields of a file's table [message], as arguments of `aem` by name.
+    """Check the table [message] of a file, and return its fields as arguments of `aem`.
 
     Dates are strings or TOML's own.  Raises InputError for the first unknown key, and for text that
     the standard does not allow.
@@ -202,7 +202,7 @@ def message_fields(table: object, known: Collection[str] = MESSAGE_FIELDS) -> Me
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ephemeris:
-    """States that were read from a message.
+    """Parsed attitude ephemeris message with its states.
 
     epoch: of the first state; times (N,), s after it; q (N, 4), scalar first, body to inertial;
     rates (N, 3), rad/s along the body's axes, or None.
@@ -215,7 +215,7 @@ class Ephemeris:
 
 
 def read(text: str) -> Ephemeris:
-    """Read the states of a message; raise InputError with the line that is wrong.
+    """Parse an attitude ephemeris message; raise InputError for the first wrong line.
 
     Quaternions are read, with angular velocities or without.  Several segments are read as one
     track if they have the same frames.
@@ -242,7 +242,7 @@ def read(text: str) -> Ephemeris:
 
 
 def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
-    """Yield the number, the metadata of the segment and the text of each line of data."""
+    """Yield each line of data as its number, the metadata of its segment, and its text."""
     metadata: dict[str, str] = {}
     frames: tuple[str | None, ...] | None = None
     inside = False
@@ -267,7 +267,7 @@ def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
 
 
 def _row(where: str, values: list[str], metadata: dict[str, str], width: int) -> list[float]:
-    """Return the quaternion with its scalar first, then the rates in deg/s."""
+    """Convert the numbers of a line to a quaternion, scalar first, and rates in deg/s."""
     try:
         numbers = [float(x) for x in values]
     except ValueError:

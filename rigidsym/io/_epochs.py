@@ -1,4 +1,4 @@
-"""Epochs as text, and epochs some seconds later, exact to 1e-14 s and through leap seconds.
+"""Epochs as text and as instants, exact to 1e-14 s, with leap seconds.
 
 An instant is a whole number of ticks of 1e-14 s since 0001-01-01T00:00:00 of its own time system,
 counted by that system's clock: days of 86400 s, and in UTC the leap seconds besides.
@@ -46,7 +46,7 @@ _FORMAT = "must be YYYY-MM-DDThh:mm:ss[.d...] or YYYY-DDDThh:mm:ss[.d...]"
 
 
 def parse(field: str, text: str, system: str) -> int:
-    """Return the instant of an epoch (CCSDS 504.0-B-2, 6.8.9); in UTC it may end in Z.
+    """Parse an epoch (CCSDS 504.0-B-2, 6.8.9) into an instant; in UTC it may end in Z.
 
     23:59:60 is an epoch on days with a leap second.  Raises InputError.
     """
@@ -83,7 +83,7 @@ def parse(field: str, text: str, system: str) -> int:
 
 
 def later(instant: int, seconds: float) -> int:
-    """Return the instant so many seconds later, rounded to a tick.
+    """Add seconds to an instant, rounded to a tick.
 
     A double is taken as its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
     gives the same double.
@@ -92,7 +92,7 @@ def later(instant: int, seconds: float) -> int:
 
 
 def decimals(instants: Iterable[int]) -> int:
-    """Return the fewest decimals of a second, at least 3, that write all instants without loss."""
+    """Return how many decimals of a second, at least 3, write all instants exactly."""
     common = math.gcd(SECOND, *instants)
     count = DECIMALS
     while count > FEWEST_DECIMALS and common % 10 == 0:
@@ -102,7 +102,7 @@ def decimals(instants: Iterable[int]) -> int:
 
 
 def printed(instant: int, system: str, digits: int) -> str:
-    """Return YYYY-MM-DDThh:mm:ss and `digits` decimals, in a time system.
+    """Write an instant as YYYY-MM-DDThh:mm:ss with `digits` decimals.
 
     Raises InputError outside of the years with four digits, and for UTC before 1972.
     """

@@ -1,4 +1,4 @@
-"""Files: read with one clear line of error, written whole or not at all; TOML of users."""
+"""Reading of text and TOML files with one-line errors, and atomic writing."""
 
 import os
 import tempfile
@@ -19,7 +19,7 @@ _READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
 
 
 def probe(directory: Path) -> None:
-    """Raise InputError if a directory cannot be written, before work is spent."""
+    """Create a directory; raise InputError if files cannot be written there."""
     try:
         directory.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory):
@@ -39,7 +39,7 @@ def read_text(field: str, path: str | Path) -> str:
 
 
 def parse_toml(field: str, text: str) -> TomlTable:
-    """Return the tables of TOML text; raise InputError if it is not TOML."""
+    """Parse TOML text; raise InputError if it is not TOML."""
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
@@ -57,7 +57,7 @@ def subtable(field: str, value: object, known: Collection[str]) -> TomlTable:
 def check_keys(
     field: str, table: TomlTable, known: Collection[str], needed: Collection[str] = ()
 ) -> None:
-    """Raise InputError for a key that is not known, and for one that is needed and missing."""
+    """Raise InputError for an unknown key, and for a needed key that is missing."""
     for key in table:
         if key not in known:
             rule = f"is not one of: {', '.join(sorted(known))}"

@@ -1,10 +1,10 @@
-"""States of a case as tables: CSV, JSON and NPZ."""
+"""Tables of states, and their text as CSV, JSON and NPZ."""
 
 import io
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -20,13 +20,6 @@ if TYPE_CHECKING:
 Time = TypeVar("Time")
 
 
-class How(TypedDict, total=False):
-    """Arguments of `precise` and `enclose` besides times and digits."""
-
-    method: str
-    max_seconds: float
-
-
 # A decimal string, or a ball: `mid` and `rad` as decimal strings.
 Number = str | dict[str, str]
 Row = tuple[Number, list[Number], list[Number]]
@@ -34,20 +27,20 @@ Row = tuple[Number, list[Number], list[Number]]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Time, attitude and rates, a row for each time; numbers that are balls have `parts`."""
+    """Rows of time, attitude and rates; `parts` names the parts of numbers that are balls."""
 
     rows: list[Row]
     parts: tuple[str, ...] = ()
 
 
 def doubles(case: Case) -> Table:
-    """Return the states of the generated module, in the shortest decimals of the doubles."""
+    """Compute the states in float64, written as the shortest decimals of the doubles."""
     times = inputs.doubles("times", case.times)
     return _table(times, case.motion(times), repr, lambda x: repr(float(x)))
 
 
-def decimals(case: Case, digits: int, **how: Unpack[How]) -> Table:
-    """Return `digits` digits of each number; `how` are the other arguments of `precise`."""
+def decimals(case: Case, digits: int, **how: Any) -> Table:
+    """Compute the states to `digits` digits; `how` are other arguments of `precise`."""
     from mpmath import mp
 
     def text(x: "mpf") -> str:
@@ -57,8 +50,8 @@ def decimals(case: Case, digits: int, **how: Unpack[How]) -> Table:
     return _table(case.times, states, lambda t: inputs.decimal(t, digits), text)
 
 
-def balls(case: Case, digits: int, **how: Unpack[How]) -> Table:
-    """Return decimal balls that contain the true values; `how` as for `enclose`."""
+def balls(case: Case, digits: int, **how: Any) -> Table:
+    """Enclose the states in decimal balls; `how` are other arguments of `enclose`."""
     from rigidsym.precise._printed import printed_ball, printed_rational
 
     states = case.motion.enclose(list(case.times), digits, **how)
@@ -82,7 +75,7 @@ def _table(
 
 
 def to_csv(table: Table) -> bytes:
-    """Return one line per time under a header; a ball takes two columns, q0_mid and q0_rad."""
+    """Write a table as CSV; a ball takes two columns, such as q0_mid and q0_rad."""
     columns = [f"{c}_{part}" for c in COLUMNS for part in table.parts] or COLUMNS
     lines = [",".join(columns)]
     for t, q, omega in table.rows:
@@ -92,13 +85,13 @@ def to_csv(table: Table) -> bytes:
 
 
 def to_json(table: Table) -> bytes:
-    """Return the schema rigidsym.states/1: every number a decimal string, or a ball of two."""
+    """Write a table as JSON (rigidsym.states/1); numbers are decimal strings, or balls of two."""
     states = [{"t": t, "q": q, "omega": omega} for t, q, omega in table.rows]
     return (json.dumps({"schema": SCHEMA, "states": states}, indent=1) + "\n").encode()
 
 
 def to_npz(table: Table) -> bytes:
-    """Return float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
+    """Write a table as NPZ with float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
     t, q, omega = (np.array([row[k] for row in table.rows], dtype=float) for k in range(3))
     buffer = io.BytesIO()
     np.savez(buffer, t=t, q=q.reshape(-1, 4), omega=omega.reshape(-1, 3))

@@ -1,4 +1,4 @@
-"""Tracks: attitudes and rates at increasing times, for export; splines through them."""
+"""Tracks, which are sampled states for export, and splines through them."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -51,7 +51,7 @@ class Track:
         object.__setattr__(self, "omega", self._rows("omega", 3))
 
     def _rows(self, name: str, width: int) -> np.ndarray:
-        """Return a copy of the attitudes or rates; raise InputError unless they are as many."""
+        """Return a copy of an array (N, width); raise InputError for another shape."""
         array = np.array(batches.array(name, getattr(self, name)))
         if array.shape != (self.times.size, width):
             rule = f"must have the shape ({self.times.size}, {width}), a row for each time"
@@ -60,7 +60,7 @@ class Track:
 
 
 def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
-    """Return the track of a motion.
+    """Sample a motion at times as a track.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
 
 
 def _unit(q: np.ndarray) -> np.ndarray:
-    """Return unit quaternions, scaled first by powers of two so that no square overflows."""
+    """Normalise quaternions, without overflow; raise InputError for a zero quaternion."""
     most = np.max(np.abs(q), axis=1, keepdims=True)
     for k in np.flatnonzero(most == 0)[:1]:
         raise InputError(f"q[{k}]", q[k].tolist(), "must not be zero")
@@ -93,7 +93,7 @@ def _unit(q: np.ndarray) -> np.ndarray:
 
 
 def rotation_spline(track: Track) -> "RotationSpline":
-    """Return a SciPy RotationSpline through the attitudes of a track, body to inertial.
+    """Interpolate the attitudes of a track by a SciPy RotationSpline, body to inertial.
 
     It is cubic between the times, with continuous rates and angular accelerations.  Where the times
     are h apart, the angle between it and the motion decreases as h^4, but at both ends as h^2,

@@ -19,7 +19,7 @@ _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and its times, both exact, and the fields of its attitude ephemeris message."""
+    """A motion, its times, and the fields of its attitude ephemeris message."""
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
@@ -35,17 +35,17 @@ class Case:
 
 
 def paper_case() -> Case:
-    """Return the paper's spacecraft, as it comes with the package."""
+    """Return the case of the paper's spacecraft."""
     return parse_case(resources.files("rigidsym.io").joinpath(PAPER).read_text("utf-8"))
 
 
 def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
-    """Read a case file; raise InputError with one line about the first mistake."""
+    """Read a case file; raise InputError for the first mistake."""
     return parse_case(read_text("case", path), allow_nonphysical)
 
 
 def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
-    """Return a case from TOML text; numbers may be floats or strings, which are exact decimals."""
+    """Parse a case from TOML; numbers are floats, or strings, which are exact decimals."""
     data = parse_toml("case", text)
     check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
     motion = TorqueFreeMotion(
@@ -64,7 +64,7 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
 
 
 def _grid(table: TomlTable) -> tuple[Fraction, ...]:
-    """Return count times from start to stop, both included."""
+    """Return equally spaced times from a table of start, stop and count."""
     if set(table) != {"start", "stop", "count"}:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")
     start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))

@@ -1,4 +1,4 @@
-"""The sealed ledger as a file, written by the proof wing and read by the number wing."""
+"""The sealed ledger, its seal and the specification, as files of the package."""
 
 import hashlib
 import json
@@ -11,12 +11,12 @@ SEAL = "ledger.sha256"
 
 
 def ledger_text() -> str:
-    """Return the sealed ledger that came with this installation."""
+    """Return the text of the ledger that came with this installation."""
     return _derived("ledger.json", "run `rigidsym derive --in-place` to write it")
 
 
 def sealed_text() -> str:
-    """Return the sealed ledger; raise LedgerError if it is not the text that was sealed.
+    """Return the text of the ledger; raise LedgerError unless it is as it was sealed.
 
     Certificates are not replayed for numbers: a digest that `rigidsym derive` leaves beside the
     ledger certifies that they were.  It detects accidental changes and edits by hand.
@@ -31,12 +31,12 @@ def sealed_text() -> str:
 
 
 def seal(text: str) -> str:
-    """Return the content of the seal of a ledger."""
+    """Return the text of a ledger's seal, which has its SHA-256 digest."""
     return f"{hashlib.sha256(text.encode()).hexdigest()}  ledger.json\n"
 
 
 def specification_text() -> str:
-    """Return the text of the specification, which `rigidsym.language._specification` reads."""
+    """Return the text of the specification that a ledger has to prove."""
     return _derived("specification.txt", "it comes with this package")
 
 
@@ -48,7 +48,7 @@ def _derived(name: str, advice: str) -> str:
 
 
 def ledger_data(text: str) -> dict[str, Any]:
-    """Return a ledger as plain data; raise LedgerError unless it has the parts of one."""
+    """Parse the text of a ledger; raise LedgerError unless it has facts and contexts."""
     try:
         data = json.loads(text)
         for part, key in (("facts", "id"), ("contexts", "name")):

@@ -1,4 +1,4 @@
-"""Motion under torques: splitting methods on the exact free motion (`integrate`)."""
+"""Motion under torques, integrated by splitting methods (`integrate`)."""
 
 from rigidsym.splitting._integration import integrate
 from rigidsym.splitting._methods import METHODS, Method

@@ -26,7 +26,7 @@ _COARSE = 128
 def chosen(
     splitting: Splitting, start: State, times: np.ndarray, tolerance: float, stops: np.ndarray
 ) -> Trajectory:
-    """Return the first of runs, each with half the steps of the one before, below the tolerance.
+    """Halve the steps until the estimated error is below the tolerance, and return that run.
 
     The first run chooses its steps by local errors (`Panels`).  The error of a run is its
     difference from the one before, over the ratio at which these differences fall, less 1.  Where
@@ -53,7 +53,7 @@ class _Search:
     is_stable: bool = False
 
     def found(self) -> Trajectory:
-        """Return the trajectory, or raise PrecisionError."""
+        """Return the trajectory below the tolerance, or raise PrecisionError."""
         order = self.splitting.method.order
         first = max(self.tolerance, min(self.tolerance * _LOOSE**order, _FIRST))
         share = 1.0
@@ -71,7 +71,7 @@ class _Search:
         raise self._refused("runs with ever shorter steps do not come closer to each other")
 
     def _halved(self, last: Trajectory, panels: Panels) -> Trajectory:
-        """Return the last of runs, each with half the steps of the one before.
+        """Repeat a run with half the steps each time, and return the last one.
 
         It is below the tolerance, or the runs do not converge as they should.
         """
@@ -111,7 +111,7 @@ class _Search:
         return run(self.splitting, start or self.start, self.times, mesh)
 
     def _refuse_rounding(self, count: float, panels: Panels) -> None:
-        """Raise PrecisionError if the rounding of so many steps is above the tolerance."""
+        """Raise PrecisionError if rounding over `count` kicks is above the tolerance."""
         least = rounding(count, panels.turned)
         if least > self.tolerance:
             if self.best is None:
@@ -119,8 +119,7 @@ class _Search:
             raise self._refused(f"rounding alone amounts to {least:.0e} rad")
 
     def _refuse_chaos(self, found: Trajectory) -> None:
-        """Raise PrecisionError if a change of the start as small as rounding is above the
-        tolerance at the end."""
+        """Raise PrecisionError if rounding of the start alone changes the end too much."""
         if self.is_stable:
             return
         q, omega = self.start.q, self.start.omega
@@ -134,7 +133,7 @@ class _Search:
         self.is_stable = True
 
     def _follow_coarsely(self) -> None:
-        """Keep the second of two runs with equal steps as the best."""
+        """Run twice with equal steps, and keep the finer run as the best one."""
         fastest = np.max(np.linalg.norm(self.start.omega, axis=-1))
         lengths = np.diff(self.stops)
         steps = lengths / (_COARSE * np.ceil(1 + lengths * fastest / 8))
@@ -152,7 +151,7 @@ class _Search:
 
 
 def gap(one: Trajectory, other: Trajectory) -> float:
-    """Return the largest difference between two trajectories.
+    """Return the largest difference of two trajectories in attitude or rates.
 
     It is a rotation, rad, or a difference of rates as a part of the largest rate of that body.
     """

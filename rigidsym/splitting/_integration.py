@@ -1,4 +1,4 @@
-"""Motion under a torque, by splitting methods on the exact free motion."""
+"""The public function `integrate`, which checks its input and chooses how to step."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -131,7 +131,7 @@ def integrate(
 def _started(
     inertia: ArrayLike, q0: ArrayLike, omega0: ArrayLike, engine: str, allow_nonphysical: bool
 ) -> tuple[Bodies, State]:
-    """Return bodies that can exist and their states, all of one leading shape."""
+    """Check bodies and their initial states, and broadcast their leading shapes."""
     moments = batches.array("inertia", inertia, last=(3,))
     q, omega = batches.array("q0", q0, last=(4,)), batches.array("omega0", omega0, last=(3,))
     moments = batches.possible(moments, inputs.is_true("allow_nonphysical", allow_nonphysical))
@@ -157,7 +157,7 @@ def _positive(field: str, value: float) -> float:
 
 
 def _refuse_rate_dependence(splitting: Splitting, state: State, t: float) -> None:
-    """Raise InputError for a torque that changes with the rates at the start.
+    """Raise InputError if the torque at the start changes with the rates.
 
     Kicks would then be of the first order only.
     """

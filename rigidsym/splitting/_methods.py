@@ -1,4 +1,4 @@
-"""Splitting methods as data: a step is free motions (A) and kicks by the torque (B) in turn.
+"""Coefficients of splitting methods, which alternate free motions (A) and kicks (B).
 
 Errors are those of Laskar and Robutel (Celestial Mechanics and Dynamical Astronomy 80, 39-62):
 with a torque that is epsilon times what turns the body, and steps h, a method of orders (r, s) has
@@ -15,7 +15,7 @@ _ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """Symmetric splitting: drift, kick, drift ... kick, drift.
+    """A symmetric splitting method: drift, kick, drift ... kick, drift.
 
     Attributes
     ----------
@@ -41,21 +41,21 @@ class Method:
 
     @property
     def order(self) -> int:
-        """Return the order of the error in the step, for a torque of any strength."""
+        """The order of convergence for a torque of any strength."""
         return min(self.orders)
 
 
 def _symmetric(
     drifts: tuple[float, ...], kicks: tuple[float, ...], orders: tuple[int, int], source: str
 ) -> Method:
-    """Return a method from the first parts of either kind; the middle completes the step."""
+    """Complete a symmetric method from its first drifts and kicks."""
     one_kick = len(drifts) == len(kicks)
     whole = _mirrored(drifts, 2 if one_kick else 1), _mirrored(kicks, 1 if one_kick else 2)
     return Method(*whole, orders, source)
 
 
 def _mirrored(half: tuple[float, ...], middle: int) -> tuple[float, ...]:
-    """Return the parts, the rest of 1 in so many equal parts, and the parts reversed."""
+    """Mirror parts of a step around `middle` equal parts that complete the sum to 1."""
     rest = (1 - 2 * fsum(half)) / middle
     return (*half, *[rest] * middle, *reversed(half))
 
@@ -103,7 +103,7 @@ METHODS = {
 
 
 def checked(name: str) -> Method:
-    """Return the method of a name; raise InputError for others."""
+    """Return a method by its name; raise InputError for an unknown name."""
     if not isinstance(name, str) or name not in METHODS:
         raise InputError("method", repr(name), f"must be one of: {', '.join(METHODS)}")
     return METHODS[name]

@@ -1,4 +1,4 @@
-"""Kepler orbits, elliptic or hyperbolic: position, and the tide of the mass point."""
+"""Elliptic and hyperbolic Kepler orbits, with positions and tidal fields."""
 
 import math
 from collections.abc import Callable
@@ -14,7 +14,7 @@ _MOST_ITERATIONS = 60
 
 @dataclass(frozen=True, slots=True)
 class KeplerOrbit:
-    """Orbit around a mass point, elliptic or hyperbolic.
+    """Elliptic or hyperbolic orbit around a mass point.
 
     Parameters
     ----------
@@ -62,17 +62,17 @@ class KeplerOrbit:
 
     @property
     def mean_motion(self) -> float:
-        """Return the mean motion, rad/s; of a hyperbola by the size of its semi-major axis."""
+        """The mean motion, rad/s; a hyperbola's follows from the size of its semi-major axis."""
         return math.sqrt(self.mu / self._semi_major**3)
 
     @property
     def period(self) -> float:
-        """Return the period, s; infinite on a hyperbola."""
+        """The period, s; infinite for a hyperbola."""
         return 2 * math.pi / self.mean_motion if self.eccentricity < 1 else math.inf
 
     @property
     def axes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return unit vectors (3,) towards periapsis and 90 degrees ahead of it, inertial axes."""
+        """Unit vectors (3,) towards periapsis and 90 degrees ahead of it, in inertial axes."""
         (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
             (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
         )
@@ -81,7 +81,7 @@ class KeplerOrbit:
         return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
 
     def position(self, t: float) -> np.ndarray:
-        """Return the position from the mass point at a time, m, inertial axes (3,)."""
+        """Return the position (3,) relative to the mass point, m, in inertial axes."""
         a, e, mean_anomaly = (
             self._semi_major,
             self.eccentricity,
@@ -96,7 +96,7 @@ class KeplerOrbit:
         return along * self.axes[0] + across * self.axes[1]
 
     def tide(self, t: float) -> np.ndarray:
-        """Return the position times sqrt(3 mu / r^5) at a time.
+        """Return the position at a time, scaled by sqrt(3 mu / r^5).
 
         A body's gravity gradient is v x I v, N m, where v are its components (3,) in body axes.
         """
@@ -104,7 +104,7 @@ class KeplerOrbit:
 
     @property
     def numbers(self) -> np.ndarray:
-        """Return the fields of `torque_free_orbit` in C, (11,)."""
+        """The fields (11,) of the C struct `torque_free_orbit`."""
         shape = self.mean_motion, self.epoch, self.eccentricity, self._semi_major, 3 * self.mu
         return np.array([*shape, *self.axes[0], *self.axes[1]])
 
@@ -114,7 +114,7 @@ class KeplerOrbit:
 
 
 def tidal(mu: float, position: np.ndarray) -> np.ndarray:
-    """Return a position (3,), m, times sqrt(3 mu / r^5)."""
+    """Return the position (3,), m, scaled by sqrt(3 mu / r^5)."""
     r = math.hypot(*position)
     return math.sqrt(3 * mu / r) / (r * r) * position
 
@@ -148,7 +148,7 @@ def hyperbolic_anomaly(mean: float, e: float) -> float:
 
 
 def _newton(x: float, change: Callable[[float], float]) -> float:
-    """Return where changes, a function over its derivative, have become as small as rounding."""
+    """Solve an equation by Newton's method, whose step from x is `change(x)`."""
     for _ in range(_MOST_ITERATIONS):
         step = change(x)
         x -= step

@@ -1,4 +1,4 @@
-"""Panels: a mesh chosen during a run, by local errors and by probes of the torque.
+"""Adaptive meshes, chosen panel by panel from local errors and probes of the torque.
 
 A panel is covered by 1, 2, 4 and at most 32 steps.  It is accepted when the differences of these
 decrease and are small, and when the torque, probed along the panel, is smooth there and its
@@ -52,7 +52,7 @@ Panel = tuple[float, float]
 
 
 def rounding(count: float, turned: float) -> float:
-    """Return the error by rounding of so many kicks of a body that turns by an angle, rad.
+    """Estimate the rounding error, rad, of `count` kicks while a body turns by `turned` rad.
 
     >>> 1e-15 < rounding(100.0, 1.0) < 1e-14
     True
@@ -61,11 +61,11 @@ def rounding(count: float, turned: float) -> float:
 
 
 class HopelessError(ArithmeticError):
-    """The reason why no step reaches a tolerance."""
+    """No step reaches the tolerance; the message has the reason."""
 
 
 class Panels(Mesh):
-    """Mesh of one run, chosen panel by panel.
+    """Mesh that is chosen panel by panel during a run.
 
     stops: ends of panels, (P + 1,), s, rising; first: the error of all panels together, rad;
     tolerance: a bound of those errors that shorter steps would not reduce by the method's order;
@@ -101,12 +101,12 @@ class Panels(Mesh):
 
     @property
     def ratio(self) -> float:
-        """Return the ratio of the differences of successive steps, over all panels."""
+        """The ratio at which differences fall when steps are halved, over all panels."""
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
     def piece(self, t: float, state: State) -> Panel:
-        """Choose the panel that begins at t: its end and step, s.
+        """Choose the panel that begins at t; return its end and step, s.
 
         Raises HopelessError, and whatever the torque raises.
         """
@@ -132,7 +132,7 @@ class Panels(Mesh):
             raise HopelessError(f"rounding alone amounts to {whole:.0e} rad")
 
     def _judged(self, begin: float, end: float, state: State) -> float | list[float]:
-        """Return the step of a panel that is accepted, or the edges of its parts."""
+        """Return the step of a panel, or the edges of its parts if it must be divided."""
         length, middle = end - begin, [begin, (begin + end) / 2, end]
         is_last = length <= self._least
         fastest = float(np.max(_lengths(state.omega)))
@@ -157,7 +157,7 @@ class Panels(Mesh):
         return middle if found is None else found
 
     def _step(self, begin: float, end: float, state: State) -> float | list[float] | None:
-        """Return the step, or the edges of parts; None where the panel has to be halved."""
+        """Return the step or the edges of parts; None if the panel must be halved."""
         length = end - begin
         blocks = self._blocks(length)
         ends = [self._by(begin, length, state, level) for level in (0, 1)]
@@ -224,12 +224,12 @@ class Panels(Mesh):
         return self._splitting.advance(state, begin, length / 2**level, 0, 2**level)
 
     def _apart(self, one: State, other: State, begin: float) -> float:
-        """Return the difference at the end of the run by two states at the end of a panel."""
+        """Estimate how far two states at the end of a panel lead apart by the end of the run."""
         turns = _lengths(rotation_vectors(product(conjugate(one.q), other.q)))
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
     def _reach(self, begin: float) -> np.ndarray:
-        """Return the weight of a change of rates, s.
+        """Return the weight, s, of a change of rates in the error at the end of the run.
 
         It turns the body until the end of the run, and it is a part of the body's rates.
         """
@@ -239,7 +239,7 @@ class Panels(Mesh):
         return self._end - begin + parts
 
     def _path(self, begin: float, length: float, state: State, after: State) -> Path:
-        """Return a function for states between the ends of a panel.
+        """Return a function that interpolates states between the ends of a panel.
 
         It goes from the free motion before the panel to the free motion after it.
         """
@@ -262,21 +262,21 @@ class Panels(Mesh):
         return self._splitting.probe(times, states.q, states.omega)
 
     def _weights(self, begin: float, torques: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Return the weight of an impulse, (..., 1), rad over N m s; its rates are included."""
+        """Return the error per impulse (..., 1), rad/(N m s), and update the largest rates."""
         means = (torques[1:] + torques[:-1]) / 2 * _along(np.diff(times), torques)
         gained = np.max(_lengths(np.cumsum(means, axis=0)), axis=0) / self._least_moment
         self._rates = np.maximum(self._rates, gained)
         return (self._reach(begin) / self._least_moment)[..., None]
 
     def _impulse(self, torques: np.ndarray, length: float) -> np.ndarray:
-        """Return the integral of the torque over blocks of a length, (..., 3), N m s."""
+        """Integrate the torque over the blocks of a panel; return N m s, (..., 3)."""
         firsts = torques[:-1].reshape(-1, _DEGREE, *torques.shape[1:])
         lasts = torques[_DEGREE::_DEGREE]
         inner = np.tensordot(_WEIGHTS[:-1], firsts, (0, 1))
         return length * np.sum(inner + _WEIGHTS[-1] * lasts, axis=0)
 
     def _kicked(self, path: Path, begin: float, step: float, count: int) -> np.ndarray:
-        """Return the impulse by the kicks of steps, (..., 3), N m s."""
+        """Sum the kicks of `count` steps along a path; return N m s, (..., 3)."""
         method = self._splitting.method
         into = (np.arange(count)[:, None] + np.cumsum(method.drifts[:-1])).ravel()
         kicks, found = np.tile(method.kicks, count), np.zeros(3)
@@ -288,7 +288,7 @@ class Panels(Mesh):
         return step * found
 
     def _is_moving(self, path: Path, times: np.ndarray, steps: float, weight: np.ndarray) -> bool:
-        """Return whether a jump or kink depends on the attitude and not on the time.
+        """Return True if a jump or kink depends on the attitude and not on the time.
 
         It is then not seen at three times with the state of the first.
         """
@@ -299,7 +299,7 @@ class Panels(Mesh):
     def _located(
         self, path: Path, times: np.ndarray, torques: np.ndarray, weight: np.ndarray, unseen: float
     ) -> Panel | None:
-        """Return a part that contains all that is not smooth and is too short to matter.
+        """Enclose a jump or kink in an interval that is too short to matter.
 
         None where there is no jump or kink.
         """
@@ -325,12 +325,12 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 
 def _along(numbers: np.ndarray, array: np.ndarray) -> np.ndarray:
-    """Return numbers (M,) as an array (M, 1, ...) of as many dimensions as another."""
+    """Reshape numbers (M,) to (M, 1, ...), with as many dimensions as `array`."""
     return numbers.reshape(-1, *[1] * (array.ndim - 1))
 
 
 def _tails(torques: np.ndarray, length: float) -> np.ndarray:
-    """Return the last Chebyshev coefficients times the length, (blocks,), of the worst body."""
+    """Return each block's largest high Chebyshev coefficient over all bodies, times the length."""
     count = (len(torques) - 1) // _DEGREE
     blocks = np.array([torques[_DEGREE * k : _DEGREE * (k + 1) + 1] for k in range(count)])
     last = np.tensordot(_TO_COEFFICIENTS[-_LAST:], blocks, (1, 1))
@@ -338,7 +338,7 @@ def _tails(torques: np.ndarray, length: float) -> np.ndarray:
 
 
 def _bends(times: np.ndarray, torques: np.ndarray) -> np.ndarray:
-    """Return second divided differences, (M - 2,), of the worst body."""
+    """Return the largest second divided differences (M - 2,) over all bodies."""
     slopes = np.diff(torques, axis=0) / _along(np.diff(times), torques)
     bends = np.diff(slopes, axis=0) / _along(times[2:] - times[:-2], torques)
     return np.max(_lengths(bends).reshape(len(bends), -1), axis=1)

@@ -1,4 +1,4 @@
-"""Steps of a splitting method over a batch of bodies: free motions and kicks in turn."""
+"""Steps of a splitting method for a batch of bodies."""
 
 from dataclasses import dataclass, field, replace
 
@@ -27,7 +27,7 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """Bodies that can exist: their moments, and the engine that moves them freely.
+    """Principal moments of bodies, and the engine that computes their free motion.
 
     inertia: (3,) for all, or of a shape that broadcasts with states.
     """
@@ -36,7 +36,7 @@ class Bodies:
     engine: str
 
     def drift(self, state: State, dt: float) -> State:
-        """Return the states after a free motion over a time, s.
+        """Return the states after a free motion of dt seconds.
 
         States must have been checked before: they go straight to the engine, which takes less time
         than another check.
@@ -61,7 +61,7 @@ class Bodies:
         return State(q.reshape(*shape, 4), omega.reshape(*shape, 3))
 
     def drifts(self, state: State, dt: np.ndarray) -> State:
-        """Return the free motion over each of M times, s: q (..., M, 4), omega (..., M, 3)."""
+        """Return the states (..., M, 4) and (..., M, 3) after free motions of dt (M,) seconds."""
         moved = engines.engine(self.engine).propagate
         try:
             return State(*moved(self.inertia, state.omega, state.q, dt))
@@ -75,7 +75,7 @@ def _refused(error: engines.EngineError) -> InputError:
 
 @dataclass(slots=True)
 class Splitting:
-    """Bodies, a torque, and the method that integrates their motion.
+    """Bodies under a torque, with the method that integrates them.
 
     Kicks change the momentum at fixed attitude.  By a torque of attitude and time they are exact;
     by a `rate_dependent` one they follow the Runge-Kutta method of order four. evaluations and
@@ -90,7 +90,7 @@ class Splitting:
     probes: int = field(default=0, init=False)
 
     def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
-        """Return the states from begin + first step to begin + last step, s.
+        """Take the steps number `first` to `last` of length `step` from the time `begin`, s.
 
         Drifts that follow each other are one.
         """
@@ -106,7 +106,7 @@ class Splitting:
         return self._advanced(state, begin, step, first, last)
 
     def _compiled(self, state: State) -> engines.Kicks | None:
-        """Return the arguments of C's loop; None if it does not apply to the engine or torque."""
+        """Return the arguments of the loop in C; None if C cannot compute this torque."""
         torque = self.torque
         in_c = self.bodies.engine == "c" and not self.rate_dependent
         if not in_c or not isinstance(torque, DirectionTorque):
@@ -136,7 +136,7 @@ class Splitting:
         return self.bodies.drift(state, pending * step) if pending else state
 
     def _kicked(self, state: State, t: float, dt: float) -> State:
-        """Return the states after a kick, in which attitude and time are fixed."""
+        """Kick the rates by the torque during dt seconds, at fixed attitude and time."""
         q, omega = state.q, state.omega
         k1 = self.acceleration(t, q, omega)
         if not self.rate_dependent:
@@ -147,12 +147,12 @@ class Splitting:
         return State(q, omega + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
     def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque over the moments, rad/s^2; raise InputError for invalid torques."""
+        """Return torque / inertia, rad/s^2; raise InputError for an invalid torque."""
         self.evaluations += 1
         return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
 
     def probe(self, times: np.ndarray, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque at times (M,), N m in inertial axes, (M, ..., 3).
+        """Evaluate the torque between kicks: at times (M,), in inertial axes, N m, (M, ..., 3).
 
         q, omega: attitudes (..., M, 4) and rates (..., M, 3).  Raises InputError for a torque that
         is not finite.
@@ -180,7 +180,7 @@ class Splitting:
 
 
 def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
-    """Return a torque of finite numbers, one vector for each body; raise InputError for others."""
+    """Return the torque as an array; raise InputError for a wrong shape or for NaN."""
     array = batches.array("torque", torque, lenient=True)
     if array.shape != shape:
         rule = f"must be of shape {shape}, as omega is (t = {t:.17g} s)"
@@ -199,10 +199,10 @@ def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
 def _advance_in_c(
     found: engines.Kicks, state: State, begin: float, step: float, numbers: tuple[int, int]
 ) -> State:
-    """Return the states after whole steps; raise EngineError if the C engine refuses."""
+    """Take whole steps in C; raise EngineError if the engine refuses."""
     shape, (first, last) = state.omega.shape[:-1], numbers
     q, omega = (np.array(arrays.rows(x, shape)) for x in (state.q, state.omega))
-    integrator = engines.integrator("c")
+    integrator = engines.integrator()
     if integrator is None:
         raise engines.EngineError("engine", "has no compiler")
     some = max(1, _AT_ONCE // (len(q) * len(found.kicks)))

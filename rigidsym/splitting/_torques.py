@@ -1,4 +1,4 @@
-"""Torques that `integrate` takes, N m in body axes, of many bodies at once.
+"""Torques for `integrate`, N m in body axes, of many bodies at once.
 
 A torque is any callable of the time (s), attitudes (..., 4) and rates (..., 3) that returns
 (..., 3); these are the common ones.
@@ -39,7 +39,7 @@ class DirectionTorque:
 
     @property
     def is_steady(self) -> bool:
-        """Return whether the torque depends on the attitude alone, and smoothly."""
+        """True if the torque is a smooth function of the attitude alone."""
         return isinstance(self.source, np.ndarray) and self.more == (None, None)
 
     def vector(self, t: float) -> np.ndarray:
@@ -80,7 +80,9 @@ class ConstantInSpace(DirectionTorque):
 
 
 class FieldPotential(DirectionTorque):
-    """Torque of the energy v Q v / 2 - m v in a constant field with components v in body axes.
+    """Torque of a dipole m and a quadrupole Q in a constant field: energy v Q v / 2 - m v.
+
+    v are the field's components in body axes.
 
     Parameters
     ----------
@@ -108,14 +110,14 @@ class FieldPotential(DirectionTorque):
         super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the energy, J, (...)."""
+        """Return the potential energy, J, (...)."""
         v = _in_body(q, self.field)
         quadratic = np.sum(v * np.squeeze(self.quadratic @ v[..., None], -1), axis=-1)
         return quadratic / 2 - np.sum(self.linear * v, axis=-1)
 
 
 class Tide:
-    """Gravity gradient of a mass point on one body, 3 mu / r^5  r x I r, by its position.
+    """Gravity gradient torque of a mass point at a given position: 3 mu / r^5  r x I r.
 
     Parameters
     ----------
@@ -130,12 +132,15 @@ class Tide:
         self._coefficients = _coefficients(Q=_differences(inertia))
 
     def __call__(self, position: np.ndarray) -> np.ndarray:
-        """Return the torque, N m, at a position from the mass point, m, (3,) each in body axes."""
+        """Return the torque (3,), N m, at a position (3,), m, in body axes.
+
+        The position is relative to the mass point.
+        """
         return by_direction(_NO_TURN, tidal(self.mu, position), self._coefficients)
 
 
 class GravityGradient(DirectionTorque):
-    """Gravity gradient of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
+    """Gravity gradient torque on bodies that follow one Kepler orbit: 3 mu / r^5  r x I r.
 
     Source: Hughes, Spacecraft Attitude Dynamics, 8.1.
 
@@ -161,7 +166,7 @@ class GravityGradient(DirectionTorque):
 
 @dataclass(frozen=True, slots=True)
 class Potential:
-    """Torque of an energy that depends on attitude and time.
+    """Torque of a potential energy that depends on attitude and time.
 
     Only the change of the energy along rotations counts: the torque is -1/2 of the vector of
     conj(q) gradient, as q' = q (0, omega) / 2.
@@ -195,7 +200,7 @@ def _coefficients(
 
 
 def _differences(inertia: np.ndarray) -> np.ndarray:
-    """Return principal moments (..., 3) less the least, as matrices (..., 3, 3).
+    """Return diagonal matrices (..., 3, 3) of the moments minus the smallest one.
 
     The same moment about all axes exerts no torque.
     """
@@ -203,7 +208,7 @@ def _differences(inertia: np.ndarray) -> np.ndarray:
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Return components along the axes of bodies, (..., 3)."""
+    """Return the components (..., 3) of a vector in body axes."""
     shape = np.broadcast_shapes(q.shape[:-1], vector.shape[:-1])
     return rotated(conjugate(q), np.broadcast_to(vector, (*shape, 3)))
 
@@ -214,7 +219,7 @@ SIGNATURE = ctypes.CFUNCTYPE(None, ctypes.c_double, _DOUBLES, _DOUBLES, ctypes.c
 
 
 class TorqueInC(DirectionTorque):
-    """Torque of a C function of time (s) and attitude: N m in body axes.
+    """Torque that a C function computes from time and attitude, N m in body axes.
 
     The function is called from several threads where there are many bodies, and has to live as long
     as this object.

@@ -1,4 +1,4 @@
-"""Trajectories of bodies under a torque: a run, its states at given times, and between them."""
+"""Trajectories of bodies under a torque, at given times and between them."""
 
 from bisect import bisect_right
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ _NEAR = 4 * float(np.finfo(float).eps)
 
 @dataclass(slots=True, eq=False)
 class Mesh:
-    """Pieces of time with equal steps in each.
+    """Intervals of time with equal steps in each.
 
     edges (P,): where pieces begin, s, rising; steps (P,), s.  The last piece has no end.  Steps are
     counted from the edge, and the last one of a piece is shorter where they do not fit.
@@ -27,14 +27,14 @@ class Mesh:
     steps: list[float]
 
     def piece(self, t: float, state: State) -> tuple[float, float]:
-        """Return the end of the piece that contains t, and its step, s."""
+        """Return the end and the step, s, of the interval that contains t."""
         k = bisect_right(self.edges, t)
         end = self.edges[k] if k < len(self.edges) else np.inf
         return end, self.steps[max(k, 1) - 1]
 
     @property
     def halved(self) -> "Mesh":
-        """Return the mesh with half the steps; pieces with equal steps are joined."""
+        """The mesh with half the steps; intervals with equal steps are joined."""
         found = Mesh([], [])
         for edge, step in zip(self.edges, self.steps, strict=True):
             half = step / 2 or step  # the least double has no half
@@ -46,7 +46,9 @@ class Mesh:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectory:
-    """States that `integrate` returns: `q, omega = trajectory`, or a function of time.
+    """Result of `integrate`: states at its times, and a function of other times.
+
+    `q, omega = trajectory` unpacks the states.
 
     Attributes
     ----------
@@ -83,7 +85,7 @@ class Trajectory:
 
     @property
     def step(self) -> float:
-        """Return the step, s; the longest where steps differ."""
+        """The longest step, s."""
         return max(self.mesh.steps, default=np.nan)
 
     def __iter__(self) -> Iterator[np.ndarray]:
@@ -91,7 +93,7 @@ class Trajectory:
         yield self.omega
 
     def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return attitudes and rates at t (s).
+        """Return attitudes and rates at times t, s.
 
         Parameters
         ----------
@@ -133,7 +135,7 @@ class Trajectory:
 def states(
     splitting: Splitting, state: State, begin: float, times: np.ndarray, mesh: Mesh
 ) -> Iterator[State]:
-    """Yield the states at times that do not decrease, from one at `begin`.
+    """Yield the states at non-decreasing times, starting from `state` at `begin`.
 
     The times do not influence the steps: each is reached by a shorter step aside.
     """
@@ -156,14 +158,14 @@ def states(
 def _reach(
     splitting: Splitting, state: State, begin: float, t: float, step: float, done: int
 ) -> State:
-    """Return the state at t, by the whole steps that remain to it and a shorter one."""
+    """Return the state at t, reached by whole steps and one shorter step."""
     count, rest = _steps(t, begin, step)
     state = splitting.advance(state, begin, step, done, count)
     return splitting.advance(state, begin + count * step, rest, 0, 1) if rest else state
 
 
 def _steps(t: float, begin: float, step: float) -> tuple[int, float]:
-    """Return the number of whole steps between two times, and the remaining time, s."""
+    """Return the number of whole steps from `begin` to t, and the remaining time, s."""
     count = int((t - begin) / step + 0.5)
     rest = t - (begin + count * step)
     if abs(rest) <= _NEAR * max(abs(t), abs(begin)):
@@ -172,7 +174,7 @@ def _steps(t: float, begin: float, step: float) -> tuple[int, float]:
 
 
 def run(splitting: Splitting, start: State, times: np.ndarray, mesh: Mesh) -> Trajectory:
-    """Return the trajectory at times that grow, from times[0] on.
+    """Integrate from times[0] on and return the trajectory at all times.
 
     An exception that stops it keeps the states until then as its attribute `trajectory`.
     """
