@@ -137,3 +137,11 @@ def here(once):
     from compilers import written
 
     return once("c_builds", written)
+
+
+@pytest.fixture(scope="session")
+def exact_motions(once):
+    """Return motions in every regime, each with its exact states, which one process computes."""
+    from regimes import save_exact, with_exact
+
+    return with_exact(once("exact_motions", save_exact))

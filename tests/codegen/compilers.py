@@ -1,9 +1,9 @@
-"""The C compilers at hand, gcc and clang, and what they build from the C target.
+"""The C compilers at hand, gcc and clang, and what they build of the C target: objects, libraries.
 
-Objects, programs and libraries are named by a digest of all that they are made from, so that tests
-share them.
+Files are named by a digest of all that they are made from, so that the tests of a run share them.
 """
 
+import ctypes
 import fcntl
 import importlib.util
 import platform
@@ -18,10 +18,13 @@ from functools import cache
 from hashlib import sha256
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from rigidsym import generate
 from rigidsym._codegen import forms
+from rigidsym._codegen.targets.c import module
+from rigidsym._engines import library
 
 SOURCES = Path(__file__).parent / "c"
 STRICT = (
@@ -32,9 +35,22 @@ OURS = ("torque_free.c",)
 # As many tests as can use the builds by these.
 PORTABLE = ("-std=c99", "-O2", "-fPIC")
 PLAIN = ("-std=c99", "-O1", "-fPIC")
+FAST = ("-O3", "-fno-math-errno", "-fno-trapping-math")
+# Builds of libraries: compiler, machine, flags.
+BUILDS = {
+    "gcc native": ("gcc", "native", ("-std=c99", *FAST, "-fPIC")),
+    # GNU C fuses products and sums by itself where the machine can.
+    "gcc native, GNU C": ("gcc", "native", ("-O3", "-fPIC")),
+    "gcc portable": ("gcc", "", PORTABLE),
+    "clang native": ("clang", "native", ("-std=c99", *FAST, "-fPIC")),
+    "clang portable": ("clang", "", PORTABLE),
+}
 # What compilers say of the loops that they vectorise.
 REPORTS = {"gcc": "-fopt-info-vec", "clang": "-Rpass=loop-vectorize"}
 X86 = platform.machine() in ("x86_64", "AMD64")
+# Memory that every struct of constants fits, and rates and an attitude that serve most tests.
+ROOM = 8192
+RATES, ATTITUDE = (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +63,7 @@ class Compiler:
 
     def machine(self, name: str) -> tuple[str, ...]:
         """Return the flags for `native`, `x86-64` or `x86-64-v3`, if there is such a thing."""
-        if name != "native" and not X86:
+        if not name or (name != "native" and not X86):
             return ()
         return (f"-march={name.replace('-', self.dashes)}",)
 
@@ -61,24 +77,30 @@ class Compiler:
 
         Compile each text by the same flags once in a run; there is no object where that fails.
         """
-        made = self._once(".o", source.parent, (*flags, "-c"), [source], ())
-        return made, made.with_suffix(".said").read_text("utf-8")
+        return self._once(".o", source.parent, (*flags, "-c"), [source], ())
+
+    def built(self, here: Path, *flags: str, sources: Sequence[str]) -> tuple[Path, str]:
+        """Return a program of sources by one start of the compiler, and what that says."""
+        return self._once(".out", here, flags, [here / name for name in sources], ("-lm",))
 
     def linked(self, here: Path, *flags: str, sources: Sequence[str] = OURS, end: str = "") -> Path:
-        """Return a program of sources in `here`, or with the end `.so` a library."""
+        """Return a program of sources in `here`, or with the end `.so` a library.
+
+        Objects are shared with all that is built of the same sources by the same flags.
+        """
         objects = []
         for name in sources:
             made, said = self.compiled(here / name, *flags)
             assert made.exists(), said[-4000:]
             objects.append(made)
         shared = ("-shared",) if end else ()
-        made = self._once(end or ".out", here, (*flags, *shared), objects, ("-lm",))
-        assert made.exists(), made.with_suffix(".said").read_text("utf-8")[-4000:]
+        made, said = self._once(end or ".out", here, (*flags, *shared), objects, ("-lm",))
+        assert made.exists(), said[-4000:]
         return made
 
     def _once(
         self, end: str, here: Path, flags: Sequence[str], given: list[Path], last: Sequence[str]
-    ) -> Path:
+    ) -> tuple[Path, str]:
         texts = "\0".join((*self.command, *flags, *map(_included, given)))
         made = here / f"{sha256(texts.encode()).hexdigest()[:24]}{end}"
         said = made.with_suffix(".said")
@@ -90,7 +112,7 @@ class Compiler:
                 done = self.run(*flags, *fresh, *given, "-o", made, *last)
                 assert made.exists() == (done.returncode == 0), done.stderr
                 said.write_text(done.stderr, "utf-8")
-        return made
+        return made, said.read_text("utf-8")
 
 
 def _included(path: Path) -> str:
@@ -103,16 +125,60 @@ def _included(path: Path) -> str:
 
 
 def written(here: Path) -> None:
-    """Write the generated files of every form and ours into a directory."""
+    """Write the generated files of every form and ours into a directory, and what has no lets."""
     for form in forms.FORMS:
         generate("c", form=form).write(here)
+    (here / "arithmetic.c").write_text(module.source_first(forms.THETA), "utf-8")
     for source in SOURCES.iterdir():
         shutil.copy(source, here)
 
 
+class Library:
+    """The functions of a module's build on arrays, by Python's calls of its header."""
+
+    def __init__(
+        self, compiler: Compiler, here: Path, *flags: str, form: str = forms.THETA
+    ) -> None:
+        header, source = module.HEADERS[form], module.SOURCES[form]
+        path = compiler.linked(here, *flags, sources=(source,), end=".so")
+        self.c = library.load(path, {header: (here / header).read_text("utf-8")})
+
+    def prepare(self, inertia, omega0=RATES, attitude0=ATTITUDE) -> tuple[int, ctypes.Array]:
+        """Return the code for a motion, or for the body of a step, and the memory prepared."""
+        room = ctypes.create_string_buffer(ROOM)
+        if "body_init" in self.c.signatures:
+            return self.c.body_init(room, numbers(inertia)), room
+        return self.c.motion_init(room, *map(numbers, (inertia, omega0, attitude0))), room
+
+    def prepare_pairs(self, *pairs, unit) -> tuple[int, ctypes.Array]:
+        """Return the code for a motion of double-doubles, and the memory prepared."""
+        room = ctypes.create_string_buffer(ROOM)
+        return self.c.motion_init_double_doubles(room, *map(numbers, pairs), unit), room
+
+    def states(self, prepared, times) -> tuple[int, np.ndarray]:
+        """Return a code, and the states: rows of seven, NaN where nothing was written."""
+        q, omega = np.full((len(times), 4), np.nan), np.full((len(times), 3), np.nan)
+        code = self.c.states_at(prepared, len(times), numbers(times), q, omega)
+        return code, np.hstack([q, omega])
+
+    def grid(self, prepared, start, step, n, first=0) -> tuple[int, np.ndarray]:
+        """Return a code, and the states at start + k step, k = first, first + 1, ..."""
+        q, omega = np.full((n, 4), np.nan), np.full((n, 3), np.nan)
+        code = self.c.states_on_grid(prepared, start, step, first, n, q, omega)
+        return code, np.hstack([q, omega])
+
+    def message(self, code: int) -> str:
+        return self.c.message(code).decode()
+
+
+def numbers(values: Sequence[float] | np.ndarray) -> np.ndarray:
+    """Return an array of doubles."""
+    return np.ascontiguousarray(values, dtype=float)
+
+
 @cache
 def gcc() -> Compiler | None:
-    """GCC, where the command is not clang under another name."""
+    """Return GCC where the command is not clang under another name."""
     if shutil.which("gcc") is None:
         return None
     found = Compiler("gcc", ("gcc",))
@@ -121,7 +187,7 @@ def gcc() -> Compiler | None:
 
 @cache
 def zig() -> Compiler | None:
-    """The clang inside Zig, as the package ziglang brings it."""
+    """Return the clang inside Zig, as the package ziglang brings it."""
     if importlib.util.find_spec("ziglang") is None:
         return None
     command = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=all")
@@ -130,17 +196,17 @@ def zig() -> Compiler | None:
 
 @cache
 def clang() -> Compiler | None:
-    """The system's clang, or else the one inside Zig."""
+    """Return the system's clang, or else the one inside Zig."""
     return Compiler("clang", ("clang",)) if shutil.which("clang") else zig()
 
 
 def either() -> Compiler:
-    """GCC, or else clang."""
+    """Return GCC, or else clang."""
     return needed("gcc" if gcc() else "clang")
 
 
 def needed(name: str) -> Compiler:
-    """A compiler by name; the test is skipped where there is none."""
+    """Return a compiler by name; the test is skipped where there is none."""
     found = {"gcc": gcc, "clang": clang, "zig": zig}[name]()
     if found is None:
         pytest.skip(f"no {name} here" + (": pip install ziglang" if name != "gcc" else ""))
@@ -148,6 +214,6 @@ def needed(name: str) -> Compiler:
 
 
 def for_32_bits() -> Compiler:
-    """A compiler for 32-bit x86 with musl, whose programs need nothing else to run."""
+    """Return a compiler for 32-bit x86 with musl, whose programs need nothing else to run."""
     found = needed("zig")
     return replace(found, command=(*found.command, "-target", "x86-linux-musl"))

@@ -1,4 +1,4 @@
-"""What runtimes decide by hand is what the ledger's partition says, for every pattern of signs.
+"""Decisions of the hand-written runtimes are those of the ledger's partition of motions.
 
 Which motion it is depends on nothing but the order of the moments and which are equal, the signs of
 the rates, and the sign of E_b: each combination is tried, in NumPy, one body and many, and in C.
@@ -7,12 +7,12 @@ the rates, and the sign of E_b: each combination is tried, in NumPy, one body an
 import ctypes
 from collections import Counter
 from fractions import Fraction
+from functools import cache
 from itertools import permutations, product
 
 import numpy as np
 import pytest
-from compilers import PLAIN, needed
-from library import Library
+from compilers import PORTABLE, Library, needed
 
 from rigidsym._codegen.functions import functions
 from rigidsym._codegen.lines import flat_results
@@ -39,26 +39,25 @@ SIZES = {
 }
 
 
+@cache
 def decided(inertia, omega):
     return classify([Fraction(x) for x in inertia], [Fraction(x) for x in omega])
 
 
-def one_by_one():
-    for inertia, omega in PATTERNS:
-        made = torque_free.prepare(inertia, omega)
-        ((branch, _, constants),) = made["groups"]
-        gains = [float(constants[f"gain_{x}"][0]) for x in "abd"] if branch != "steady" else None
-        yield branch, tuple(made["axes"][0].tolist()), gains
-
-
-def at_once():
-    made = torque_free.prepare(*map(np.array, zip(*PATTERNS, strict=True)))
+def in_numpy(*given):
+    """Return branch, axes and gains of every body, in order."""
+    made = torque_free.prepare(*given)
     found = {}
     for branch, index, constants in made["groups"]:
         for place, body in enumerate(index.tolist()):
             gains = [float(constants[f"gain_{x}"][place]) for x in "abd" if branch != "steady"]
             found[body] = branch, tuple(made["axes"][body].tolist()), gains
-    return [found[body] for body in range(len(PATTERNS))]
+    return [found[body] for body in range(len(found))]
+
+
+@cache
+def at_once():
+    return in_numpy(*map(np.array, zip(*PATTERNS, strict=True)))
 
 
 class Head(ctypes.Structure):
@@ -73,9 +72,9 @@ class Head(ctypes.Structure):
 
 
 def in_c(here):
-    library = Library(needed("gcc").linked(here, *PLAIN, end=".so"))
+    library = Library(needed("gcc"), here, *PORTABLE)
     for inertia, omega in PATTERNS:
-        code, prepared = library.prepare(inertia, omega, (1.0, 0.0, 0.0, 0.0))
+        code, prepared = library.prepare(inertia, omega)
         assert code == 0
         head = Head.from_buffer(prepared)
         branch = BRANCHES[head.branch]
@@ -88,7 +87,9 @@ def found(request, here):
     """Branch, axes and the gains of the rates for every pattern."""
     if request.param == "in C":
         return list(in_c(here))
-    return list(one_by_one() if request.param == "one by one" else at_once())
+    if request.param == "at once":
+        return at_once()
+    return [one for pattern in PATTERNS for one in in_numpy(*pattern)]
 
 
 def test_every_regime_is_tried():

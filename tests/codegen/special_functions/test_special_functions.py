@@ -1,25 +1,29 @@
 """Special functions of the generated code against mpmath, over mpmath's own numbers."""
 
 import random
+from fractions import Fraction
+from functools import cache
 from itertools import pairwise
 
 import mpmath
 import pytest
-from mpmath import mpf
+from mpmath import mpc, mpf
 from values import value_of
 
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.special_functions import (
     angles,
+    carlson,
+    exponential,
     landen,
     nome,
     reduction,
+    short_time,
     theta_circular,
     theta_hyperbolic,
 )
 from rigidsym.solution import sealed
 
-FUNCTIONS = {function.name: function for function in functions(sealed())}
 PRIMITIVES = {
     "sqrt": mpmath.sqrt,
     "size": abs,
@@ -36,18 +40,20 @@ PRIMITIVES = {
 
 @pytest.fixture(autouse=True)
 def _digits():
-    with mpmath.workdps(40):
+    with mpmath.workdps(50):
         yield
 
 
-def known():
-    return {c.name: mpf(c.hi) + mpf(c.lo or 0) for c in constants()} | {"pi": mpmath.pi()}
+@cache
+def by_name():
+    return {f.name: f for form in ("theta", "pi") for f in functions(sealed(), form)}
 
 
 def run(lets, values):
-    """All lets over mpmath numbers."""
-    found = known() | values
-    table = PRIMITIVES | {name: lambda *x, n=name: call(n, *x) for name in FUNCTIONS}
+    """Return the values of all lets over mpmath numbers: what they leave out, and no rounding."""
+    found = {c.name: mpf(c.hi) + mpf(c.lo or 0) for c in constants()} | {"pi": mpmath.pi()}
+    found |= values
+    table = PRIMITIVES | {name: lambda *x, n=name: call(n, *x) for name in by_name()}
     for let in lets:
         value = value_of(let.expression, found, table)
         found |= dict(zip(let.targets, value if len(let.targets) > 1 else (value,), strict=True))
@@ -55,10 +61,13 @@ def run(lets, values):
 
 
 def call(name, *arguments):
-    function = FUNCTIONS[name]
+    function = by_name()[name]
     found = run(function.lets, dict(zip(function.parameters, arguments, strict=True)))
     results = tuple(found[result] for result in function.results)
     return results if len(results) > 1 else results[0]
+
+
+# --- Landen's ladder, nome, angles, thetas
 
 
 MODULI = [mpf(0), mpf("1e-12"), mpf("0.1"), mpf("0.5"), mpmath.sqrt(0.5)]
@@ -208,3 +217,167 @@ def test_hyperbolic_thetas(rho, q, a):
         assert abs(2 * found["theta2_y"] * begin["watson"] / norm - 1) < 1e-20
     slope = mpmath.jtheta(2, a, q, 1) / theta(2, a, q)
     assert abs(begin["zeta"] + slope) < 1e-30
+
+
+# --- the exponential
+
+TERMS = exponential.coefficients(exponential.TERMS)
+NUMBERS = {constant.name: constant.hi for constant in exponential.constants()}
+REACH = mpf("0.3467")
+
+
+@pytest.mark.parametrize("k", range(-20, 21))
+def test_the_polynomial_is_within_its_bound(k):
+    with mpmath.workdps(50):
+        r = mpf(k) / 21 * REACH
+        value = 1 + r + r**2 / 2 + sum(term * r ** (n + 3) for n, term in enumerate(TERMS))
+        assert abs(value / mpmath.exp(r) - 1) <= exponential.bound(TERMS) < 2.0**-54
+
+
+def test_a_wrong_coefficient_shows():
+    wrong = (*TERMS[:4], TERMS[4] * (1 + 1e-9), *TERMS[5:])
+    assert exponential.bound(wrong) > 2.0**-53
+
+
+def test_log_2_in_two():
+    assert (Fraction(NUMBERS["log_2_short"]) * 2**32).denominator == 1
+    with mpmath.workdps(40):
+        both = NUMBERS["log_2_short"] + mpf(NUMBERS["log_2_rest"])
+        assert abs(both - mpmath.ln2) < mpf(2) ** -86
+        assert mpmath.ln2 / 2 * (1 + mpf(2) ** -40) < REACH
+
+
+@pytest.mark.parametrize(
+    ("x", "bound"), [(0.0, 0), (-1e-300, 0), (-0.5, 1e-16), (-37.4, 1e-16), (-707.9, 1e-16)]
+)
+def test_the_lets_in_doubles(x, bound):
+    found = in_doubles(x)
+    with mpmath.workdps(40):
+        assert abs(found / mpmath.exp(x) - 1) <= 2 * bound
+
+
+@pytest.mark.parametrize("x", [-708.5, -1e300, float("-inf")])
+def test_what_is_too_small_is_zero(x):
+    assert in_doubles(x) == 0.0
+
+
+def in_doubles(x):
+    known = NUMBERS | {"x": x}
+    functions = PRIMITIVES | {
+        "nearest": lambda value: (value + 1.5 * 2.0**52) - 1.5 * 2.0**52,
+        "power_of_two": lambda n: 2.0**n,
+    }
+    for let in exponential.function().lets:
+        known[let.targets[0]] = value_of(let.expression, known, functions)
+    return known["value"]
+
+
+# --- series of a step at the shortest time
+
+# p is 1: then |omega t| of 8 rad before STEPS doublings are this.
+TIME = mpf(8) / 2**short_time.STEPS
+
+
+def frequencies(r):
+    """Return e_1, e_2 and h for p = 1, and X and Y of the time."""
+    h = mpf(r) / 4
+    e_1, e_2 = 1 - mpf(r) / 2, h**2
+    mu_2 = (e_1 + mpmath.sqrt(e_1**2 - 4 * e_2)) / 2
+    mu, m = mpmath.sqrt(mu_2), e_2 / mu_2**2
+
+    def elapsed(t):
+        sn, cn, dn = (mpmath.ellipfun(name, mu * t, m=m) for name in ("sn", "cn", "dn"))
+        return sn / mu, cn * dn
+
+    return e_1, e_2, h, elapsed
+
+
+@pytest.mark.parametrize("r", ["0", "0.3", "0.7", "1"])
+@pytest.mark.parametrize("share", [1, -0.6])
+def test_elapsed(r, share):
+    e_1, e_2, _, elapsed = frequencies(r)
+    found = run(short_time.elapsed(), {"e_1": e_1, "e_2": e_2, "first_t": share * TIME})
+    left_out = [
+        abs(found[name] / x - 1) for name, x in zip("XY", elapsed(share * TIME), strict=True)
+    ]
+    assert max(left_out) <= float(short_time.elapsed_tail())
+    # It is a bound on something: a term less would break it.
+    if (r, share) == ("1", 1):
+        assert max(left_out) > float(short_time.elapsed_tail()) / 1000
+
+
+@pytest.mark.parametrize("r", ["0.2", "0.7", "1"])
+@pytest.mark.parametrize("angle", ["0", "0.4", "0.785", "2"])
+@pytest.mark.parametrize("slope", ["0.3", "1.9"])
+def test_third_kind_of_a_step(r, angle, slope):
+    """z on its circle, z' of any direction: the largest there are."""
+    e_1, e_2, h, elapsed = frequencies(r)
+    z, rate = mpmath.expj(mpf(angle)), h * mpmath.expj(mpf(angle) + mpf(slope))
+    nu = -h * z**2
+    X = elapsed(TIME)[0]
+    parts = {"nu_re": nu.real, "nu_im": nu.imag, "rate_re": rate.real, "rate_im": rate.imag}
+    found = run(short_time.third_kind(), {"e_1": e_1, "e_2": e_2, "X": X} | parts)
+
+    def integrand(t):
+        x = elapsed(t)[0] ** 2
+        return x / (1 - nu * x)
+
+    chi = (rate * mpmath.quad(integrand, [0, TIME])).imag
+    off = mpmath.arg(mpc(found["E_re"], found["E_im"]) * mpmath.expj(-chi))
+    assert abs(off) * 2**short_time.STEPS <= float(short_time.third_kind_tail())
+
+
+# --- Carlson's R_J and complete integrals
+
+
+def jacobi(u, m):
+    return [mpmath.ellipfun(name, u, m=m) for name in ("sn", "cn", "dn")]
+
+
+def third_kind(s, c, d, n, k):
+    """Return what the code finds, and the true value."""
+    path = 1 - n * s**2
+    spread = -n * (1 - n) * (k**2 - n)
+    found = call("_third_kind", s, c, d, path, spread)
+    return found, s**3 / 3 * mpmath.elliprj(c**2, d**2, 1, path)
+
+
+@pytest.mark.parametrize("k", ["0.02", "0.3", "0.6", "0.70710678"])
+@pytest.mark.parametrize("share", ["0", "0.4", "1"])
+def test_third_kind_up_to_a_quarter_period(k, share):
+    """n between 0 and -k, kappa at most 2 k (1 + k): what J is off by counts in psi by half."""
+    k = mpf(k)
+    n = -k * mpf(share)
+    for part in range(1, 9):
+        s, c, d = jacobi(mpmath.ellipk(k**2) * part / 8, k**2)
+        found, true = third_kind(s, c, d, n, k)
+        assert abs(found - true) * k * (1 + k) <= carlson.MEASURED
+
+
+@pytest.mark.parametrize("complement", ["0.707", "0.4", "0.1", "1e-2", "1e-5", "1e-12", "1e-60"])
+@pytest.mark.parametrize("x", ["0.01", "0.5", "1"])
+def test_third_kind_near_the_separatrix(complement, x):
+    """Up to half a quarter period, times the larger of what it is multiplied by there."""
+    with mpmath.workdps(200):
+        kc, x = mpf(complement), mpf(x)
+        k = mpmath.sqrt(1 - kc**2)
+        y, z = mpmath.sqrt(1 + x**2), mpmath.sqrt(1 + (k * x) ** 2)
+        delta = (kc / z) ** 2
+        share = k**2 * x * y * kc**2 / z**3
+        for part in range(1, 9):
+            s, c, d = jacobi(mpmath.ellipk(k**2) * part / 16, k**2)
+            found, true = third_kind(s, c, d, 1 - delta, k)
+            assert abs(found - true) * 2 * share <= carlson.MEASURED
+
+
+@pytest.mark.parametrize("complement", ["1", "0.9", "0.70710678", "1e-3", "1e-20", "1e-68"])
+@pytest.mark.parametrize("n", ["-1e-9", "-0.1", "-0.9"])
+def test_complete_integrals(complement, n):
+    with mpmath.workdps(200):
+        kc, n = mpf(complement), mpf(n)
+        m = 1 - kc**2
+        quarter, total = call("_complete", kc, 1 - n)
+        assert abs(quarter / mpmath.ellipk(m) - 1) <= landen.MEANS_MEASURED
+        slope = total / (2 * (1 - n))
+        true = (mpmath.ellippi(n, m) / mpmath.ellipk(m) - 1) / n
+        assert abs(slope / true - 1) * quarter <= landen.MEANS_MEASURED

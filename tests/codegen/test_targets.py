@@ -1,0 +1,237 @@
+"""Generated files: printed without loss, current, deterministic, traceable, and read back."""
+
+import ast
+import hashlib
+import json
+import os
+import re
+import runpy
+import subprocess
+import sys
+from dataclasses import replace
+from functools import cache, partial
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym import InputError, generate
+from rigidsym._codegen import TARGETS, forms, targets
+from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.ir import Function, let
+from rigidsym._codegen.passes import products
+from rigidsym._codegen.seal import seal_text
+from rigidsym._codegen.targets.c import emit as c
+from rigidsym._codegen.targets.c import module as c_module
+from rigidsym._codegen.targets.c.read_back import Reader
+from rigidsym._codegen.targets.numpy import emit as numpy
+from rigidsym._codegen.targets.numpy import module as numpy_module
+from rigidsym._codegen.trace import lines_of_equation
+from rigidsym.language._expression import parse
+from rigidsym.solution import sealed
+
+HOME = Path(rigidsym.__path__[0]) / "generated"
+HOW_TO = Path(__file__).parents[2] / "notebooks" / "text" / "howto_add_a_target.py"
+SOURCES = {"numpy": numpy_module.FILES, "c": c_module.SOURCES}
+every_module = pytest.mark.parametrize(
+    ("target", "form"), [(t, f) for t in TARGETS for f in forms.FORMS]
+)
+
+made, lets_of = cache(generate), cache(partial(functions, sealed()))
+
+
+def source(target, form="theta"):
+    return made(target, form=form).files[SOURCES[target][form]]
+
+
+def count_of_lines(target, form):
+    """Return how many lets a module prints: in C, the discriminant for two kinds of numbers."""
+    printed = [x for x in lets_of(form) if target == "c" or x.name != "_exponential"]
+    twice = [x for x in printed if target == "c" and x.name == "_discriminant"]
+    return sum(len(function.lets) for function in (*printed, *twice))
+
+
+@every_module
+def test_the_committed_files_are_what_the_ledger_says(target, form):
+    for name, text in made(target, form=form).texts().items():
+        assert (HOME / name).read_text() == text
+
+
+@every_module
+def test_what_is_printed_reads_back_as_the_lets(target, form):
+    generated = made(target, form=form)
+    assert seal_text(generated, sealed()) == count_of_lines(target, form) > 150
+    assert generated.manifest["target"] == forms.key(target, form)
+    for name, text in generated.files.items():
+        assert name.startswith(Path(SOURCES[target][form]).stem)
+        assert f"rigidsym codegen {target}{forms.option(form)}\n" in text or name.endswith(".c")
+
+
+@every_module
+def test_every_derived_line_has_its_equations_and_facts(target, form):
+    lines = source(target, form).splitlines()
+    known = {formula.fact for p in sealed().sequences.values() for formula in p}
+    places = made(target, form=form).map[SOURCES[target][form]]
+    assert len(places) == count_of_lines(target, form)
+    for place in places:
+        line = lines[place["line"] - 1]
+        assert line.startswith("    ")
+        assert " = " in line or target == "c"
+        assert set(place["facts"]) <= known
+        assert (place["kind"] == "fact") == bool(place["facts"])
+        assert place["kind"] == "arithmetic" or place["facts"] or place["equations"]
+        assert all(equation in line for equation in place["equations"])
+
+
+@every_module
+def test_one_digest_covers_all_files(target, form):
+    generated = made(target, form=form)
+    digest, files = generated.manifest["digest"], generated.files
+    assert sum(f"digest {digest}" in text for text in files.values()) == 1
+    assert f'return "{digest}";' in source(target, form) or target == "numpy"
+    sums = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
+    assert generated.manifest["sha256"] == sums
+
+
+def test_the_header_names_command_and_bounds():
+    head = ast.get_docstring(ast.parse(source("numpy")))
+    assert "rigidsym codegen numpy" in head
+    assert "Landen's ladder, 5 steps" in head
+    assert f"\nrigidsym {rigidsym.__version__}, emitter numpy/2\n" in head
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_the_head_says_what_was_measured_of_this_very_code(target):
+    """`rigidsym validate numpy c --cases 200 --record`, then `rigidsym codegen` again."""
+    texts = "".join(made(target).files.values())
+    assert "not measured" not in texts
+    assert f"rigidsym validate {target} --cases" in texts
+
+
+def test_constants_are_written_to_the_last_digit():
+    for constant in constants():
+        found = re.search(rf"static const \w+ {constant.name} = (.*); /\*", source("c"))
+        if found:
+            parts = [float(x) for x in found[1].strip("{}").split(",")]
+            assert parts == [constant.hi] + ([] if constant.lo is None else [constant.lo])
+
+
+@pytest.mark.parametrize("seed", ["0", "4242"])
+def test_bytes_do_not_depend_on_the_hash_seed(seed):
+    code = "import json; from rigidsym import generate; "
+    code += f"print(json.dumps([generate(target).texts() for target in {TARGETS}]))"
+    environment = {**os.environ, "PYTHONHASHSEED": seed}
+    found = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment
+    )
+    assert json.loads(found.stdout) == [made(target).texts() for target in TARGETS]
+
+
+def test_the_numpy_module_works_alone(tmp_path):
+    found = [
+        n
+        for n in ast.walk(ast.parse(source("numpy")))
+        if isinstance(n, ast.Import | ast.ImportFrom)
+    ]
+    assert [ast.unparse(node) for node in found] == [
+        "import math",
+        "from typing import Any",
+        "import numpy as np",
+    ]
+    made("numpy").write(tmp_path)
+    home = str(Path(np.__path__[0]).parent)
+    code = f"import sys; sys.path.insert(0, {home!r}); import torque_free as tf; "
+    code += "p = tf.prepare((1, 2, 2.5), (1, 2, 3)); print(tf.states(p, 1.0)[0])"
+    found = subprocess.run(
+        [sys.executable, "-S", "-c", code], capture_output=True, text=True, check=True, cwd=tmp_path
+    )
+    expected = rigidsym.TorqueFreeMotion((1, 2, 2.5), (1, 2, 3))(1.0)[0]
+    assert found.stdout.strip() == str(expected)
+
+
+@pytest.mark.parametrize(
+    ("target", "form", "message"),
+    [
+        ("fortran", "theta", "target = fortran: must be one of: numpy, c"),
+        ("numpy", "phi", r"form = 'phi': must be one of: theta, pi|phi"),
+    ],
+)
+def test_unknown_targets_and_forms_are_named_with_the_known_ones(target, form, message):
+    with pytest.raises(InputError, match=message):
+        generate(target, form=form)
+
+
+@pytest.mark.parametrize("text", ["a = gamma(b)", "a = b**c"])
+def test_an_unsupported_node_fails_at_generation(text):
+    odd = Function("_odd", "", ("b", "c"), (let(text),), ("a",))
+    with pytest.raises(ValueError, match=r"gamma|whole power"):
+        [numpy.printed(one.expression) for one in products(odd.lets)]
+    with pytest.raises(ValueError, match=r"gamma|cannot say"):
+        c.lowered(odd.lets[0].expression, set(), "pair")
+
+
+def test_reading_back_undoes_what_only_c_needs():
+    read = Reader("f", "dd", {"a"}, {}).read
+    assert read("dd_mul_dx(2.0, dd_add_xx(a, dd_of(3.0)))") == (parse("2*(a + 3)"), True)
+    assert read("fused(b, -c, fabs(d)) / 2.0") == (parse("fma(b, -c, size(d))/2"), False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *["b / 2", "2.0f*b", "02.0*b", "1e5", "b ** 2.0", "b if c else d", "(b, c)", "b +"],
+        *["fma(b, c, d)", "exp(b)", "size(b)", "neg(b)", "ladder(b)", "dd_turn(a)", "exact_neg(a)"],
+        *["a + b", "-a", "dd_add_xx(a, b)", "dd_add_dd(b, c)", "dd_of(a)", "fabs(a)", "dd_neg(b)"],
+    ],
+)
+def test_what_c_does_not_say_so_is_no_expression(text):
+    with pytest.raises(InputError, match=r"^f = "):
+        Reader("f", "dd", {"a"}, {}).read(text)
+
+
+# --- the Pi form, and other targets
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_the_pi_form_has_no_theta_function_and_no_nome(target):
+    for text in made(target, form="pi").files.values():
+        assert not re.search(r"theta\d|_root_ratio|root_ratio|\bnome|DLMF 20\.", text)
+
+
+def test_c_modules_of_both_forms_have_no_name_in_common():
+    """Neither what a header declares or defines, nor what the linker sees."""
+    own = re.compile(r"\b(?:torque_free|TORQUE_FREE)_\w+")
+    theta, pi = (
+        {*own.findall("\n".join(made("c", form=form).files.values()))} for form in ("theta", "pi")
+    )
+    assert not theta & pi
+    assert all(name.lower().startswith("torque_free_pi") for name in pi)
+
+
+def test_a_name_of_another_form_is_refused():
+    generated, name = made("c", form="pi"), "torque_free_pi.c"
+    text = generated.files[name].replace("torque_free_pi_state_at(", "torque_free_state_at(", 1)
+    changed = replace(generated, files={**generated.files, name: text})
+    with pytest.raises(InputError, match=r"torque_free_pi.c:\d+ = .*has another form's name"):
+        seal_text(changed, sealed())
+
+
+def test_equation_36_has_lines_in_both_languages():
+    files = {line.split(":")[0] for line in lines_of_equation("36")}
+    assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ("py", "c")}
+
+
+def test_the_how_to_adds_a_target_and_takes_it_away(capsys):
+    before = list(targets.TARGETS), list(targets.__path__)
+    try:
+        runpy.run_path(str(HOW_TO))
+    finally:
+        for name in [name for name in sys.modules if name.startswith(f"{targets.__name__}.floats")]:
+            del sys.modules[name]
+    assert (list(targets.TARGETS), list(targets.__path__)) == before
+    said = capsys.readouterr().out
+    printed = [f for f in lets_of("theta") if f.name.endswith(("_angles", "_state"))]
+    assert f"{sum(len(f.lets) for f in printed)} lines read back" in said
+    assert "not what was derived" in said
+    assert "apart by less than 1e-15: True" in said
