@@ -1,4 +1,4 @@
-"""How H and K^2 drift over many free steps, body by body and kind by kind.
+"""Drift of H and K^2 over many free steps, for bodies of several kinds.
 
     python tests/benchmarks/drift.py [STEPS] [--quick] [--json]     --quick: 2000 steps
 
@@ -29,7 +29,7 @@ UNIT = 2.0**-53
 
 @dataclass(frozen=True, slots=True)
 class Drift:
-    """Of bodies of a kind: the root mean square after so many steps, its growth and its mean."""
+    """Root mean square drift of a kind of bodies by number of steps, its growth and its mean."""
 
     kind: str
     quantity: str

@@ -9,12 +9,13 @@ Times are of the processor, the least of some runs, so that others on the machin
 what counts is their ratio, side by side.
 """
 
-import argparse
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
+from time import process_time
+from timeit import repeat
 
+import bench
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
@@ -37,17 +38,14 @@ TOLERANCE = 1e-10
 
 
 def best_of(count, run):
-    """The least time of some runs, s, and what the last of them found."""
-    least, found = np.inf, None
-    for _ in range(count):
-        begun = time.process_time()
-        found = run()
-        least = min(least, time.process_time() - begun)
-    return least, found
+    """Return the least processor time of some runs, s, and what the last of them found."""
+    found = []
+    times = repeat(lambda: found.append(run()), number=1, repeat=count, timer=process_time)
+    return min(times), found[-1]
 
 
 def integrated(problem, start):
-    """The same least squares, states by DOP853 and derivatives by differences."""
+    """Solve the least squares of a problem by DOP853 and derivatives by differences."""
     (one,) = problem.sets
 
     def residuals(x):
@@ -72,12 +70,8 @@ def integrated(problem, start):
 
 def main():
     """Print a line for each."""
-    asked = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    asked.add_argument("--looks", type=int, default=1000)
-    asked.add_argument("--starts", type=int, default=10000)
-    asked.add_argument("--engine", default="c")
-    asked.add_argument("--quick", action="store_true")
-    asked = asked.parse_args()
+    looks, starts = ({"type": int, "default": x} for x in (1000, 10000))
+    asked = bench.options(__doc__, looks=looks, starts=starts, engine={"default": "c"})
     if asked.quick:
         asked.looks, asked.starts = 30, 200
     runs, turns = (1, 2.0) if asked.quick else (25, TURNS)

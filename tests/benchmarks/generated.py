@@ -9,7 +9,6 @@ machine spoils one round and not one figure; the fastest round counts.  van Zon 
 is not available.
 """
 
-import argparse
 import ctypes
 import math
 import subprocess
@@ -19,10 +18,10 @@ import tracemalloc
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
-from time import perf_counter
+from timeit import timeit
 
+import bench
 import numpy as np
 import rivals
 from mpmath import mp
@@ -52,13 +51,9 @@ Work = Callable[[], object]
 
 def main() -> int:
     """Print every table; return 1 where a goal is missed."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("rounds", nargs="?", type=int, default=30)
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
-    quick, rounds = options.quick, 1 if options.quick else options.rounds
-    if not find_spec("heyoka"):
-        print("heyoka is not installed (extra bench): its rows are left out")
+    asked = bench.options(__doc__, 30)
+    quick, rounds = asked.quick, asked.rounds
+    bench.say_if_heyoka_is_missing()
     met = []
     for size in (800,) if quick else (10_000, 1_000_000):
         met.append(_states(size, rounds).print(not quick))
@@ -112,21 +107,15 @@ class Table:
 
 
 def _best(works: dict[str, Work], rounds: int, per: int) -> dict[str, float]:
-    """Fastest nanoseconds of each over `per`, in turns; what takes a second takes two rounds."""
-    found = {name: _seconds(work, 1) for name, work in works.items()}
+    """Return the fastest nanoseconds of each, over `per`; slow works take two rounds only."""
+    found = {name: timeit(work, number=1) for name, work in works.items()}
     for k in range(rounds):
         for name, work in works.items():
             if k < 2 or found[name] < 0.5:
-                found[name] = min(found[name], _seconds(work, math.ceil(4e-3 / found[name])))
+                # The mean of runs in a row: each finds the caches as the one before left them.
+                count = math.ceil(4e-3 / found[name])
+                found[name] = min(found[name], timeit(work, number=count) / count)
     return {name: 1e9 * seconds / per for name, seconds in found.items()}
-
-
-def _seconds(work: Work, times: int) -> float:
-    """The mean of some runs in a row: each finds the caches as the one before left them."""
-    start = perf_counter()
-    for _ in range(times):
-        work()
-    return (perf_counter() - start) / times
 
 
 # The C module, by ctypes and not by the engine: in several builds, without Python in between.
@@ -168,19 +157,12 @@ def _compiled(source: Path, flags: tuple[str, ...]) -> ctypes.CDLL:
         return ctypes.CDLL(str(path))
 
 
-def _given(value: object) -> object:
-    if isinstance(value, np.ndarray):
-        return ctypes.c_void_p(value.ctypes.data)
-    if isinstance(value, int):
-        return ctypes.c_size_t(value)
-    return ctypes.c_double(value) if isinstance(value, float) else value
-
-
 def _bounds(t: np.ndarray, out: rivals.States) -> dict[str, Work]:
     """The machine's bound in both widths."""
     source = Path(__file__).with_name("bound.c")
     library = _compiled(source, ("-O3", "-march=native"))
-    given = [_given(x) for x in (t.size, t, 0.3, 0.4, *out)]
+    times, *places = (ctypes.c_void_p(x.ctypes.data) for x in (t, *out))
+    given = ctypes.c_size_t(t.size), times, ctypes.c_double(0.3), ctypes.c_double(0.4), *places
     return {
         f"bound, {width} bits": lambda f=library[f"bound_{width}"]: f(*given)
         for width in (256, 512)
@@ -209,11 +191,7 @@ def _states(size: int, rounds: int) -> Table:
     rest = {name: rival(PAPER, in_order) for name, rival in RIVALS.items()}
     figures = _best(works | rest, rounds, size)
     figures["bound"] = min(figures.pop(f"bound, {width} bits") for width in (256, 512))
-    return _judged(Table(f"{size} states of one body", figures, "ns a state"), size)
-
-
-def _judged(table: Table, size: int) -> Table:
-    small = size < 100_000
+    table, small = Table(f"{size} states of one body", figures, "ns a state"), size < 100_000
     table.within("C", 2.0 if small else 2.4, "bound")
     table.faster("C", 8 if small else 5.5, [name for name in FROM_START if "heyoka" in name])
     table.within("NumPy", 1.2, "heyoka, propagate_grid")
@@ -232,9 +210,7 @@ _ALL_RIVALS = {
     "SciPy, the paper's formulas": rivals.paper,
 }
 RIVALS = {
-    name: rival
-    for name, rival in _ALL_RIVALS.items()
-    if "heyoka" not in name or find_spec("heyoka")
+    name: rival for name, rival in _ALL_RIVALS.items() if "heyoka" not in name or bench.HEYOKA
 }
 FROM_START = [name for name in RIVALS if name != "heyoka, evaluation alone"]
 
@@ -254,9 +230,8 @@ def _bodies(rounds: int, bodies: int) -> Table:
         "C": c.call("propagate", *given),
         "NumPy": lambda: torque_free.states(torque_free.prepare(inertia, omega0, start), t, out),
     }
-    if find_spec("heyoka"):
-        rival = rivals.heyoka_bodies(inertia, omega0, LATEST)
-        works["heyoka, eight bodies at once"] = rival
+    if bench.HEYOKA:
+        works["heyoka, eight bodies at once"] = rivals.heyoka_bodies(inertia, omega0, LATEST)
     figures = {name: x / 1000 for name, x in _best(works, rounds, bodies).items()}
     table = Table(f"{bodies} bodies, one state each at t = {LATEST:g} s", figures, "us a body")
     table.at_most("C", 0.8)
@@ -301,7 +276,7 @@ def _memory(size: int) -> float:
 
 
 def _builds(rounds: int, count: int, size: int = 10_000) -> Table:
-    """The same source for different machines."""
+    """One source, compiled for different machines."""
     t = np.random.default_rng(1).uniform(0, SECONDS, size)
     out = np.zeros((size, 4)), np.zeros((size, 3))
     works = {}
@@ -328,7 +303,7 @@ def _errors(title: str, motion: rivals.Motion, count: int) -> Table:
 
 
 def _attitudes(motion: rivals.Motion, t: np.ndarray) -> dict[str, np.ndarray]:
-    """By name, every attitude (N, 4) that is to be compared."""
+    """Return the attitudes (N, 4) of each implementation and rival."""
     out = np.zeros((t.size, 4)), np.zeros((t.size, 3))
     c = CModule()
     c.call("states_at", c.prepare(motion), t.size, t, *out)()
@@ -338,16 +313,13 @@ def _attitudes(motion: rivals.Motion, t: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def _worst(found: np.ndarray, exact: np.ndarray) -> float:
-    """Twice the distance of quaternions, either sign of one; NaN where one is no number."""
+    """Return twice the largest distance of quaternions up to sign; NaN if one is no number."""
     if not np.all(np.isfinite(found)):
         return math.nan
     with mp.workdps(40):
-        pairs = zip(found.tolist(), exact, strict=True)
-        return max(float(2 * min(_distance(q, e, 1), _distance(q, e, -1))) for q, e in pairs)
-
-
-def _distance(q: list[float], exact: np.ndarray, sign: int) -> object:
-    return mp.sqrt(sum((x - sign * y) ** 2 for x, y in zip(q, exact, strict=True)))
+        rows = np.vectorize(mp.mpf, otypes=[object])(found)
+        squares = (np.sum((rows - sign * exact) ** 2, axis=1) for sign in (1, -1))
+        return max(float(2 * mp.sqrt(min(both))) for both in zip(*squares, strict=True))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""How long plans take, whether they are the cheapest there are, and what shooting costs instead.
+"""Time that plans take, a check that they are the cheapest, and the time of shooting instead.
 
     python tests/benchmarks/manoeuvres.py [PROBLEMS] [--brute] [--shooting N] [--differences N]
     python tests/benchmarks/manoeuvres.py --quick           three problems, one of them by all ways
@@ -13,11 +13,11 @@ the whole turn, which finds some motion.
 --differences N: N of the searches also refined by central differences instead of sensitivities.
 """
 
-import argparse
 import sys
 from pathlib import Path
 from time import perf_counter, process_time
 
+import bench
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import least_squares
@@ -37,10 +37,14 @@ STEP = 1e-5
 GOAL_MS, RESIDUAL, DEARER = 20.0, 1e-12, 1e-9
 
 
-def main(arguments) -> int:
+def main() -> int:
     """Print every figure; 1 where a goal is missed."""
-    options = _options(arguments)
-    engine, problems = engines.engine("c"), [manoeuvre(k) for k in range(options.problems)]
+    looked = {"type": int, "default": 0, "metavar": "N"}
+    brute_force = {"action": "store_true"}
+    options = bench.options(__doc__, 1000, brute=brute_force, shooting=looked, differences=looked)
+    if options.quick:
+        options.rounds, options.shooting, options.differences = 3, 1, 1
+    engine, problems = engines.engine("c"), [manoeuvre(k) for k in range(options.rounds)]
     solve(problems[0])
     milliseconds, residuals, dearer = [], [], []
     for k, asked in enumerate(problems):
@@ -62,19 +66,6 @@ def main(arguments) -> int:
     if options.differences:
         _differences(problems[: options.differences])
     return int(failed and not options.quick)
-
-
-def _options(arguments):
-    parser = argparse.ArgumentParser()
-    parser.add_argument("problems", nargs="?", type=int, default=1000)
-    parser.add_argument("--brute", action="store_true")
-    parser.add_argument("--shooting", type=int, default=0, metavar="N")
-    parser.add_argument("--differences", type=int, default=0, metavar="N")
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args(arguments)
-    if options.quick:
-        options.problems, options.shooting, options.differences = 3, 1, 1
-    return options
 
 
 def _report(milliseconds, residuals, dearer) -> bool:
@@ -116,7 +107,7 @@ class Differenced(Problem):
 
 
 def _differences(problems) -> None:
-    """What a search takes by differences, over what it takes by sensitivities; they take turns."""
+    """Print the time of searches by differences over that by sensitivities; they take turns."""
     spent = np.zeros((len(problems), 2))
     for k, asked in enumerate(problems):
         exact = posed(asked, engines.engine("c"))
@@ -154,4 +145,4 @@ def _shooting(problems) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

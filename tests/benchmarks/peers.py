@@ -9,10 +9,12 @@ Each peer integrates (3) and (5) to the same digits; heyoka's compilation is not
 
 import sys
 from collections.abc import Callable
+from functools import partial
 from importlib.util import find_spec
-from time import perf_counter
+from timeit import repeat, timeit
 
 import mpmath
+from bench import heyoka_system
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.validate.peers._integrators import rates
@@ -30,7 +32,7 @@ def main(names: list[str], quick: bool) -> int:
             continue
         peer, time, goal = PEERS[name]
         time = max(1, time // 500) if quick else time
-        ours = min(_seconds(lambda t=time: _ours(t)) for _ in range(20))
+        ours = min(repeat(partial(_ours, time), number=1, repeat=20))
         seconds, state = peer(time)
         with mpmath.workdps(DIGITS + 10):
             gap = max(abs(x - y) for x, y in zip(state, _ours(time), strict=True))
@@ -54,8 +56,7 @@ def heyoka(time: int) -> tuple:
     def real(text):
         return hy.real(str(text), BITS)
 
-    names = hy.make_vars("q0", "q1", "q2", "q3", "w1", "w2", "w3")
-    system = list(zip(names, rates(names, list(map(real, INERTIA)), real("0.5")), strict=True))
+    _, system = heyoka_system(list(map(real, INERTIA)), real("0.5"))
     start = [real(x) for x in (*START, *OMEGA0)]
     integrator = hy.taylor_adaptive(
         system, start, fp_type=hy.real, prec=BITS, tol=real(f"1e-{DIGITS + 2}"), compact_mode=True
@@ -66,7 +67,7 @@ def heyoka(time: int) -> tuple:
         integrator.state[:] = start
         integrator.propagate_until(real(time))
 
-    seconds = min(_seconds(run) for _ in range(3))
+    seconds = min(repeat(run, number=1, repeat=3))
     with mpmath.workdps(DIGITS + 10):
         return seconds, [mpmath.mpf(str(x)) for x in integrator.state]
 
@@ -78,7 +79,7 @@ def odefun(time: int) -> tuple:
         start = [mpmath.mpf(x) for x in (*START, *OMEGA0)]
         found = []
         solution = mpmath.odefun(lambda _, y: rates(y, c, half), 0, start)
-        seconds = _seconds(lambda: found.extend(solution(time)))
+        seconds = timeit(lambda: found.extend(solution(time)), number=1)
     return seconds, found
 
 
@@ -87,12 +88,6 @@ PEERS: dict[str, tuple[Callable, int, int]] = {
     "heyoka": (heyoka, 1000, 100),
     "mpmath.odefun": (odefun, 100, 50_000),
 }
-
-
-def _seconds(work) -> float:
-    start = perf_counter()
-    work()
-    return perf_counter() - start
 
 
 if __name__ == "__main__":

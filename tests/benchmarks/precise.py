@@ -1,4 +1,4 @@
-"""How long certain digits take, against their goals, against digits and against time.
+"""Time that certain digits take, against their goals, against digits and against time.
 
     python tests/benchmarks/precise.py [ROUNDS]
     python tests/benchmarks/precise.py --quick      at most 1500 digits, one round, goals not judged
@@ -7,10 +7,11 @@ The rounds take turns, so that a busy minute of the machine spoils one round and
 the fastest round counts.  The motion is the paper's.
 """
 
-import argparse
 import sys
 from fractions import Fraction
-from time import perf_counter
+from timeit import timeit
+
+import bench
 
 from rigidsym.precise import PreciseMotion
 
@@ -25,11 +26,8 @@ EXPONENTS = (0, 3, 6, 9, 12, 15)
 
 def main() -> int:
     """Print every figure; return 1 where a goal is missed."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("rounds", nargs="?", type=int, default=3)
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
-    quick, rounds = options.quick, 1 if options.quick else options.rounds
+    asked = bench.options(__doc__, 3)
+    quick, rounds = asked.quick, asked.rounds
     most = 1500 if quick else max(DIGITS)
     sizes = [d for d in sorted({*DIGITS, *STATES, SET_UP[0]}) if d <= most]
     cold, warm = _rounds(rounds, [(180, d) for d in sizes])
@@ -60,16 +58,10 @@ def _rounds(rounds, settings):
         for t, digits in settings:
             times = [Fraction(t) + Fraction(k, 7) for k in range(2 if digits > 2000 else 6)]
             states = PreciseMotion(*EXACT).states(times, digits)
-            first, *rest = [_milliseconds(states.__next__) for _ in times]
+            first, *rest = (1000 * timeit(states.__next__, number=1) for _ in times)
             for found, value in ((warm, min(rest)), (cold, max(first - min(rest), 0.0))):
                 found[t, digits] = min(found.get((t, digits), value), value)
     return cold, warm
-
-
-def _milliseconds(work):
-    start = perf_counter()
-    work()
-    return 1000 * (perf_counter() - start)
 
 
 if __name__ == "__main__":

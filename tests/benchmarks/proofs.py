@@ -10,7 +10,6 @@ The rounds take turns, and the fastest counts.  The first also writes bytecode, 
 temporary folder; with --quick, bytecode stays where it is.
 """
 
-import argparse
 import os
 import resource
 import subprocess
@@ -18,6 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 from time import perf_counter
+
+import bench
 
 # The arguments of each command, and the seconds that it may take with the start of the interpreter;
 # the campaign of all mutants has no goal.
@@ -36,18 +37,15 @@ QUICK = {
 
 def main() -> int:
     """Print the fastest and the slowest round of each command; return 1 where a goal is missed."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("rounds", nargs="?", type=int, default=3)
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
-    commands, rounds = (QUICK, 1) if options.quick else (COMMANDS, options.rounds)
+    asked = bench.options(__doc__, 3)
+    commands = QUICK if asked.quick else COMMANDS
     times = {name: [] for name in commands}
     with tempfile.TemporaryDirectory() as directory:
         environment = dict(os.environ)
-        if not options.quick:
+        if not asked.quick:
             environment["PYTHONPYCACHEPREFIX"] = f"{directory}/bytecode"
             environment.pop("PYTHONDONTWRITEBYTECODE", None)
-        for _ in range(rounds):
+        for _ in range(asked.rounds):
             for name, (arguments, _) in commands.items():
                 times[name].append(_seconds(arguments, Path(directory), environment))
     missed = False

@@ -11,20 +11,50 @@ DOP853 at 1e-13 confirms; without heyoka (extra `bench`) they are from the latte
 left out.
 """
 
-import argparse
+import math
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from importlib.util import find_spec
+from functools import cache, partial
 from time import process_time
+from timeit import repeat
 
+import bench
 import numpy as np
-import pushed_rivals as rivals
-from pushed_rivals import Problem, Result
+from scipy.integrate import solve_ivp
 
 import rigidsym
-from rigidsym.quaternions import conjugate, product, rotated, rotation_vectors
-from rigidsym.splitting import METHODS, KeplerOrbit
+from rigidsym.quaternions import (
+    conjugate,
+    of_rotation_vectors,
+    product,
+    rotated,
+    rotation_vectors,
+)
+from rigidsym.splitting import METHODS, GravityGradient, KeplerOrbit
+from rigidsym.validate.peers._integrators import rates
+
+Result = tuple[np.ndarray, np.ndarray, int]
+_CONVERGED = 1e-15
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Problem:
+    """A body under the tide of a planet, from the identity as attitude."""
+
+    inertia: np.ndarray
+    omega0: np.ndarray
+    orbit: KeplerOrbit
+    end: float
+
+    @property
+    def torque(self) -> GravityGradient:
+        return GravityGradient(self.inertia, self.orbit)
+
+    @property
+    def start(self) -> np.ndarray:
+        return np.array([1.0, 0.0, 0.0, 0.0, *self.omega0])
+
 
 EARTH = 3.986004418e14
 ORBIT = KeplerOrbit(mu=EARTH, periapsis=6.378137e6 + 400e3)
@@ -53,6 +83,105 @@ class Row:
     seconds: float
 
 
+# The rivals take a problem to its end in so many equal steps, or at a tolerance, and return the
+# attitude (4,), the rates (3,) and how often they asked for the torque.
+
+
+def dop853(problem: Problem, tolerance: float) -> Result:
+    """Dormand and Prince's method of order 8, of SciPy."""
+    torque = problem.torque
+
+    def derivative(t, y):
+        found = np.array(rates(y, problem.inertia))
+        found[4:] += torque(t, y[:4] / np.linalg.norm(y[:4]), y[4:]) / problem.inertia
+        return found
+
+    span = (0.0, problem.end)
+    found = solve_ivp(derivative, span, problem.start, "DOP853", rtol=tolerance, atol=tolerance)
+    q = found.y[:4, -1]
+    return q / np.linalg.norm(q), found.y[4:, -1], found.nfev
+
+
+def no_squish(problem: Problem, steps: int) -> Result:
+    """Rotations about one principal axis after the other between half kicks (Miller and others,
+    J. Chemical Physics 116, 8649-8659)."""
+    h, q, momentum = problem.end / steps, problem.start[:4], problem.inertia * problem.omega0
+    torque = problem.torque
+    push = torque(0.0, q, momentum)
+    for k in range(steps):
+        momentum = momentum + h / 2 * push
+        for axis, part in ((2, 0.5), (1, 0.5), (0, 1.0), (1, 0.5), (2, 0.5)):
+            q, momentum = _turned(q, momentum, axis, part * h / problem.inertia[axis])
+        push = torque((k + 1) * h, q, momentum)
+        momentum = momentum + h / 2 * push
+    return q, momentum / problem.inertia, steps + 1
+
+
+def _turned(
+    q: np.ndarray, momentum: np.ndarray, axis: int, dt: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """A rotation about one axis, by dt times the momentum along it."""
+    angle = dt * momentum[axis]
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    c, s, turned = math.cos(angle), math.sin(angle), momentum.copy()
+    turned[i], turned[j] = c * momentum[i] + s * momentum[j], c * momentum[j] - s * momentum[i]
+    turn = np.zeros(4)
+    turn[0], turn[1 + axis] = math.cos(angle / 2), math.sin(angle / 2)
+    return product(q, turn), turned
+
+
+def implicit_midpoint(problem: Problem, steps: int) -> Result:
+    """Rates of the middle of a step turn the attitude by an exponential; solved to rounding."""
+    h, q, omega, count = problem.end / steps, problem.start[:4], problem.omega0, 0
+    torque, inertia = problem.torque, problem.inertia
+    for k in range(steps):
+        middle, change = omega, np.inf
+        while change > _CONVERGED * np.max(np.abs(omega)):
+            halfway = product(q, of_rotation_vectors(h / 2 * middle))
+            push = torque((k + 0.5) * h, halfway, middle)
+            better = omega + h / 2 * (np.cross(inertia * middle, middle) + push) / inertia
+            change, middle, count = np.max(np.abs(better - middle)), better, count + 1
+        q, omega = product(q, of_rotation_vectors(h * middle)), 2 * middle - omega
+    return q, omega, count
+
+
+def heyoka(problem: Problem, tolerance: float) -> Result:
+    """Taylor's method; each order of each step computes the right sides once."""
+    integrator = compiled(problem, tolerance)
+    integrator.time, integrator.state[:] = 0.0, problem.start
+    steps = integrator.propagate_until(problem.end)[3]
+    y = np.array(integrator.state)
+    return y[:4] / np.linalg.norm(y[:4]), y[4:], steps * integrator.order
+
+
+@cache
+def compiled(problem: Problem, tolerance: float):
+    """heyoka's integrator of a problem on a circular orbit in the plane of x and y."""
+    import heyoka as hy
+
+    names, free = bench.heyoka_system(problem.inertia)
+    angle = problem.orbit.mean_motion * hy.time
+    towards = _in_body(names[:4], hy.cos(angle), hy.sin(angle))
+    system, moments = [right for _, right in free], problem.inertia
+    strength = 3 * problem.orbit.mu / problem.orbit.periapsis**3
+    for axis in range(3):
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        tide = strength * (moments[j] - moments[i]) / moments[axis]
+        system[4 + axis] = system[4 + axis] + tide * towards[i] * towards[j]
+    equations = list(zip(names, system, strict=True))
+    return hy.taylor_adaptive(equations, list(problem.start), tol=tolerance)
+
+
+def _in_body(q, x, y):
+    """Components in body axes of a vector in the plane of x and y."""
+    a, b, c, d = q
+    return (
+        (a * a + b * b - c * c - d * d) * x + 2 * (b * c + a * d) * y,
+        2 * (b * c - a * d) * x + (a * a - b * b + c * c - d * d) * y,
+        2 * (b * d + a * c) * x + 2 * (c * d - a * b) * y,
+    )
+
+
 def ours(method: str) -> Run:
     """A method of `integrate` with so many steps."""
 
@@ -75,11 +204,11 @@ def of_many(problem: Problem, steps: float) -> Result:
 
 def table(problem: Problem) -> Iterator[Row]:
     """All rivals, by what is said of each."""
-    if find_spec("heyoka"):
-        truth = rivals.heyoka(problem, 1e-16)[0]
+    if bench.HEYOKA:
+        truth = heyoka(problem, 1e-16)[0]
     else:
         print("heyoka is not installed (extra bench): errors are from DOP853 at 1e-13")
-        truth = rivals.dop853(problem, 1e-13)[0]
+        truth = dop853(problem, 1e-13)[0]
     for name, run, size in _entries(problem):
         spent, (q, _, evaluations) = timed(lambda run=run, size=size: run(problem, size))
         bodies = LANES if run is of_many else 1
@@ -88,14 +217,10 @@ def table(problem: Problem) -> Iterator[Row]:
 
 def timed(run: Callable[[], Result]) -> tuple[float, Result]:
     """The time of the processor, s, the least of some where there is time, and what it returns."""
-    start = process_time()
-    result = run()
-    spent = process_time() - start
-    for _ in range(5 if spent < _QUICK else 0):
-        start = process_time()
-        run()
-        spent = min(spent, process_time() - start)
-    return spent, result
+    found: list[Result] = []
+    clock = partial(repeat, lambda: found.append(run()), number=1, timer=process_time)
+    (spent,) = clock(repeat=1)
+    return min([spent, *clock(repeat=5)]) if spent < _QUICK else spent, found[0]
 
 
 def _entries(problem: Problem) -> Iterator[tuple[str, Run, float]]:
@@ -104,13 +229,13 @@ def _entries(problem: Problem) -> Iterator[tuple[str, Run, float]]:
     for method in METHODS:
         yield method, ours(method), 2 * steps // len(METHODS[method].kicks)
     yield f"saba2, each of {LANES}", of_many, steps
-    yield "no_squish", rivals.no_squish, 2 * steps
-    yield "implicit midpoint", rivals.implicit_midpoint, steps
+    yield "no_squish", no_squish, 2 * steps
+    yield "implicit midpoint", implicit_midpoint, steps
     for tolerance in (1e-8, 1e-10, 1e-13):
-        yield f"dop853, {tolerance:g}", rivals.dop853, tolerance
-    for tolerance in (1e-6, 1e-9) if find_spec("heyoka") else ():
-        rivals.compiled(problem, tolerance)
-        yield f"heyoka, {tolerance:g}", rivals.heyoka, tolerance
+        yield f"dop853, {tolerance:g}", dop853, tolerance
+    for tolerance in (1e-6, 1e-9) if bench.HEYOKA else ():
+        compiled(problem, tolerance)
+        yield f"heyoka, {tolerance:g}", heyoka, tolerance
 
 
 def rotation(p: np.ndarray, q: np.ndarray) -> float:
@@ -159,10 +284,7 @@ def energies(steps: int) -> bool:
 
 def main() -> int:
     """Print what is asked for; 1 where a goal is missed."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--steps", type=int)
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
+    options = bench.options(__doc__, steps={"type": int})
     if options.steps is None:
         met = compare(replace(PAPER, end=PAPER.end / 100) if options.quick else PAPER)
     else:

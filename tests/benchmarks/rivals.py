@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from bench import heyoka_system
 from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipkinc, elliprf, elliprj
 
+from rigidsym.quaternions import product
 from rigidsym.validate.peers._integrators import rates
 
 States = tuple[np.ndarray, np.ndarray]
@@ -38,31 +40,19 @@ def _split(y: np.ndarray) -> States:
 
 
 @cache
-def _system(inertia):
+def _integrators(inertia):
+    """An integrator of one motion, and one of LANES at once."""
     import heyoka as hy
 
-    names = hy.make_vars("q0", "q1", "q2", "q3", "w1", "w2", "w3")
-    return list(zip(names, rates(names, inertia), strict=True))
-
-
-@cache
-def _integrator(inertia):
-    import heyoka as hy
-
-    return hy.taylor_adaptive(_system(inertia), [1.0] + [0.0] * 6, tol=1e-16)
-
-
-@cache
-def _lanes(inertia):
-    import heyoka as hy
-
+    _, system = heyoka_system(inertia)
     start = np.zeros((7, LANES))
     start[0] = 1
-    return hy.taylor_adaptive_batch(_system(inertia), start, tol=1e-16)
+    one = hy.taylor_adaptive(system, [1.0] + [0.0] * 6, tol=1e-16)
+    return one, hy.taylor_adaptive_batch(system, start, tol=1e-16)
 
 
 def _started(motion: Motion):
-    integrator = _integrator(motion.inertia)
+    integrator, _ = _integrators(motion.inertia)
     integrator.time = 0.0
     integrator.state[:] = motion.start
     return integrator
@@ -82,7 +72,7 @@ def heyoka_dense(motion: Motion, t: np.ndarray) -> Run:
 def _in_lanes(motion: Motion, t: np.ndarray):
     """Each lane follows its share of the times, from a state that one pass before has found."""
     columns = np.ascontiguousarray(t[: t.size // LANES * LANES].reshape(LANES, -1).T)
-    integrator = _lanes(motion.inertia)
+    _, integrator = _integrators(motion.inertia)
 
     def begin():
         heads = np.concatenate(([0.0], columns[0]))
@@ -123,12 +113,15 @@ def heyoka_bodies(inertia: np.ndarray, omega0: np.ndarray, time: float) -> Run:
     import heyoka as hy
 
     integrator = hy.taylor_adaptive_batch(
-        _system(tuple(hy.par[k] for k in range(3))),
+        heyoka_system([hy.par[k] for k in range(3)])[1],
         np.zeros((7, LANES)),
         tol=1e-16,
         pars=np.ones((3, LANES)),
     )
-    moments, starts = _columns(inertia), _columns(omega0)
+    moments, starts = (
+        np.ascontiguousarray(rows.reshape(-1, LANES, 3).transpose(0, 2, 1))
+        for rows in (inertia, omega0)
+    )
 
     def run():
         found = np.empty((len(starts), 7, LANES))
@@ -142,10 +135,6 @@ def heyoka_bodies(inertia: np.ndarray, omega0: np.ndarray, time: float) -> Run:
         return _split(found.transpose(0, 2, 1).reshape(-1, 7))
 
     return run
-
-
-def _columns(rows: np.ndarray) -> np.ndarray:
-    return np.ascontiguousarray(rows.reshape(-1, LANES, 3).transpose(0, 2, 1))
 
 
 # SciPy: Dormand and Prince's method of order 8, and the paper's formulas.
@@ -203,7 +192,7 @@ class Paper:
         turned, omega = self._oriented(t)
         first, _ = self._oriented(np.zeros(1))
         q = np.empty_like(turned)
-        q[:, np.append(0, 1 + self.axes)] = _product(first[0] * [1, -1, -1, -1], turned)
+        q[:, np.append(0, 1 + self.axes)] = product(first[0] * [1, -1, -1, -1], turned)
         return q, omega
 
     def _oriented(self, t: np.ndarray) -> States:
@@ -242,12 +231,3 @@ def _axes(c: np.ndarray, w: np.ndarray) -> np.ndarray:
     low, middle, high = np.argsort(c)
     third = high if np.sum(c * (c - c[middle]) * w**2) > 0 else low
     return np.array([middle, low + high - third, third])
-
-
-def _product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """The quaternion product, scalar first, of one and many."""
-    a, b, c, d = p
-    e, f, g, h = q.T
-    parts = a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g
-    parts += a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e
-    return np.stack(parts, axis=-1)

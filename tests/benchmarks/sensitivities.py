@@ -12,20 +12,19 @@ a column's, over what is larger: the column, or the change that it is by.  Needs
 Beside C's ratios stand those of one group of columns, and what filling the same arrays takes.
 """
 
-import argparse
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import cache
-from importlib.util import find_spec
 from statistics import median
 from time import process_time
+from timeit import repeat
 
+import bench
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
 from rigidsym._engines import ENGINES
 from rigidsym.quaternions import conjugate, product
-from rigidsym.validate.peers._integrators import rates
 
 MOTIONS = {
     "paper": ((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)),
@@ -38,26 +37,20 @@ GOALS, ASKED = {"numpy": 6.0, "c": 10.0}, {"numpy": 10_000, "c": 100_000}
 # Of C's time: what heyoka should take at least.
 SLOWER = 50.0
 LANES, REPEATS = 8, 3
-NAMES = ("q0", "q1", "q2", "q3", "w1", "w2", "w3")
 Work = Callable[[], object]
 
 
 def main() -> int:
     """Print every ratio; return 1 where a goal is missed."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("rounds", nargs="?", type=int, default=15)
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
-    quick, rounds = options.quick, 1 if options.quick else options.rounds
-    if not find_spec("heyoka"):
-        print("heyoka is not installed (extra bench): its rows are left out")
-    met = True
+    asked = bench.options(__doc__, 15)
+    quick, rounds, met = asked.quick, asked.rounds, True
+    bench.say_if_heyoka_is_missing()
     for name, (inertia, omega0) in MOTIONS.items():
         for engine in ENGINES:
             motion = TorqueFreeMotion(inertia, omega0, engine=engine)
             for size in SIZES[:3] if quick else SIZES:
                 met &= _beside_states(f"{name}: {engine}", motion, size, rounds)
-        if find_spec("heyoka") and not quick:
+        if bench.HEYOKA and not quick:
             met &= _beside_heyoka(name, inertia, omega0, rounds)
     return int(not (met or quick))
 
@@ -77,7 +70,7 @@ def _beside_states(name: str, motion: TorqueFreeMotion, size: int, rounds: int) 
 def _beside_memory(
     name: str, motion: TorqueFreeMotion, times: np.ndarray, alone: float, rounds: int
 ) -> None:
-    """What some columns take, and what it takes to write the others beside filling their arrays."""
+    """Print the time of some columns alone, and that of the others over filling their arrays."""
     others = np.empty((times.size, 54))
     works = [
         lambda: motion.sensitivity(times),
@@ -125,8 +118,8 @@ def _integrators(varied: int):
     """
     import heyoka as hy
 
-    names, moments = hy.make_vars(*NAMES), [hy.par[k] for k in range(3)]
-    equations = list(zip(names, rates(names, moments), strict=True))
+    moments = [hy.par[k] for k in range(3)]
+    names, equations = bench.heyoka_system(moments)
     system = hy.var_ode_sys(equations, [*names, *moments][-varied:], order=1)
     options = {"tol": 1e-16, "compact_mode": True}
     one = hy.taylor_adaptive(system, [1.0] + [0.0] * 6, pars=[1.0] * 3, **options)
@@ -171,7 +164,11 @@ def errors(inertia, omega0, times) -> dict[str, float]:
     # The change itself: one of omega0, or of all rates by that of a moment.
     itself = np.concatenate([np.ones(3), spin / np.array(inertia)])
     size = np.maximum(np.linalg.norm(true, axis=1), itself)
-    found = {"heyoka": _of_heyoka(heyoka_ways(inertia, omega0, times, 10)["grid"]())}
+    rows = heyoka_ways(inertia, omega0, times, 10)["grid"]()
+    # Changes (N, 6, 6) of turns and rates: a turn in space is 2 dq q^-1.
+    q, by = rows[:, None, :4], rows[:, 7:].reshape(-1, 7, 10)[..., 4:].swapaxes(1, 2)
+    turns = 2 * product(by[..., :4], conjugate(q))[..., 1:]
+    found = {"heyoka": np.concatenate([turns, by[..., 4:]], axis=-1).swapaxes(1, 2)}
     for engine in ENGINES:
         S = TorqueFreeMotion(inertia, omega0, engine=engine).sensitivity(times)[2]
         found[engine] = _columns(S.attitude, S.rates)
@@ -185,27 +182,14 @@ def _columns(attitude: np.ndarray, rates: np.ndarray) -> np.ndarray:
     return np.concatenate([attitude, rates], axis=1)[..., 3:]
 
 
-def _of_heyoka(found: np.ndarray) -> np.ndarray:
-    """The changes (N, 6, 6) of turns and rates, of (N, 77): a turn in space is 2 dq q^-1."""
-    q, by = found[:, None, :4], found[:, 7:].reshape(-1, 7, 10)[..., 4:].swapaxes(1, 2)
-    turns = 2 * product(by[..., :4], conjugate(q))[..., 1:]
-    return np.concatenate([turns, by[..., 4:]], axis=-1).swapaxes(1, 2)
-
-
 def medians(works: Iterable[Work], rounds: int) -> list[float]:
     """The median time of each, s; they take turns."""
     listed = list(works)
     found: list[list[float]] = [[] for _ in listed]
     for _ in range(rounds):
         for times, work in zip(found, listed, strict=True):
-            times.append([_time(work) for _ in range(REPEATS)][-1])
+            times.append(repeat(work, number=1, repeat=REPEATS, timer=process_time)[-1])
     return [median(times) for times in found]
-
-
-def _time(work: Work) -> float:
-    begin = process_time()
-    work()
-    return process_time() - begin
 
 
 def _each(seconds: float, size: int) -> str:

@@ -1,23 +1,24 @@
-"""What a step costs, beside what it replaces: ratios of one run on this machine.
+"""Cost of a step beside what it replaces: ratios of one run on this machine.
 
-    nice uv run python tests/benchmarks/steps.py [--drift]
+    nice uv run python tests/benchmarks/steps.py
     python tests/benchmarks/steps.py --quick                few bodies and steps
 
 A step is compared with a propagation of as many bodies to one time each, by the same engine, with
 NO_SQUISH in C, whose error stands beside its cost, and with two threads; a call for one body with a
 bare call of C by ctypes; and a step of SABA2 under gravity gradient with its own free motions
-alone.  What is printed last is drift: the root mean square of the relative change of energy and
-momentum over 64 bodies, beside what a random walk of steps of 2^-53 has.
+alone.
 """
 
 import ctypes
 import math
 import sys
 import tempfile
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
+from time import process_time
+from timeit import repeat, timeit
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from rigidsym._engines import build, compiler, threads
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import GravityGradient, KeplerOrbit
 
-BODIES, MANY, DRIFT_STEPS = 10_000, 1_000_000, (10**4, 10**6)
+BODIES, MANY = 10_000, 1_000_000
 # Bodies and steps under a torque.
 RUNS = ((1, 20_000), (16, 2000), (BODIES, 100))
 # Calls in a row of what takes microseconds.
@@ -43,21 +44,25 @@ def drawn(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def seconds(work: Callable[[], object], rounds: int = 7) -> float:
-    """The least of some rounds."""
-    found = []
-    for _ in range(rounds):
-        begin = time.perf_counter()
-        work()
-        found.append(time.perf_counter() - begin)
-    return min(found)
+    """Return the least time of some rounds."""
+    return min(repeat(work, number=1, repeat=rounds))
+
+
+@contextmanager
+def on_processors(count: int) -> Generator[None]:
+    """Use as many processors at most."""
+    known = threads.processors
+    threads.processors = lambda: min(count, known())
+    try:
+        yield
+    finally:
+        threads.processors = known
 
 
 def costs() -> None:
     """A step of many bodies, by either engine, on one core."""
     inertia, q, omega = drawn(BODIES)
     out = np.empty_like(q), np.empty_like(omega)
-    alone = threads.processors
-    threads.processors = lambda: 1
     for engine in ("c", "numpy"):
         step = partial(rigidsym.step, q=q, omega=omega, dt=0.3, engine=engine, out=out)
         for name, moments in (("one body", inertia[0]), ("a body each", inertia)):
@@ -65,7 +70,6 @@ def costs() -> None:
             print(f"{engine:6} step, {name:12} {taken / BODIES * 1e6:8.3f} us a body")
         run = partial(rigidsym.propagate, inertia, omega, [0.3], q, engine=engine)
         print(f"{engine:6} propagation to one time over step {seconds(run, 3) / taken:8.1f}")
-    threads.processors = alone
 
 
 def calls() -> None:
@@ -86,10 +90,8 @@ def calls() -> None:
     found = dict.fromkeys(works, math.inf)
     for _ in range(15):
         for name, work in works.items():
-            begin = time.process_time()
-            for _ in range(REPEATED):
-                work()
-            found[name] = min(found[name], (time.process_time() - begin) / REPEATED)
+            taken = timeit(work, number=REPEATED, timer=process_time) / REPEATED
+            found[name] = min(found[name], taken)
     bare = found["torque_free_step by ctypes"]
     for name, taken in found.items():
         print(f"one body, {name:30} {taken * 1e6:8.2f} us, over a bare call {taken / bare:7.1f}")
@@ -139,12 +141,9 @@ def rival() -> None:
     truth, rates = rigidsym.step(inertia, q, omega, 0.3, engine="c")
     turned = np.linalg.norm(rotation_vectors(product(conjugate(truth), rows[1].T)), axis=-1)
     off = np.linalg.norm(rows[2].T / inertia - rates, axis=-1) / np.linalg.norm(omega, axis=-1)
-    alone = threads.processors
-    threads.processors = lambda: 1
     out = np.empty_like(q), np.empty_like(omega)
     own = seconds(lambda: rigidsym.step(inertia, q, omega, 0.3, engine="c", out=out))
     same = seconds(lambda: rigidsym.step(inertia[0], q, omega, 0.3, engine="c", out=out))
-    threads.processors = alone
     taken = seconds(lambda: step(BODIES, *places, 0.3))
     print(f"NO_SQUISH step in C             {taken / BODIES * 1e6:8.3f} us a body")
     print(f"a step of ours over it          {own / taken:8.2f}, of one body {same / taken:.2f}")
@@ -154,8 +153,6 @@ def rival() -> None:
 
 def pushed() -> None:
     """A step of SABA2 under gravity gradient: two free motions, and two kicks."""
-    alone = threads.processors
-    threads.processors = lambda: 1
     orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778137e6)
     for bodies, steps in RUNS:
         inertia, q, omega = drawn(bodies)
@@ -166,43 +163,26 @@ def pushed() -> None:
         taken = run / steps / bodies
         ratio = f"{taken / (2 * free / bodies):6.2f} of two steps by themselves"
         print(f"saba2, {bodies:5} bodies {taken * 1e6:8.3f} us a step and body, {ratio}")
-    threads.processors = alone
 
 
 def scaling() -> None:
     """Two processors against one."""
     inertia, q, omega = drawn(MANY)
     out, found = (np.empty_like(q), np.empty_like(omega)), []
-    whole = threads.processors
     for count in (1, 2):
-        threads.processors = lambda count=count: min(count, whole())
-        found.append(
-            seconds(lambda: rigidsym.step(inertia, q, omega, 0.3, engine="c", out=out), rounds=5)
-        )
-    threads.processors = whole
+        with on_processors(count):
+            step = partial(rigidsym.step, inertia, q, omega, 0.3, engine="c", out=out)
+            found.append(seconds(step, rounds=5))
     print(f"c      {MANY} bodies, one processor over two {found[0] / found[1]:8.2f}")
-
-
-def drift() -> None:
-    """Energy and momentum after many steps."""
-    for steps in DRIFT_STEPS:
-        inertia, q, omega = drawn(64)
-        first = [np.sum(inertia**n * omega**2, axis=1) for n in (1, 2)]
-        for _ in range(steps):
-            rigidsym.step(inertia, q, omega, 0.25, engine="c", out=(q, omega))
-        last = [np.sum(inertia**n * omega**2, axis=1) for n in (1, 2)]
-        sizes = [np.sqrt(np.mean((y / x - 1) ** 2)) for x, y in zip(first, last, strict=True)]
-        walk = math.sqrt(steps) * 2.0**-53
-        print(f"drift  {steps:8} steps: H {sizes[0]:.1e}, K^2 {sizes[1]:.1e}, a walk {walk:.1e}")
 
 
 if __name__ == "__main__":
     if "--quick" in sys.argv:
         BODIES, MANY, RUNS, REPEATED = 100, 1000, ((1, 20), (16, 20)), 2
-    costs()
+    with on_processors(1):
+        costs()
     calls()
-    rival()
-    pushed()
+    with on_processors(1):
+        rival()
+        pushed()
     scaling()
-    if "--drift" in sys.argv:
-        drift()

@@ -1,4 +1,4 @@
-"""How wide the balls of uncertain inputs are, in units of what the inputs leave open.
+"""Widths of the balls of uncertain inputs, over the ranges that the inputs leave open.
 
     python tests/benchmarks/uncertain.py [--quick]
 
@@ -9,12 +9,12 @@ seven components by itself (each).  `missed` counts sampled values outside of th
 are processor time, median and most.
 """
 
-import argparse
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from time import process_time
 
+import bench
 import numpy as np
 from flint import arb
 
@@ -76,15 +76,8 @@ def _middles(regime: str, random: np.random.Generator) -> tuple[np.ndarray, np.n
 
 
 REGIMES = (
-    "general",
-    "symmetric",
-    "near-symmetric",
-    "sphere",
-    "middle-axis spin",
-    "separatrix",
-    "near separatrix",
-    "spin",
-    "rest",
+    *("general", "symmetric", "near-symmetric", "sphere", "middle-axis spin", "separatrix"),
+    *("near separatrix", "spin", "rest"),
 )
 
 
@@ -160,12 +153,12 @@ def measured(motion: TorqueFreeMotion, time: float, states: np.ndarray) -> Measu
 
 def main() -> None:
     """Print a line for each regime, and one for all of them."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--quick", action="store_true", help="few boxes and samples")
-    parser.add_argument("--boxes", type=int, default=8, help="of each regime")
-    parser.add_argument("--regime", choices=REGIMES, nargs="+", default=REGIMES)
-    parser.add_argument("--each", action="store_true", help="print a line for each state, too")
-    options = parser.parse_args()
+    options = bench.options(
+        __doc__,
+        boxes={"type": int, "default": 8, "help": "of each regime"},
+        regime={"choices": REGIMES, "nargs": "+", "default": REGIMES},
+        each={"action": "store_true", "help": "print a line for each state, too"},
+    )
     count, most, times = (1, 200, TIMES[1:2]) if options.quick else (options.boxes, SAMPLES, TIMES)
     head = f"{'':18}{'states':>7}{'q':>8}{'worst':>9}{'omega':>8}{'worst':>9}"
     print(head + f"{'each':>8}{'worst':>9}{'missed':>8}{'seconds':>9}{'most':>7}")
@@ -194,8 +187,7 @@ def main() -> None:
 def _show(name: str, found: list[Measured]) -> None:
     line = f"{name:18}{len(found):7}"
     for values in (
-        [x.parts[0] for x in found],
-        [x.parts[1] for x in found],
+        *zip(*(x.parts for x in found), strict=True),
         [y for x in found for y in x.components],
     ):
         known = [x for x in values if not np.isnan(x)] or [np.nan]
