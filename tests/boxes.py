@@ -1,4 +1,4 @@
-"""Boxes of uncertain inputs: the exact motions in them, and the balls that hold these."""
+"""Motions in balls: boxes of uncertain inputs, the exact motions in them, and what holds these."""
 
 from fractions import Fraction
 from random import Random
@@ -6,12 +6,37 @@ from random import Random
 from flint import arb
 
 from rigidsym import TorqueFreeMotion
-from rigidsym._inputs import middle, radius
+from rigidsym._inputs import Uncertain, middle, radius
 from rigidsym.precise._balls import working
+
+BODY = ("0.0109", "0.04", "0.0506")
+PAPER = (BODY, ("0.05", "0.03", "-0.02"))
+ATTITUDE = (1, 2, -3, "0.5")
 
 
 def numbers(state):
     return [*state[0], *state[1]]
+
+
+def spread(value, size):
+    """Return a number with a radius; the number itself for no radius."""
+    return Uncertain(Fraction(value), Fraction(size)) if size else Fraction(value)
+
+
+def widest(values):
+    return max(float(x.rad()) for x in values)
+
+
+def overlap(one, other):
+    return all(x.overlaps(y) for x, y in zip(one, other, strict=True))
+
+
+def contain(one, other):
+    return all(x.contains(y) for x, y in zip(one, other, strict=True))
+
+
+def distance(one, other):
+    return max(abs(x - y) for x, y in zip(one, other, strict=True))
 
 
 def point_of(motion, choose):
@@ -36,6 +61,11 @@ def points(motion, count, random=None):
 
 def sharp(motion, time):
     return numbers(motion.enclose(time, 40, method="landen"))
+
+
+def holds_points(found, motion, time):
+    """Return True if balls contain the balls of sampled motions of a box."""
+    return all(contain(found, numbers(x.enclose(time, 60))) for x in points(motion, 10))
 
 
 def holds(found, motion, time, count, random=None):

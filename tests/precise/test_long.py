@@ -1,4 +1,4 @@
-"""Long evaluations end when they have to, and huge numbers are numbers."""
+"""Long evaluations in another process and their time limits, and numbers of any size."""
 
 import multiprocessing
 import os
@@ -7,12 +7,12 @@ import signal
 import subprocess
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from fractions import Fraction
-from threading import Thread
 from typing import Any
 
 import pytest
+from boxes import PAPER, numbers, overlap
 from flint import arb, ctx
 
 from rigidsym import InputError, TorqueFreeMotion
@@ -23,12 +23,12 @@ from rigidsym.precise import _worker as worker
 from rigidsym.precise._balls import working
 from rigidsym.precise._motion import PreciseMotion
 
-PAPER = (("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
 MANY = 40_000  # a state takes some ten seconds
+GIVEN = tuple(tuple(map(Fraction, x)) for x in (*PAPER, (1, 0, 0, 0)))
 
 
 def is_same(value, back):
-    """The same middle; the radius may be rounded up."""
+    """Return True for balls of the same middle, of which the radius may be rounded up."""
     with working(40_000):
         wider = back.rad() - value.rad()
         return bool(back.mid() == value.mid() and 0 <= wider <= value.rad() * 1e-8)
@@ -40,8 +40,9 @@ def _no_process_is_left():
     worker.stop()
 
 
-def given():
-    return tuple(tuple(map(Fraction, x)) for x in (*PAPER, (1, 0, 0, 0)))
+@pytest.fixture
+def motion():
+    return PreciseMotion(*GIVEN, "theta")
 
 
 def test_time_limits_hold_within_one_evaluation(processor_time):
@@ -52,12 +53,8 @@ def test_time_limits_hold_within_one_evaluation(processor_time):
         motion.precise(7, MANY, max_seconds=1)
     assert processor_time() - start < 1.5
     assert int(str(error.value).split()[3]) > 50
-    few = motion.precise(7, 40)
-    assert all(
-        a == b
-        for x, y in zip(few, motion.precise(7, 40), strict=True)
-        for a, b in zip(x, y, strict=True)
-    )
+    few = numbers(motion.precise(7, 40))
+    assert few == numbers(motion.precise(7, 40))
 
 
 INTERRUPTED = """
@@ -77,7 +74,7 @@ except KeyboardInterrupt:
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_interrupts_are_heard_and_leave_all_in_order():
-    """The processor time of both processes says that no evaluation was waited for."""
+    """The processor time of both processes shows that no evaluation was waited for."""
     before = os.times()
     with subprocess.Popen(
         [sys.executable, "-c", INTERRUPTED],
@@ -100,7 +97,7 @@ def test_interrupts_are_heard_and_leave_all_in_order():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_the_other_process_says_the_same(method):
-    motion = PreciseMotion(*given(), method)
+    motion = PreciseMotion(*GIVEN, method)
     for request in (Fraction(1, 3), ("m", "m_1")):
         here = motion.numbers_here(request, 300)
         there = worker.numbers(motion.numbers_here, request, 300)
@@ -113,8 +110,7 @@ def test_digits_beyond_the_quick_ones_come_from_elsewhere(monkeypatch):
     monkeypatch.setattr(METHODS["theta"], "quick_bits", 100)
     again = TorqueFreeMotion(*PAPER).enclose("1/3", 300)
     assert worker._worker
-    for a, b in zip((*expected[0], *expected[1]), (*again[0], *again[1]), strict=True):
-        assert a.overlaps(b)
+    assert overlap(numbers(expected), numbers(again))
     TorqueFreeMotion(*PAPER).precise(1, 15)
     motion.enclose(1, 15)
 
@@ -124,14 +120,12 @@ def test_few_digits_need_no_process():
     assert worker._worker is None
 
 
-def test_errors_over_there_are_errors_here():
-    motion = PreciseMotion(*given(), "theta")
+def test_errors_over_there_are_errors_here(motion):
     with pytest.raises(KeyError):
         worker.numbers(motion.numbers_here, ("no such constant",), 100)
 
 
-def test_a_process_that_dies_is_an_error_once():
-    motion = PreciseMotion(*given(), "theta")
+def test_a_process_that_dies_is_an_error_once(motion):
     worker.numbers(motion.numbers_here, Fraction(1), 100)
     assert worker._worker
     worker._worker.process.kill()
@@ -141,17 +135,15 @@ def test_a_process_that_dies_is_an_error_once():
     assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
 
 
-def test_where_no_process_can_be_started_the_same_is_computed_here(monkeypatch):
-    motion = PreciseMotion(*given(), "theta")
-    monkeypatch.setattr(sys, "executable", "/no/such/python")
-    assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
-    monkeypatch.setattr(sys, "executable", "")
+@pytest.mark.parametrize("python", ["/no/such/python", ""])
+def test_where_no_process_can_be_started_the_same_is_computed_here(motion, monkeypatch, python):
+    monkeypatch.setattr(sys, "executable", python)
     assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
     assert worker._worker is None
 
 
 def in_child(digits):
-    motion = PreciseMotion(*given(), "theta")
+    motion = PreciseMotion(*GIVEN, "theta")
     return [str(x) for x in worker.numbers(motion.numbers_here, Fraction(1), digits)]
 
 
@@ -164,23 +156,14 @@ def test_children_of_fork_start_their_own():
     assert in_child(100) == expected
 
 
-def test_threads_wait_for_their_turn():
-    motion, found = PreciseMotion(*given(), "theta"), []
-    times = [Fraction(k) for k in range(6)]
-    threads = [
-        Thread(target=lambda t=t: found.append((t, worker.numbers(motion.numbers_here, t, 200))))
-        for t in times
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+def test_threads_wait_for_their_turn(motion):
+    times = list(map(Fraction, range(6)))
+    with ThreadPoolExecutor(6) as pool:
+        jobs = [pool.submit(worker.numbers, motion.numbers_here, t, 200) for t in times]
+        found = [job.result() for job in jobs]
     with working(200):
-        for at, values in found:
-            assert all(
-                a.overlaps(b) for a, b in zip(values, motion.numbers_here(at, 200), strict=True)
-            )
-    assert len(found) == 6
+        for at, values in zip(times, found, strict=True):
+            assert overlap(values, motion.numbers_here(at, 200))
 
 
 @pytest.mark.parametrize("value", [arb.nan(), arb(0), arb(-3) / 7, arb(2, 1e-9), arb(2) ** 5000])
@@ -208,7 +191,7 @@ def test_times_beyond_what_python_writes(index):
 
 @pytest.mark.parametrize("number", ["1e4400", "1e-5000", "1e10000", "1e-10000"])
 def test_motions_of_huge_and_tiny_numbers(number):
-    """In every place, written and evaluated."""
+    """The number stands in each place of the inputs."""
     for given in (
         ((number,) * 3, (1, 2, 3)),
         ((f"1{number[1:]}", f"2{number[1:]}", f"2.5{number[1:]}"), (1, 2, 3)),

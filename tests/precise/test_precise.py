@@ -1,26 +1,56 @@
-"""Any number of digits: against an oracle without elliptic functions, and against itself."""
+"""Any number of digits, by balls, mpmath and Theorem 1: against oracles and against each other."""
 
 import json
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from itertools import permutations, product
 from pathlib import Path
 
 import mpmath
 import numpy as np
 import pytest
+from boxes import PAPER, distance, numbers, overlap
 
-from rigidsym import InputError, TorqueFreeMotion
+from rigidsym import InputError, PrecisionError, TorqueFreeMotion
 from rigidsym.precise import METHODS, PreciseMotion
+from rigidsym.precise import _floating as floating
+from rigidsym.precise import _theorem1 as theorem1
+from rigidsym.precise._balls import has_digits, of_mpf, working
 from rigidsym.precise._taylor import integrate
 from rigidsym.solution._polhode import Regime
 from rigidsym.validate.strata import STRATA, draw
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"
-PAPER = (("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
 SHORT = [name for name in STRATA if name != "long times"]
+MOTION = TorqueFreeMotion(*PAPER)
+EXACT = tuple(MOTION.exact.values())
+DIGITS = 40
 
 
-def distance(given, expected):
-    return max(abs(a - b) for a, b in zip(given, expected, strict=True))
+def are_first(few, more, digits):
+    """Return True if some digits are the first ones of others."""
+    with mpmath.workdps(digits + 30):
+        unit = mpmath.mpf(10) ** -digits
+        return all(abs(a - b) <= abs(b) * unit for a, b in zip(few, more, strict=True))
+
+
+def agree(exact, times, digits=DIGITS):
+    """Return True if every digit that mpmath gives is that of a ball."""
+    by_mpmath = PreciseMotion(*exact, "mpmath").states(times, digits)
+    by_balls = PreciseMotion(*exact, "landen").enclosures(times, digits + 10)
+    for found, balls in zip(map(numbers, by_mpmath), map(numbers, by_balls), strict=True):
+        with working(8000):
+            for value, ball in zip(found, balls, strict=True):
+                error = (of_mpf(value) - ball).abs_upper()
+                assert error <= ball.abs_upper() * 10**-digits * 1.01 + 2 * ball.rad()
+    return True
+
+
+def apart(motion, times, digits=30):
+    """Return the distance between states by Theorem 1 and by theta functions, with their signs."""
+    found, expected = (motion.precise(times, digits, method=m) for m in ("theorem1", "theta"))
+    with mpmath.workdps(digits + 10):
+        return max(distance(a.flat, b.flat) for a, b in zip(found, expected, strict=True))
 
 
 @pytest.mark.parametrize("stratum", SHORT)
@@ -43,36 +73,27 @@ def test_reference_motions_from_other_systems():
     for case in cases:
         given = (case["inertia"], case["omega0"], case["q0"])
         motion = TorqueFreeMotion(*given, allow_nonphysical=True)
-        q, omega = motion.precise([row["t"] for row in case["hp"]], 30)
-        for k, row in enumerate(case["hp"]):
+        found = motion.precise([row["t"] for row in case["hp"]], 30)
+        for row, *state in zip(case["hp"], *found, strict=True):
             with mpmath.workdps(40):
-                assert distance(q[k], map(mpmath.mpf, row["q"])) < 3e-26, case["id"]
-                assert distance(omega[k], map(mpmath.mpf, row["omega"])) < 3e-26, case["id"]
+                for x, name in zip(state, ("q", "omega"), strict=True):
+                    assert distance(x, map(mpmath.mpf, row[name])) < 3e-26, case["id"]
 
 
-@pytest.mark.parametrize("t", ["180", "-1", "1e6", "1/3"])
-def test_fifty_digits_are_the_first_fifty_of_eighty(t):
-    motion = TorqueFreeMotion(*PAPER)
-    fifty, eighty = (np.concatenate(motion.precise(t, digits)) for digits in (50, 80))
-    with mpmath.workdps(90):
-        for a, b in zip(fifty, eighty, strict=True):
-            assert abs(a - b) <= abs(b) * mpmath.mpf(10) ** -50
+@pytest.mark.parametrize(
+    ("t", "digits", "more"),
+    [*((t, 50, 80) for t in ("180", "-1", "1e6", "1/3")),
+     *((100, digits, digits + 20) for digits in (1, 15, 300))],
+)  # fmt: skip
+def test_few_digits_are_the_first_of_more(t, digits, more):
+    found = (np.concatenate(MOTION.precise(t, count)) for count in (digits, more))
+    assert are_first(*found, digits)
 
 
-@pytest.mark.parametrize("digits", [1, 15, 300])
+@pytest.mark.parametrize("digits", [1, 15, 150, 200])
 def test_digits_from_one_to_hundreds(digits):
-    motion = TorqueFreeMotion(*PAPER)
-    few, more = (motion.precise(100, d)[0] for d in (digits, digits + 20))
-    with mpmath.workdps(digits + 30):
-        assert all(
-            abs(a - b) <= abs(b) * mpmath.mpf(10) ** -digits for a, b in zip(few, more, strict=True)
-        )
-
-
-def test_global_precision_is_left_alone():
-    before = mpmath.mp.dps
-    TorqueFreeMotion(*PAPER).precise(1, 60)
-    assert mpmath.mp.dps == before
+    assert agree(EXACT, [Fraction(180)], digits)
+    assert apart(MOTION, [1, 180], digits) < mpmath.mpf(10) ** -(digits - 0.5)
 
 
 @pytest.mark.parametrize("attitude", [(1, 0, 0, 0), (-1, 0, 0, 0), ("0.6", 0, "-0.8", 0)])
@@ -85,11 +106,9 @@ def test_a_trajectory_starts_at_the_given_attitude(attitude):
 def test_tiny_components_keep_their_digits():
     """A rate 160 orders below the others has its own digits, not noise."""
     motion = TorqueFreeMotion((2, 3, 5), ("3.9e-162", 0, "0.2"))
-    _, omega = motion.precise("2", 20)
-    more = motion.precise("2", 40)[1]
+    omega, more = (motion.precise("2", digits)[1] for digits in (20, 40))
     assert 0 < abs(omega[0]) < 1e-161
-    with mpmath.workdps(50):
-        assert abs(omega[0] - more[0]) < abs(more[0]) * mpmath.mpf(10) ** -20
+    assert are_first(omega[:1], more[:1], 20)
 
 
 @pytest.mark.parametrize(
@@ -127,7 +146,7 @@ def test_the_exact_separatrix_ends_in_spin_about_the_middle_axis(t, signs):
 @pytest.mark.parametrize("digits", [0, -1, 1.5, "10", True])
 def test_digits_must_be_a_positive_whole_number(digits):
     with pytest.raises(InputError, match="digits = "):
-        TorqueFreeMotion(*PAPER).precise(1, digits)
+        MOTION.precise(1, digits)
 
 
 OWN = json.loads(Path(__file__).with_name("motions.json").read_text())
@@ -139,9 +158,9 @@ def test_motions_of_every_kind_agree_with_their_taylor_series(motion, method):
     given = TorqueFreeMotion(*(motion[name] for name in ("inertia", "omega0", "attitude0")))
     found = given.precise(motion["t"], OWN["digits"], method=method)
     with mpmath.workdps(OWN["digits"] + 20):
-        for numbers, printed in zip(found, (motion["q"], motion["omega"]), strict=True):
+        for values, printed in zip(found, (motion["q"], motion["omega"]), strict=True):
             expected = [mpmath.mpf(text) for text in printed]
-            assert distance(numbers, expected) < max(map(abs, expected)) * mpmath.mpf(10) ** -38
+            assert distance(values, expected) < max(map(abs, expected)) * mpmath.mpf(10) ** -38
 
 
 def test_integers_of_numpy_are_integers():
@@ -150,3 +169,149 @@ def test_integers_of_numpy_are_integers():
     for found, there in zip(motion.precise(np.arange(2), 30), expected, strict=True):
         assert (found == there).all()
     assert motion.enclose(np.int64(1), 20)[0][0].contains(motion.enclose(1, 30)[0][0])
+
+
+# mpmath's functions.
+
+
+@pytest.mark.parametrize("stratum", STRATA)
+def test_mpmath_agrees_with_the_balls_in_every_stratum(stratum):
+    sample = draw(stratum, 1, seed=19)
+    assert agree(sample.exact, list(map(Fraction, sample.times))[:2])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stratum", STRATA)
+def test_a_campaign_of_mpmath_over_every_stratum(stratum):
+    for index in range(40):
+        sample = draw(stratum, index, seed=20)
+        assert agree(sample.exact, list(map(Fraction, sample.times))[:3])
+
+
+def test_a_wrong_function_is_seen_by_the_two_forms(monkeypatch):
+    exact = floating.Floating.elliptic_j
+    monkeypatch.setattr(
+        floating.Floating,
+        "elliptic_j",
+        lambda self, u, n, mc: exact(self, u, n, mc) + u * floating.CTX.mpf(10) ** -30,
+    )
+    with pytest.raises(PrecisionError, match="of 50 digits were reached"):
+        MOTION.replace().precise(180, 50, method="mpmath", max_seconds=0.5)
+
+
+@pytest.mark.parametrize("method", ["theta", "mpmath"])
+def test_no_precision_is_changed_and_the_start_is_that_given(method):
+    before = mpmath.mp.prec, floating.CTX.prec
+    q, omega = MOTION.precise([0, 1], 60, method=method)
+    assert (mpmath.mp.prec, floating.CTX.prec) == before
+    assert list(map(float, q[0])) == [1, 0, 0, 0]
+    assert [float(x) for x in omega[0]] == [0.05, 0.03, -0.02]
+
+
+def test_threads_get_what_one_thread_gets():
+    times = [Fraction(k, 7) for k in range(1, 9)]
+    alone = [MOTION.precise(t, 30 + k, method="mpmath")[0] for k, t in enumerate(times)]
+    with ThreadPoolExecutor(4) as pool:
+        jobs = [pool.submit(MOTION.precise, t, 30 + k, method="mpmath")
+                for k, t in enumerate(times)]  # fmt: skip
+        together = [job.result()[0] for job in jobs]
+    with working(200):
+        for k, pair in enumerate(zip(alone, together, strict=True)):
+            assert distance(*([of_mpf(x) for x in q] for q in pair)) < 10.0 ** -(29 + k)
+
+
+def test_the_constants_are_those_of_the_balls():
+    names = ("lambda_", "m", "k_1", "psi_0")
+    by_mpmath, by_balls = (
+        PreciseMotion(*EXACT, method).constants(names, DIGITS) for method in ("mpmath", "theta")
+    )
+    with mpmath.workdps(50):
+        for name in names:
+            assert abs(by_mpmath[name] / by_balls[name] - 1) < mpmath.mpf(10) ** -(DIGITS - 1)
+
+
+@pytest.mark.parametrize("method", ["mpmath", "theorem1"])
+def test_many_digits_stop_where_the_seconds_are_over(method):
+    with pytest.raises(PrecisionError, match="digits were reached"):
+        MOTION.precise(180, 4000, method=method, max_seconds=0.2)
+
+
+def test_mpmath_gives_no_enclosures_and_takes_no_uncertain_numbers():
+    uncertain = MOTION.replace(omega0=("0.05 +/- 1e-9", "0.03", "-0.02"))
+    for ask, message in (
+        (lambda: MOTION.enclose(1, method="mpmath"),
+         "no error bounds; balls and sensitivities take theta"),
+        (lambda: MOTION.precise(1, method="flint"), r"must be one of: theta.*mpmath"),
+        (lambda: uncertain.precise(1, method="mpmath"), r"omega0\[0\].*uncertain"),
+    ):  # fmt: skip
+        with pytest.raises(InputError, match=message):
+            ask()
+    assert "mpmath" not in METHODS
+
+
+def test_the_estimate_of_an_error_is_one():
+    """The radius that comes with few bits covers the distance to what many bits give."""
+    motion = PreciseMotion(*EXACT, "mpmath")
+    few, many = (motion.numbers_here(Fraction(180), bits) for bits in (60, 300))
+    with working(400):
+        assert overlap(few, many)
+        assert not any(has_digits(x, 25) for x in few)
+    assert np.isfinite([float(x.rad()) for x in few]).all()
+
+
+# Theorem 1 of the paper.
+MOMENTS = ("2.1", "3", "4.3")
+RATES = {"largest": ("0.4", "0.3", "0.9"), "smallest": ("0.9", "0.3", "0.4")}
+
+
+@pytest.mark.parametrize("order", [*permutations(range(3))])
+@pytest.mark.parametrize("circulation", RATES)
+def test_theorem_1_with_every_order_of_axes_and_every_sign(order, circulation):
+    for signs in product(("", "-"), repeat=3):
+        rates = [sign + RATES[circulation][k] for sign, k in zip(signs, order, strict=True)]
+        attitude = ("0.5", "-0.1", "0.7", "0.3")
+        motion = TorqueFreeMotion([MOMENTS[k] for k in order], rates, attitude)
+        assert apart(motion, ["17.3", "-41"]) < 1e-29
+
+
+@pytest.mark.parametrize("time", ["1e12", "-12345.678"])
+def test_theorem_1_at_long_times(time):
+    assert apart(MOTION, time, 40) < 1e-39
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega", "said"),
+    [
+        ((1, 1, 2), (1, 0, 1), "symmetric"),
+        ((1, 1, 1), (1, 2, 3), "spherical"),
+        ((1, 2, "2.5"), (0, 1, 0), "spin"),
+        ((1, 2, "2.5"), (0, 0, 0), "rest"),
+        ((1, 2, "9/4"), (3, 1, 4), "separatrix"),
+    ],
+)
+def test_motions_without_three_sines_are_refused(inertia, omega, said):
+    motion = TorqueFreeMotion(inertia, omega)
+    assert str(motion.regime).startswith(said)
+    with pytest.raises(InputError, match=f"method = 'theorem1': has no sines.*{said}.*theta"):
+        motion.precise(1, method="theorem1")
+
+
+@pytest.mark.parametrize("omega", [("0.4", "0.3", 0), ("0.4", 0, "-0.9")])
+def test_starts_at_which_theorem_1_divides_by_zero_are_refused(omega):
+    with pytest.raises(InputError, match=r"omega0 = .*Theorem 1 divides by it"):
+        TorqueFreeMotion(MOMENTS, omega).precise(1, method="theorem1")
+
+
+def test_a_start_where_phi3_is_zero_is_none_of_them():
+    assert apart(TorqueFreeMotion(MOMENTS, ("0.4", 0, "0.9")), ["1", "90"]) < 1e-29
+
+
+def test_a_wrong_pi_is_seen_against_the_balls(monkeypatch):
+    """The comparison of two precisions cannot show it."""
+    exact = theorem1._Lines._real_third_kind
+    monkeypatch.setattr(
+        theorem1._Lines,
+        "_real_third_kind",
+        lambda self, n, u, mc: exact(self, n, u, mc) * (1 + theorem1.CTX.mpf(10) ** -9),
+    )
+    assert apart(MOTION.replace(), "180") > 1e-12

@@ -1,23 +1,21 @@
-"""Taylor series of the equations of motion: against states that need none, and against itself."""
+"""Taylor series of the equations of motion, against closed forms and against themselves."""
 
 import ast
 from fractions import Fraction
 from pathlib import Path
 
 import pytest
+from boxes import BODY as GIVEN
+from boxes import distance
 from mpmath import mp, workdps
 
 from rigidsym._inputs import exact
 from rigidsym.precise import _taylor as taylor
 from rigidsym.precise._taylor import integrate
 
-BODY = tuple(map(Fraction, ("0.0109", "0.04", "0.0506")))
+BODY = tuple(map(Fraction, GIVEN))
 RATES = tuple(map(Fraction, ("0.05", "0.03", "-0.02")))
 ATTITUDE = (Fraction(1), Fraction(-2), Fraction(3, 7), Fraction(1, 2))
-
-
-def distance(given, expected):
-    return max(abs(a - b) for a, b in zip(given, expected, strict=True))
 
 
 @pytest.mark.parametrize("digits", [5, 15, 60])
@@ -30,7 +28,7 @@ def test_the_digits_asked_for_are_there(digits, time):
 
 
 def test_a_spin_is_one_exponential():
-    """About a principal axis q turns by half the angle."""
+    """The quaternion of a turn about a principal axis has half the angle."""
     with workdps(60):
         q, omega = integrate(BODY, (0, Fraction(2), 0), (1, 0, 0, 0), Fraction(25), 40)
         assert distance(q, (mp.cos(25), 0, mp.sin(25), 0)) < mp.mpf(10) ** -40
@@ -38,7 +36,7 @@ def test_a_spin_is_one_exponential():
 
 
 def test_a_symmetric_body_precesses():
-    """c = (1, 1, 2): Omega_1 + i Omega_2 turns at (2 - 1) Omega_3."""
+    """For the moments (1, 1, 2), Omega_1 + i Omega_2 turns at the rate (2 - 1) Omega_3."""
     with workdps(60):
         t = Fraction(9, 2)
         _, omega = integrate((1, 1, 2), (Fraction(1), 0, Fraction(3)), ATTITUDE, t, 40)

@@ -1,9 +1,10 @@
-"""Parts of a box: they cover it, hold its motions, and together are hardly wider than these."""
+"""Parts of a box: they cover it, hold its motions, and are hardly wider than these."""
 
 from fractions import Fraction
 
 import numpy as np
 import pytest
+from boxes import contain, overlap, spread, widest
 from flint import arb, arb_mat
 
 import rigidsym
@@ -14,8 +15,8 @@ from rigidsym.precise._boxed import BoxedMotion
 from rigidsym.precise._sensitivity.box import Box, Slab
 from rigidsym.precise._sensitivity.parts import MeanStates, Part, parts_of
 
-# Moments and rates, their radii as parts of the largest of each, times, and how much wider than the
-# sampled motions the balls may be.
+# Moments and rates, their radii as parts of the largest of each, times, and the largest ratio of
+# radii of balls to those of sampled motions.
 BOXES = {
     "symmetric": ((1, 1, 1.4), (0.5, -0.6, 0.7), (8e-3, 0), (12,), 1.5),
     "nearly symmetric": ((0.5764, 1.2811, 1.281), (-0.19, -0.92, 0.49), (5e-3, 0), (20,), 1.5),
@@ -29,8 +30,7 @@ BOXES = {
 
 
 def uncertain(values, part):
-    spread = Fraction(part) * max(abs(Fraction(x)) for x in values)
-    return tuple(Uncertain(Fraction(x), spread) if spread else Fraction(x) for x in values)
+    return tuple(spread(x, Fraction(part) * max(abs(Fraction(y)) for y in values)) for x in values)
 
 
 def boxed(name):
@@ -40,14 +40,14 @@ def boxed(name):
 
 
 def shifts(count, seed=1):
-    """Corners of the unit box (count, 6), and points inside."""
+    """Return corners of the unit box and points inside, (count, 6)."""
     random = np.random.default_rng(seed)
     inside = random.uniform(-1, 1, (count, 6))
     return np.where(np.arange(count)[:, None] % 2, np.sign(inside), inside) * (1 - 1e-7)
 
 
 def sampled(motion, times, count):
-    """States (count, N, 7) in doubles."""
+    """Return states (count, N, 7) of sampled motions of a box in doubles."""
     numbers = (*motion.inertia, *motion.omega0)
     middles, radii = (np.array([float(f(x)) for x in numbers]) for f in (middle, radius))
     points = middles + shifts(count) * radii
@@ -88,81 +88,70 @@ def test_parts_cover_the_box_and_each_holds_its_motions(name):
         ]
         assert holding
         for part in holding:
-            for ball_, value in zip(part.state, state, strict=True):
-                assert (ball_ + arb(0, 1e-12)).contains(arb(float(value)))
+            assert contain([x + arb(0, 1e-12) for x in part.state], map(arb, state.tolist()))
 
 
-def test_what_slabs_leave_holds_their_points_and_its_sides_say_where_these_are():
-    inertia, omega = uncertain((1, 2, 2.5), 1e-2), uncertain((0.3, 1, -0.2), 1e-2)
-    radii = Box(inertia, omega).radii
+BOX = uncertain((1, 2, 2.5), 1e-2), uncertain((0.3, 1, -0.2), 1e-2)
+RADII = Box(*BOX).radii
+
+
+def column(values):
+    return arb_mat([[x if isinstance(x, arb) else ball(x)] for x in values])
+
+
+def within(points, rows, ends):
+    """Return the part of BOX within slabs, and the points (N, 6) in it; inputs in their radii."""
+    heights = points @ rows.T
+    inside = points[((ends[:, 0] <= heights) & (heights <= ends[:, 1])).all(axis=1)]
+    pairs = zip((rows / RADII).tolist(), ends.tolist(), strict=True)
+    return Box(*BOX, tuple(Slab(tuple(row), *pair) for row, pair in pairs)), inside
+
+
+def sides_of(box, far):
+    """Return the sides of a part at a point, given less the middle of the part, (6, 1)."""
+    along = (arb_mat([list(slab.direction) for slab in box.slabs]) * far).entries()
+    moved = column(box.shift) - column(box._unscaled(box.limits.mean(axis=1)))
+    return [*along, *(far + moved - box._across * moved).entries()]
+
+
+def test_parts_within_slabs_hold_their_points_and_sides_give_the_places_of_these():
     random = np.random.default_rng(2)
     points = random.uniform(-1, 1, (4000, 6))
     for count in (1, 2, 3):
-        directions = random.normal(size=(count, 6))
+        rows = random.normal(size=(count, 6))
         ends = np.sort(random.uniform(-1.5, 1.5, (count, 2)), axis=1)
-        slabs = tuple(
-            Slab(tuple((row / radii).tolist()), *pair)
-            for row, pair in zip(directions, ends.tolist(), strict=True)
-        )
-        heights = points @ directions.T
-        inside = points[((ends[:, 0] <= heights) & (heights <= ends[:, 1])).all(axis=1)]
         with working(120):
-            box = Box(inertia, omega, slabs)
+            box, inside = within(points, rows, ends)
             assert len(inside)
             assert (box.limits[:, 0] <= inside).all()
             assert (inside <= box.limits[:, 1]).all()
-            across, back = box._across, box.by_sides
-            center = [ball(x) for x in box._unscaled(box.limits.mean(axis=1))]
             for point in inside[:50]:
-                off = [arb(x) * arb(r) for x, r in zip(point.tolist(), radii.tolist(), strict=True)]
-                far = [x - ball(y) for x, y in zip(off, box.shift, strict=True)]
-                along = [
-                    sum((arb(g) * x for g, x in zip(slab.direction, far, strict=True)), arb(0))
-                    for slab in slabs
-                ]
-                moved = arb_mat([[ball(x) - y] for x, y in zip(box.shift, center, strict=True)])
-                near = arb_mat([[x - y] for x, y in zip(off, center, strict=True)]) - across * moved
-                sides = [*along, *near.entries()]
-                for side, value in zip(box.sides.entries(), sides, strict=True):
-                    assert (side + arb(0, 1e-15)).contains(value)
-                again = (back * arb_mat([[x] for x in sides])).entries()
-                assert all(x.overlaps(y) for x, y in zip(again, far, strict=True))
+                off = [arb(x) * arb(r) for x, r in zip(point.tolist(), RADII.tolist(), strict=True)]
+                far = column(off) - column(box.shift)
+                sides = sides_of(box, far)
+                assert contain([x + arb(0, 1e-15) for x in box.sides.entries()], sides)
+                assert overlap((box.by_sides * column(sides)).entries(), far.entries())
 
 
 def test_the_reach_of_slopes_holds_all_points_of_a_narrow_slab():
-    """Where slopes by inputs lead farther than along the slab they are seen along it."""
-    inertia, omega = uncertain((1, 2, 2.5), 1e-2), uncertain((0.3, 1, -0.2), 1e-2)
-    radii = Box(inertia, omega).radii
+    """Slopes by the inputs that lead farther than those along a slab are counted along it."""
     random = np.random.default_rng(3)
     points, taken = random.uniform(-1, 1, (20000, 6)), 0
     for begin in np.arange(-2, 2, 0.2):
         rows = random.normal(size=(2, 6))
         ends = np.array([[begin, begin + 0.2], [-begin / 2, -begin / 2 + 0.5]])
-        slabs = tuple(
-            Slab(tuple((row / radii).tolist()), *pair)
-            for row, pair in zip(rows, ends.tolist(), strict=True)
-        )
-        heights = points @ rows.T
-        inside = points[((ends[:, 0] <= heights) & (heights <= ends[:, 1])).all(axis=1)]
         with working(120):
-            box = Box(inertia, omega, slabs)
+            box, inside = within(points, rows, ends)
             shift = np.array([float(x) for x in box.shift])
-            for slope in (rows / radii).tolist() + random.normal(size=(6, 6)).tolist():
+            for slope in (rows / RADII).tolist() + random.normal(size=(6, 6)).tolist():
                 along = [arb(x) for x in random.normal(size=2).tolist()]
-                # By the inputs alone, whatever is seen along the slabs: the row space of `_across`.
-                row = (arb_mat([list(map(arb, slope))]) * box._across).entries()
-                tilted = [x + y * 3 for x, y in zip(row, map(arb, slope), strict=True)]
-                reached = box.reach([*along, *tilted])
-                for far in inside[:20] * radii - shift:
-                    sides = [arb(float(x)) for x in rows / radii @ far]
-                    offsets = arb_mat([[ball(x)] for x in box._unscaled(box.limits.mean(axis=1))])
-                    moved = arb_mat([[ball(x)] for x in box.shift]) - offsets
-                    back = moved - box._across * moved
-                    near = arb_mat([[arb(float(x))] for x in far]) + back
-                    value = sum((x * y for x, y in zip(along, sides, strict=True)), arb(0))
-                    value += sum(
-                        (x * y for x, y in zip(tilted, near.entries(), strict=True)), arb(0)
-                    )
+                # Slopes by the inputs alone lie in the row space of `_across`.
+                row = (arb_mat([slope]) * box._across).entries()
+                slopes = [*along, *(x + y * 3 for x, y in zip(row, map(arb, slope), strict=True))]
+                reached = box.reach(slopes)
+                for far in inside[:20] * RADII - shift:
+                    sides = sides_of(box, column(map(arb, far.tolist())))
+                    value = sum((x * y for x, y in zip(slopes, sides, strict=True)), arb(0))
                     assert (reached + arb(0, 1e-13)).contains(value.mid())
                     taken += 1
     assert taken > 1000
@@ -176,23 +165,23 @@ def test_slabs_that_leave_nothing_are_found():
 
 
 def test_moments_do_not_matter_to_a_spin():
-    """Not even about the middle axis, late."""
+    """This holds at late times, too, even about the middle axis."""
     motion = TorqueFreeMotion(("1 +/- 1e-2", 2, "2.5 +/- 1e-2"), (0, 1, 0))
     exact = TorqueFreeMotion((1, 2, 2.5), (0, 1, 0))
     for time in (1, 1000):
         found, true = (np.concatenate(x.enclose(time, 15)) for x in (motion, exact))
-        assert all(x.rad() < 1e-14 and x.overlaps(y) for x, y in zip(found, true, strict=True))
+        assert overlap(found, true)
+        assert widest(found) < 1e-14
 
 
 def test_a_part_that_says_nothing_is_not_cut():
-    part = Part(
-        (), [arb(0, 1)] * 7, np.zeros((7, 2)), np.full((6, 1), 1e9), np.ones(1), np.eye(2)[:1]
-    )
+    state, bends = [arb(0, 1)] * 7, np.full((6, 1), 1e9)
+    part = Part((), state, np.zeros((7, 2)), bends, np.ones(1), np.eye(2)[:1])
     assert part.pieces() == []
 
 
 def test_pieces_cover_a_part_that_is_small_beside_its_distance():
-    """By exact sums, of which doubles lose what the part is wide."""
+    """The widths are lost in sums of doubles, so the sums are exact."""
     random = np.random.default_rng(1)
     for _ in range(100):
         middles = random.uniform(-1, 1, 3)
@@ -213,10 +202,7 @@ def test_pieces_cover_a_part_that_is_small_beside_its_distance():
 )
 def test_boxes_beyond_binary64_are_enclosed(rate, time):
     omega = Uncertain(rate, rate / 10**330), rate, 2 * rate
-    motion = BoxedMotion(*(tuple(map(number, x)) for x in ((1, 2, 3), omega, (1, 0, 0, 0))))
+    inertia, attitude = (tuple(map(Fraction, x)) for x in ((1, 2, 3), (1, 0, 0, 0)))
+    motion = BoxedMotion(inertia, omega, attitude)
     (state,) = motion.enclosures([Fraction(time)], 12)
     assert all(x.is_finite() for part in state for x in part)
-
-
-def number(x):
-    return x if isinstance(x, Uncertain) else Fraction(x)
