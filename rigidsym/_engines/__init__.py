@@ -127,9 +127,8 @@ def _compiled_or_reason(name: str) -> Any:
 def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
     """Return a C engine, or the reason why there is none, and warnings to give."""
     # Here, because NumPy's engine needs nothing of it.
-    from rigidsym._engines.build import library
+    from rigidsym._engines.build import CompilerError, library
     from rigidsym._engines.c_engine import CEngine
-    from rigidsym._engines.compiler import CompilerError
     from rigidsym._engines.library import LibraryError
 
     remarks: list[str] = []

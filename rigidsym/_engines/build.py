@@ -1,4 +1,4 @@
-"""The compiled C library for this machine, built once and cached.
+"""The C library for this machine: the search for a compiler, compilation, and the cache.
 
 The user's cache directory keeps built libraries.  The name of a file has the digest of what it was
 built from and of its own bytes, so that a damaged file is noticed.  One move puts it there whole,
@@ -9,18 +9,40 @@ import hashlib
 import json
 import os
 import platform
+import shlex
+import shutil
+import subprocess
 import sys
 import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
+from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
-from rigidsym._engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
 from rigidsym._engines.library import Library, LibraryError, check_arithmetic, load
 from rigidsym.errors import InputError
 from rigidsym.io._files import write_bytes
 
+NAMES = ("cc", "gcc", "clang")
+# gcc prefers 256 bits where it has 512, and the loops gain a fifth by them.
+NATIVE = ("-march=native", "-mprefer-vector-width=512")
+# Python has checked already that a body can have its moments, or has allowed any.
+ANY_MOMENTS = "-DALLOW_NONPHYSICAL"
+# Contraction is off because the sources write every fused product themselves: otherwise their exact
+# error terms, and with them the last digits, would depend on the compiler.
+FLAGS = (
+    "-std=c99",
+    "-O3",
+    *NATIVE,
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    ANY_MOMENTS,
+    "-fPIC",
+    "-shared",
+)
+_OUTPUT = "torque_free.so"
 # The C module of each engine that runs one.
 FILES = {
     "c": ("torque_free.h", "torque_free.c"),
@@ -30,6 +52,73 @@ FILES = {
 _PREFIX, _SUFFIX = "torque_free", ".so"
 # The fields that tell processors apart in /proc/cpuinfo, on x86 and on ARM.
 _PROCESSOR = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
+
+
+class CompilerError(Exception):
+    """Missing or failing compiler; the message is one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compiler:
+    """Command of a C compiler and the text of its --version."""
+
+    command: tuple[str, ...]
+    version: str
+
+
+def find() -> Compiler:
+    """Return the compiler in $CC, or the first of cc, gcc and clang on the path."""
+    given = os.environ.get("CC", "")
+    try:
+        named = shlex.split(given)
+    except ValueError as error:
+        raise CompilerError(f"CC={given} cannot be read ({error})") from None
+    for name in named[:1] or NAMES:
+        if path := shutil.which(name):
+            command = (path, *named[1:])
+            return Compiler(command, _run([*command, "--version"]).stdout)
+    wanted = f"CC={named[0]}" if named else ", ".join(NAMES)
+    raise CompilerError(f"no C compiler found ({wanted})")
+
+
+def compile_library(
+    compiler: Compiler, sources: Mapping[str, str], directory: Path, flags: tuple[str, ...] = FLAGS
+) -> Path:
+    """Compile sources into a shared library in an empty directory, and return its path."""
+    for name, text in sources.items():
+        (directory / name).write_text(text, encoding="utf-8")
+    units = [name for name in sources if name.endswith(".c")]
+    # Compilers for other machines than x86 do not know the flags of NATIVE.
+    for some in (flags, tuple(flag for flag in flags if flag not in NATIVE)):
+        command = [*compiler.command, *some, "-o", _OUTPUT, *units, "-lm"]
+        done = _run(command, directory)
+        if not done.returncode:
+            break
+    else:
+        lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+        errors = [line for line in lines if "error" in line.lower()]
+        reason = next(iter(errors + lines), f"exit status {done.returncode}")
+        raise CompilerError(f"{compiler.command[0]} failed: {reason}")
+    built = directory / _OUTPUT
+    if not built.is_file():
+        raise CompilerError(f"{compiler.command[0]} wrote no library")
+    return built
+
+
+def _run(command: list[str], directory: Path | None = None) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(
+            command,
+            cwd=directory,
+            env=os.environ | {"LC_ALL": "C"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            check=False,
+        )
+    except OSError as error:
+        raise CompilerError(f"{command[0]} cannot be run: {error.strerror}") from None
 
 
 def library(remarks: list[str], engine: str = "c") -> Library:
@@ -88,22 +177,18 @@ def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: li
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
             built = compile_library(compiler, sources, Path(work))
             try:
-                return _keep_and_load(sources, key, built)
+                path = _keep(key, built)
+                try:
+                    return load(path, sources)
+                except LibraryError:
+                    _drop(path)
+                    raise
             except (CacheError, LibraryError) as error:
                 found = load(built, sources)
                 remarks.append(f"engine: {error}: the library serves this process only")
                 return found
     except OSError as error:
         raise CompilerError(f"there is no place to compile in ({error})") from None
-
-
-def _keep_and_load(sources: Mapping[str, str], key: str, built: Path) -> Library:
-    path = _keep(key, built)
-    try:
-        return load(path, sources)
-    except LibraryError:
-        _drop(path)
-        raise
 
 
 class CacheError(Exception):

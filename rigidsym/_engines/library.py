@@ -17,7 +17,6 @@ _PROTOTYPE = re.compile(r"^(const char \*|[a-z_]+ )(\w+)\(([^(){}]*)\);", re.MUL
 _PARAMETER = re.compile(r"(const )?(\w+) (\*?)(\w+)((?:\[\d+\])*)( OR_NULL)?")
 _CONSTANT = re.compile(r"^ +([A-Z_0-9]+) = (\d+)", re.MULTILINE)
 _PLAIN = {"double": c_double, "int": c_int, "size_t": c_size_t}
-_ELEMENTS = {"double": np.dtype(np.float64), "int": np.dtype(np.intc), "size_t": np.dtype(np.uintp)}
 
 
 class LibraryError(Exception):
@@ -44,50 +43,44 @@ class Parameter:
 
         A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.
         """
-        if not self.is_pointer:
-            return self._number(value)
-        if value is None and self.may_be_null:
+        found = self._address(value, sizes) if self.is_pointer else self._number(value)
+        if found is None and not (value is None and self.may_be_null):
+            shown = type(value).__name__
+            if isinstance(value, np.ndarray):
+                shown = f"{value.dtype} of shape {value.shape}"
+            raise TypeError(f"{self.name}: {shown} is given: must be {self.text}")
+        return found
+
+    def _address(self, value: Any, sizes: Mapping[str, int]) -> int | None:
+        """Return the address of memory that this pointer can have; None for other values."""
+        kind = _PLAIN.get(self.type)
+        if isinstance(value, np.ndarray):
+            flags = value.flags
+            fits = flags.c_contiguous and flags.aligned and (flags.writeable or self.is_const)
+            fits = fits and kind is not None and value.dtype == np.dtype(kind)
+            return value.ctypes.data if fits and value.size >= self.least else None
+        if not isinstance(value, ctypes.Array | ctypes.Structure | ctypes._SimpleCData):
             return None
-        if isinstance(value, np.ndarray) and self._is_memory_of(value):
-            return value.ctypes.data
-        if isinstance(value, ctypes.Array | ctypes.Structure | ctypes._SimpleCData):
-            # A struct may be any memory of its size.
-            wanted, least = _PLAIN.get(self.type), sizes.get(self.type, 1)
-            fits = wanted is None
-            if wanted is not None:
-                least = self.least * ctypes.sizeof(wanted)
-                fits = isinstance(value, wanted) or getattr(value, "_type_", 0) is wanted
-            if fits and ctypes.sizeof(value) >= least:
-                return ctypes.addressof(value)
-        raise self._refused(value)
+        # A struct may be any memory of its size.
+        fits, least = kind is None, sizes.get(self.type, 1)
+        if kind is not None:
+            fits = isinstance(value, kind) or getattr(value, "_type_", 0) is kind
+            least = self.least * ctypes.sizeof(kind)
+        return ctypes.addressof(value) if fits and ctypes.sizeof(value) >= least else None
 
-    def _is_memory_of(self, value: np.ndarray) -> bool:
-        if self.type not in _ELEMENTS:
-            return False
-        flags = value.flags
-        fits = flags.c_contiguous and flags.aligned and (flags.writeable or self.is_const)
-        return fits and value.dtype == _ELEMENTS[self.type] and value.size >= self.least
-
-    def _number(self, value: Any) -> float | int:
+    def _number(self, value: Any) -> float | int | None:
+        """Return a number as this type has it; None for other values."""
+        if isinstance(value, bool | str):
+            return None
         try:
-            if isinstance(value, bool | str):
-                raise TypeError
-            if self.type == "double":
-                return float(value)
-            whole = operator.index(value)
+            whole = float(value) if self.type == "double" else operator.index(value)
         except TypeError:
-            raise self._refused(value) from None
+            return None
+        if self.type == "double":
+            return whole
         bits = 8 * ctypes.sizeof(_PLAIN[self.type])
         least = 0 if self.type == "size_t" else -(1 << bits - 1)
-        if not least <= whole < least + (1 << bits):
-            raise self._refused(value)
-        return whole
-
-    def _refused(self, value: Any) -> TypeError:
-        shown = f"{type(value).__name__}"
-        if isinstance(value, np.ndarray):
-            shown = f"{value.dtype} of shape {value.shape}"
-        return TypeError(f"{self.name}: {shown} is given: must be {self.text}")
+        return whole if least <= whole < least + (1 << bits) else None
 
 
 @dataclass(frozen=True, slots=True)

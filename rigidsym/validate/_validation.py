@@ -289,7 +289,7 @@ def environment(
     """Return versions, machine, time and memory: all of a report that differs from run to run."""
     compiler = {}
     if any(x.startswith("c") for x in campaign.targets):
-        from rigidsym._engines.compiler import find
+        from rigidsym._engines.build import find
 
         compiler = {"compiler": find().version.partition("\n")[0]}
     return {

@@ -23,7 +23,7 @@ from timeit import repeat, timeit
 import numpy as np
 
 import rigidsym
-from rigidsym._engines import build, compiler, threads
+from rigidsym._engines import build, threads
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import GravityGradient, KeplerOrbit
 
@@ -123,9 +123,9 @@ def no_squish() -> Callable[..., None]:
     """The function of no_squish.c."""
     source = Path(__file__).with_name("no_squish.c")
     with tempfile.TemporaryDirectory() as place:
-        flags = ("-std=c99", "-Ofast", *compiler.NATIVE, "-fPIC", "-shared")
+        flags = ("-std=c99", "-Ofast", *build.NATIVE, "-fPIC", "-shared")
         sources = {source.name: source.read_text(encoding="utf-8")}
-        built = compiler.compile_library(compiler.find(), sources, Path(place), flags)
+        built = build.compile_library(build.find(), sources, Path(place), flags)
         found = ctypes.CDLL(str(built)).no_squish
     found.argtypes = (ctypes.c_size_t, *(ctypes.c_void_p,) * 3, ctypes.c_double)
     return found

@@ -23,7 +23,7 @@ from compilers import (
 from regimes import are_right, errors
 
 from rigidsym._codegen.targets.c import module
-from rigidsym._engines.compiler import ANY_MOMENTS
+from rigidsym._engines.build import ANY_MOMENTS
 
 PROGRAM = ("driver.c", "torque_free.c")
 # With several lanes, as only builds for wide registers have them.

@@ -26,7 +26,7 @@ from rigidsym import InputError, TorqueFreeMotion, step
 from rigidsym import _inputs as inputs
 from rigidsym._codegen import forms
 from rigidsym._engines import exact_inputs
-from rigidsym._engines.compiler import ANY_MOMENTS
+from rigidsym._engines.build import ANY_MOMENTS
 
 NAN, INF, MOST = math.nan, math.inf, 1.7e308
 BODY = ((1.0, 2.0, 2.5), RATES, ATTITUDE)

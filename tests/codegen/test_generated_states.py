@@ -8,7 +8,7 @@ import pytest
 from compilers import ATTITUDE, BUILDS, PLAIN, PORTABLE, RATES, Library, either, needed
 from regimes import are_right, cases
 
-from rigidsym._engines.compiler import ANY_MOMENTS
+from rigidsym._engines.build import ANY_MOMENTS
 from rigidsym.generated import torque_free, torque_free_pi
 
 NAN, INF, MOST = math.nan, math.inf, 1.7e308

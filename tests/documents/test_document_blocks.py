@@ -12,7 +12,7 @@ from document_texts import FENCED, README, ROOT, TEXTS, blocks
 
 import rigidsym
 from rigidsym._cli import main, parser
-from rigidsym._engines.compiler import ANY_MOMENTS, FLAGS, NATIVE
+from rigidsym._engines.build import ANY_MOMENTS, FLAGS, NATIVE
 from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.manoeuvre._planning import solve

@@ -12,13 +12,13 @@ from pathlib import Path
 
 import pytest
 
-from rigidsym._engines import build, compiler, engine, forget
+from rigidsym._engines import build, engine, forget
 from rigidsym._engines.c_engine import CEngine
 from rigidsym._engines.library import LibraryError, load, written_digest
 from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym.errors import InputError
 
-SYSTEM = next(filter(None, map(shutil.which, compiler.NAMES)), None)
+SYSTEM = next(filter(None, map(shutil.which, build.NAMES)), None)
 OF_THE_PACKAGE = build.package_sources
 needs_compiler = pytest.mark.skipif(SYSTEM is None, reason="needs a C compiler: cc, gcc or clang")
 
@@ -122,7 +122,7 @@ def test_what_determines_a_library_is_in_its_name(wrapped, monkeypatch):
     for name, value in (
         ("package_sources", lambda _: stub("b")),
         ("processor", lambda: ["another"]),
-        ("FLAGS", (*compiler.FLAGS, "-g")),
+        ("FLAGS", (*build.FLAGS, "-g")),
     ):
         monkeypatch.setattr(build, name, value)
         obtained()
@@ -162,7 +162,7 @@ def test_a_whole_file_that_is_the_wrong_one_is_built_again(tmp_path, mistake):
     other = tmp_path / "other"
     other.mkdir()
     if mistake == "sources":
-        wrong = compiler.compile_library(compiler.find(), stub("b"), other)
+        wrong = build.compile_library(build.find(), stub("b"), other)
     else:
         wrong = other / "text.so"
         wrong.write_text("no library")
@@ -338,7 +338,7 @@ def test_an_interrupted_build_leaves_nothing_that_is_taken_for_a_library(tmp_pat
 def test_a_library_that_lacks_a_function_is_refused(tmp_path):
     sources = stub("a")
     text = sources["torque_free.c"].replace("torque_free_propagate", "torque_free_other")
-    path = compiler.compile_library(compiler.find(), sources | {"torque_free.c": text}, tmp_path)
+    path = build.compile_library(build.find(), sources | {"torque_free.c": text}, tmp_path)
     with pytest.raises(LibraryError, match="torque_free_propagate"):
         load(path, sources)
 
@@ -356,7 +356,7 @@ def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
 @pytest.mark.parametrize(
     ("engine", "more", "error", "rule"),
     [
-        ("c", "", (LibraryError, compiler.CompilerError), "reorder"),
+        ("c", "", (LibraryError, build.CompilerError), "reorder"),
         ("c-step", " -U__ASSOCIATIVE_MATH__", LibraryError,
          "^the C module refuses: arithmetic: sums are reordered"),
     ],

@@ -8,8 +8,8 @@ import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym._engines import EngineError, build, threads
+from rigidsym._engines.build import CompilerError
 from rigidsym._engines.c_engine import CEngine
-from rigidsym._engines.compiler import CompilerError
 from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym.validate import strata
 

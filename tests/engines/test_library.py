@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from rigidsym._engines import build
-from rigidsym._engines.compiler import CompilerError
+from rigidsym._engines.build import CompilerError
 from rigidsym._engines.library import LibraryError, signatures
 
 NAMES = ("c", "c-pi", "c-step")

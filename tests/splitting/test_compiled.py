@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rigidsym
-from rigidsym._engines.compiler import compile_library, find
+from rigidsym._engines.build import compile_library, find
 from rigidsym.errors import InputError
 from rigidsym.splitting import (
     METHODS,

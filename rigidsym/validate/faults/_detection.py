@@ -16,8 +16,8 @@ import numpy as np
 
 from rigidsym._codegen.forms import STEP, split
 from rigidsym._engines import Engine, build
+from rigidsym._engines.build import FLAGS, compile_library, find
 from rigidsym._engines.c_engine import CEngine
-from rigidsym._engines.compiler import FLAGS, compile_library, find
 from rigidsym._engines.library import load
 from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym._engines.steps import CStepper, NumpyStepper
