@@ -13,7 +13,7 @@ A new notebook: write cells, "# %%" and "# %% [markdown]", in text/NN_name.py or
 and run the command, which adds the head.  It takes less than a minute and writes nothing to stderr;
 it prints numbers rounded to what is certain on every processor, rounding errors as bounds ("below
 1e-15"), draws with matplotlib or plotly, and its last cell, folded by the tag "hide-cell", asserts
-what it says.  `rigidsym.view._html` shows facts and verdicts, `rigidsym.view.scenes` motions, each
+what it says.  `rigidsym.view._cards` shows facts and verdicts, `rigidsym.view.scenes` motions, each
 with a still for readers without scripts; `support` has what notebooks alone need.
 """
 

@@ -34,7 +34,7 @@ from rigidsym.view._pages import (
     report_markdown,
     report_page,
 )
-from rigidsym.view._plots.panels import Panel, panels_svg
+from rigidsym.view._plots.charts import Panel, panels_svg
 from rigidsym.view._validation import page
 
 Say = Callable[[str, str, float, bool], None]

@@ -161,17 +161,17 @@ class TorqueFreeMotion:
         return self
 
     def __repr__(self) -> str:
-        from rigidsym.view._text import motion_text
+        from rigidsym.view._motions import motion_text
 
         return motion_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view._html.motions import motion_html
+        from rigidsym.view._motions import motion_html
 
         return motion_html(self)
 
     def _repr_latex_(self) -> str:
-        from rigidsym.view._html.motions import motion_latex
+        from rigidsym.view._motions import motion_latex
 
         return motion_latex(self)
 
@@ -778,7 +778,7 @@ class TorqueFreeMotion:
         InputError
             For times as a call does, and for fewer than two of them.
         """
-        from rigidsym.view._plots.motion import plot
+        from rigidsym.view._plots.motions import plot
 
         return plot(self, times)
 

@@ -25,7 +25,7 @@ from rigidsym.solution._polhode import Regime
 from rigidsym.validate.peers import peer
 from rigidsym.view._geometry import REGIMES, members, moments, momentum, polhode, separatrix
 from rigidsym.view._style import AXES, SCALAR
-from rigidsym.view.scenes._body import edges
+from rigidsym.view.scenes._pictures import edges
 
 FILE = Path(__file__).resolve().parent / "pictures" / "spacecraft.svg"
 INERTIA, OMEGA0, ATTITUDE0 = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02), (1.0, 0.0, 0.0, 0.0)

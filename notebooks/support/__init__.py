@@ -20,8 +20,8 @@ from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.steps import Step
+from rigidsym.view._article import latex as in_letters
 from rigidsym.view._article import line_html
-from rigidsym.view._article.mathematics import latex as in_letters
 
 
 def begun(setting: Setting, *chapters: str) -> LedgerBuilder:

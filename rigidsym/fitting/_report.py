@@ -172,10 +172,10 @@ class Fit(Estimate):
 
     def plot(self) -> "Figure":
         """Plot the residuals, in units of their errors (needs matplotlib)."""
-        from rigidsym.view._plots.motion import Residuals, residuals
+        from rigidsym.view._plots.charts import residuals
 
-        every = enumerate(zip(self.problem.sets, self.residuals, strict=True))
-        return residuals([Residuals(x.kind, x.t, r, self._outliers_of(k)) for k, (x, r) in every])
+        whole = enumerate(zip(self.problem.sets, self.residuals, strict=True))
+        return residuals([(x.kind, x.t, found, self._outliers_of(k)) for k, (x, found) in whole])
 
     def write(self, directory: Path) -> list[Path]:
         """Write fit.json, motion.toml, fit.html and the pictures to a directory.

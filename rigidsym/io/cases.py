@@ -11,7 +11,7 @@ from rigidsym.errors import InputError, written
 from rigidsym.io._attitude_ephemeris import Message, message_fields
 from rigidsym.io._files import TomlTable, check_keys, parse_toml, read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
-from rigidsym.view._html.motions import case_html
+from rigidsym.view._motions import case_html
 
 PAPER = "paper.toml"
 _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
@@ -26,7 +26,7 @@ class Case:
     message: Message = field(default_factory=dict)
 
     def __repr__(self) -> str:
-        from rigidsym.view._text import case_text
+        from rigidsym.view._motions import case_text
 
         return case_text(self)
 

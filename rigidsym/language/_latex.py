@@ -1,12 +1,12 @@
-r"""LaTeX of the ledger: names, expressions, statements and hypotheses.
+r"""LaTeX of names, expressions, statements and hypotheses.
 
 MathJax, KaTeX and Matplotlib can all read it.  A name is read from its parts, so that phi1 is
-\phi_{1} and c_a_squared is c_{a}^{2}; the tables have what the parts do not say.  Of sums with very
-many terms only some are shown, with \cdots in the place of the others.
+\phi_{1} and c_a_squared is c_{a}^{2}; the tables have what the parts do not say.  `Printer` writes
+expression trees: those of the ledger, and those that `rigidsym.view._article` makes of SymPy's.
 """
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +20,7 @@ GREEK = frozenset(
 VARIANTS = {"epsilon": r"\varepsilon"}
 MARKS = {"plus": "+", "minus": "-", "star": r"\star", "squared": "2"}
 FUNCTIONS = {"cos": r"\cos", "sin": r"\sin"}
+JACOBI = {f"jacobi_{name}": rf"\operatorname{{{name}}}" for name in ("sn", "cn", "dn", "am")}
 PARTS = {"re": r"\operatorname{Re}", "im": r"\operatorname{Im}"}
 _UPRIGHT = (r"\mathrm", r"\op")
 MOST_TERMS = 9
@@ -55,11 +56,13 @@ class Symbol:
 
 
 def symbol(name: str) -> Symbol:
-    """Return a name in LaTeX.
+    """Return a name in LaTeX; a name with a backslash is LaTeX already.
 
     >>> symbol("Omega1").latex, symbol("sin_half_phi2").power("2")
     ('\\\\Omega_{1}', '\\\\sin^{2} \\\\frac{\\\\phi_{2}}{2}')
     """
+    if "\\" in name:
+        return Symbol(name)
     base, _, last = name.rpartition("_")
     first, _, rest = name.partition("_")
     if first in FUNCTIONS and rest:
@@ -81,11 +84,9 @@ def _function(head: str, argument: str) -> Symbol:
     half, _, angle = argument.partition("_")
     if half != "half":
         return Symbol(head, symbol(argument).latex)
-    return (
-        Symbol(head, rf"\frac{{{symbol(angle).latex}}}{{2}}")
-        if angle
-        else Symbol(rf"{head}_{{1/2}}")
-    )
+    if not angle:
+        return Symbol(rf"{head}_{{1/2}}")
+    return Symbol(head, rf"\frac{{{symbol(angle).latex}}}{{2}}")
 
 
 def _indexed(name: str) -> str:
@@ -115,63 +116,155 @@ def _letter(text: str) -> str:
     return text if len(text) == 1 and text.isalpha() else ""
 
 
-def latex(text: str) -> str:
-    r"""Return an expression, given as the kernel reads it, in LaTeX.
+def place(factor: Expression) -> Any:
+    """Return the rank of a factor in a product: numbers, Latin letters, anything else, functions.
 
-    >>> latex("(c2 - c3)/c1*Omega2**2")
-    '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'
+    Functions are last, where their arguments end.
     """
-    return of(parse(text))
+    base = _base(factor)
+    if isinstance(base, Name):
+        found = symbol(base.name)
+        return 3 if found.argument else 1 if found.head[0].isalpha() else 2
+    return 0 if isinstance(base, Number) else 2
 
 
-def of(expression: Expression) -> str:
-    """Return an expression tree in LaTeX."""
-    match expression:
-        case Number(value):
-            return str(value)
-        case Name(name):
-            return symbol(name).latex
-        case Operation("**", base, Number(1)):
-            return of(base)
-        case Operation("**", base, exponent):
-            if isinstance(base, Name):
-                return symbol(base.name).power(of(exponent))
-            return f"{_within(base, _POWER + 1)}^{{{of(exponent)}}}"
-        case Operation("+" | "-", _, _) | Call("neg", _):
-            return _sum(expression)
-        case Operation(_, _, _):
-            return _product(expression)
-        case Call("D", (argument,)):
-            if isinstance(argument, Name) and not symbol(argument.name).argument:
-                return _dotted(symbol(argument.name))
-            return rf"\frac{{d}}{{dt}} {_within(argument, _PRODUCT)}"
-        case Call(function, arguments):
-            return rf"{symbol(function).latex}\left({', '.join(map(of, arguments))}\right)"
-    raise TypeError(f"{expression!r} is not an expression")
+@dataclass(frozen=True, slots=True)
+class Printer:
+    r"""Expression trees in LaTeX.
+
+    rank: the sort key of factors in a product.  most: the number of terms of a sum that are shown,
+    with \cdots in the place of the others; None for all.
+    """
+
+    rank: Callable[[Expression], Any] = place
+    most: int | None = MOST_TERMS
+
+    def of(self, expression: Expression) -> str:
+        """Return an expression tree in LaTeX."""
+        match expression:
+            case Number(value):
+                return str(value)
+            case Name(name):
+                return symbol(name).latex
+            case Operation("**", base, Number(1)):
+                return self.of(base)
+            case Operation("**", base, exponent):
+                return self._power(base, self.of(exponent))
+            case Operation("+" | "-", _, _) | Call("neg", _):
+                return self._sum(expression)
+            case Operation(_, _, _):
+                return self._product(expression)
+            case Call("times", factors):
+                return " ".join(self._within(factor, _PRODUCT) for factor in factors)
+            case Call("sqrt", (argument,)):
+                return rf"\sqrt{{{self.of(argument)}}}"
+            case Call("D", (Name(name),)):
+                return self._rate(symbol(name))
+            case Call("D", (argument,)):
+                return rf"\frac{{d}}{{dt}}\left({self.of(argument)}\right)"
+            case Call(function, arguments):
+                head, inside = self._call(function, arguments)
+                return f"{head}{inside}"
+        raise TypeError(f"{expression!r} is not an expression")
+
+    def _power(self, base: Expression, exponent: str) -> str:
+        """Return a power; that of a function has its exponent before the argument."""
+        match base:
+            case Name(name):
+                return symbol(name).power(exponent)
+            case Call(function, arguments) if function in FUNCTIONS or function in JACOBI:
+                head, inside = self._call(function, arguments)
+                return f"{head}^{{{exponent}}}{inside}"
+        return f"{self._within(base, _POWER + 1)}^{{{exponent}}}"
+
+    def _call(self, function: str, arguments: Sequence[Expression]) -> tuple[str, str]:
+        """Return the name of a function, and its arguments in brackets where they need them."""
+        if function in FUNCTIONS:
+            return FUNCTIONS[function], f" {{{self._within(arguments[0], _PRODUCT)}}}"
+        between = r" \mid " if function in JACOBI else ", "
+        inside = rf"\left({between.join(map(self.of, arguments))}\right)"
+        return JACOBI.get(function) or symbol(function).latex, inside
+
+    @staticmethod
+    def _rate(whole: Symbol) -> str:
+        """Return the rate of a name: a dot above a letter, d/dt before anything longer."""
+        letter, _, _ = whole.head.partition("_")
+        simple = not whole.raised and letter.removeprefix("\\").isalpha() and not whole.argument
+        return dotted(whole.head) if simple else rf"\frac{{d}}{{dt}} {whole.latex}"
+
+    def _sum(self, expression: Expression) -> str:
+        terms = _terms(expression, 1)
+        shown = terms
+        if self.most is not None and len(terms) > self.most:
+            shown = terms[: self.most - 2]
+        text = "".join(self._signed(sign, term) for sign, term in shown)
+        if len(shown) < len(terms):
+            text += rf" + \cdots{self._signed(*terms[-1])}"
+        return f"-{text[3:]}" if text.startswith(" -") else text[3:]
+
+    def _signed(self, sign: int, term: Expression) -> str:
+        minus, bare = signed(term)
+        return f" {'-' if sign * minus < 0 else '+'} {self._within(bare, _PRODUCT)}"
+
+    def _product(self, expression: Expression) -> str:
+        sign, bare = signed(expression)
+        above, below = _factors(bare)
+        whole = [factor for factor in above if factor != Number(1)]
+        numbers = [factor for factor in whole if isinstance(factor, Number)]
+        others = [factor for factor in whole if not isinstance(factor, Number)]
+        if not below:
+            text = self._row(whole)
+        elif whole and all(isinstance(factor, Number) for factor in below):
+            if len(others) == 1 and not numbers:
+                text = rf"\frac{{{self.of(others[0])}}}{{{self._row(below)}}}"
+            else:
+                text = rf"\frac{{{self._row(numbers)}}}{{{self._row(below)}}}"
+                text += f" {self._row(others)}" if others else ""
+        else:
+            text = rf"\frac{{{self._alone(whole)}}}{{{self._alone(below)}}}"
+        return f"-{text}" if sign < 0 else text
+
+    def _alone(self, factors: Sequence[Expression]) -> str:
+        """Return a product that stands alone, where a single sum needs no brackets."""
+        return self.of(factors[0]) if len(factors) == 1 else self._row(factors)
+
+    def _row(self, factors: Iterable[Expression]) -> str:
+        """Return factors side by side, in the order of their ranks."""
+        text = ""
+        for k, factor in enumerate(sorted(factors, key=self.rank)):
+            base = _base(factor)
+            upright = isinstance(base, Name) and symbol(base.name).latex.startswith(_UPRIGHT)
+            between = r" \cdot " if isinstance(base, Number) else r" \, " if upright else " "
+            text += f"{between if k else ''}{self._within(factor, _PRODUCT + 1)}"
+        return text or "1"
+
+    def _within(self, expression: Expression, bound: int) -> str:
+        text = self.of(expression)
+        return text if self._binding(expression) >= bound else rf"\left({text}\right)"
+
+    def _binding(self, expression: Expression) -> int:
+        match expression:
+            case Operation("+" | "-", _, _) | Call("neg", _):
+                return _SUM
+            case Operation("*" | "/", _, _) | Call("times", _):
+                return _PRODUCT
+            case Operation("**", base, Number(1)):
+                return self._binding(base)
+            case Operation("**", _, _):
+                return _POWER
+            case Call("D", _) if not self.of(expression).startswith(r"\dot"):
+                return _PRODUCT
+        return _POWER + 1
 
 
-def _sum(expression: Expression) -> str:
-    terms = _terms(expression, 1)
-    shown = terms if len(terms) <= MOST_TERMS else terms[: MOST_TERMS - 2]
-    text = "".join(_signed(sign, term) for sign, term in shown)
-    if len(shown) < len(terms):
-        text += rf" + \cdots{_signed(*terms[-1])}"
-    return f"-{text[3:]}" if text.startswith(" -") else text[3:]
-
-
-def _signed(sign: int, term: Expression) -> str:
-    minus, bare = _sign(term)
-    return f" {'-' if sign * minus < 0 else '+'} {_within(bare, _PRODUCT)}"
-
-
-def _sign(term: Expression) -> tuple[int, Expression]:
+def signed(term: Expression) -> tuple[int, Expression]:
     """Return the sign in front of a product, and the product without it."""
     match term:
         case Call("neg", (inner,)):
-            sign, bare = _sign(inner)
+            sign, bare = signed(inner)
             return -sign, bare
         case Operation("*" | "/" as symbol_, left, right):
-            sign, bare = _sign(left)
+            sign, bare = signed(left)
             return sign, Operation(symbol_, bare, right)
     return 1, term
 
@@ -186,72 +279,20 @@ def _terms(expression: Expression, sign: int) -> list[tuple[int, Expression]]:
     return [(sign, expression)]
 
 
-def _product(expression: Expression) -> str:
-    sign, bare = _sign(expression)
-    above, below = _factors(bare)
-    whole = [factor for factor in above if factor != Number(1)]
-    if not below:
-        text = _row(whole)
-    elif all(isinstance(factor, Number) for factor in below) and len(whole) > 0:
-        numbers = [factor for factor in whole if isinstance(factor, Number)]
-        others = [factor for factor in whole if not isinstance(factor, Number)]
-        fraction = rf"\frac{{{_row(numbers)}}}{{{_row(below)}}}"
-        text = f"{fraction} {_row(others)}" if others else fraction
-        if len(others) == 1 and not numbers:
-            text = rf"\frac{{{of(others[0])}}}{{{_row(below)}}}"
-    else:
-        text = rf"\frac{{{_alone(whole)}}}{{{_alone(below)}}}"
-    return f"-{text}" if sign < 0 else text
-
-
-def _alone(factors: Sequence[Expression]) -> str:
-    """Return a product that stands alone, where a single sum needs no brackets."""
-    return of(factors[0]) if len(factors) == 1 else _row(factors)
-
-
 def _factors(expression: Expression) -> tuple[list[Expression], list[Expression]]:
     """Return the factors of the numerator and of the denominator."""
     match expression:
-        case Operation("*", left, right):
+        case Operation("*" | "/" as operator, left, right):
             (above, below), (more, less) = _factors(left), _factors(right)
-            return above + more, below + less
-        case Operation("/", left, right):
-            (above, below), (less, more) = _factors(left), _factors(right)
+            if operator == "/":
+                more, less = less, more
             return above + more, below + less
     return ([] if expression == Number(1) else [expression]), []
-
-
-def _row(factors: Sequence[Expression]) -> str:
-    """Return factors side by side: numbers first, functions last, where their arguments end."""
-    ordered = sorted(factors, key=_place)
-    text = ""
-    for k, factor in enumerate(ordered):
-        base = _base(factor)
-        upright = isinstance(base, Name) and symbol(base.name).latex.startswith(_UPRIGHT)
-        between = r" \cdot " if _place(factor) == 0 else r" \, " if upright else " "
-        text += f"{between if k else ''}{_within(factor, _PRODUCT + 1)}"
-    return text or "1"
-
-
-def _place(factor: Expression) -> int:
-    """Return the rank of a factor: numbers, Latin letters, anything else, functions."""
-    base = _base(factor)
-    if isinstance(base, Name):
-        found = symbol(base.name)
-        return 3 if found.argument else 1 if found.head[0].isalpha() else 2
-    return 0 if isinstance(base, Number) else 2
 
 
 def _base(factor: Expression) -> Expression:
     is_power = isinstance(factor, Operation) and factor.operator == "**"
     return factor.left if is_power else factor
-
-
-def _dotted(whole: Symbol) -> str:
-    """Return the rate of a name: a dot above a letter, d/dt before anything longer."""
-    letter, _, _ = whole.head.partition("_")
-    simple = not whole.raised and letter.removeprefix("\\").isalpha()
-    return dotted(whole.head) if simple else rf"\frac{{d}}{{dt}} {whole.latex}"
 
 
 def dotted(head: str) -> str:
@@ -260,24 +301,16 @@ def dotted(head: str) -> str:
     return rf"\dot{{{letter}}}{mark}{rest}"
 
 
-def _within(expression: Expression, bound: int) -> str:
-    text = of(expression)
-    return text if _binding(expression) >= bound else rf"\left({text}\right)"
+of = Printer().of
 
 
-def _binding(expression: Expression) -> int:
-    match expression:
-        case Operation("+" | "-", _, _) | Call("neg", _):
-            return _SUM
-        case Operation("*" | "/", _, _):
-            return _PRODUCT
-        case Operation("**", base, Number(1)):
-            return _binding(base)
-        case Operation("**", _, _):
-            return _POWER
-        case Call("D", _) if not of(expression).startswith(r"\dot"):
-            return _PRODUCT
-    return _POWER + 1
+def latex(text: str) -> str:
+    r"""Return an expression, given as the kernel reads it, in LaTeX.
+
+    >>> latex("(c2 - c3)/c1*Omega2**2")
+    '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'
+    """
+    return of(parse(text))
 
 
 def word(text: str) -> str:

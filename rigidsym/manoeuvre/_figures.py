@@ -14,7 +14,7 @@ from rigidsym.manoeuvre._classical import EulerAngles, difference, euler_angles
 from rigidsym.manoeuvre.flight._results import Tracked, track
 from rigidsym.view._pages import render
 from rigidsym.view._plots import figure as drawing
-from rigidsym.view._plots import flights as pictures
+from rigidsym.view._plots import motions as pictures
 
 if TYPE_CHECKING:
     from rigidsym.view._plots.figure import Figure
@@ -103,11 +103,10 @@ def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> 
 @drawing.defaults()
 def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
     """Draw angles in degrees; the line joins their jumps, as it does in the paper's picture."""
-    figure, axes = drawing.history()
+    figure, axes = drawing.history("Euler's angles (degrees)")
     values = np.stack([angles.precession, angles.nutation, angles.spin], axis=1)
     names = ("precession", "nutation", "spin")
     drawing.lines(axes, t, np.degrees(values), names, linewidth=1.6)
-    axes.set_ylabel("Euler's angles (degrees)")
     axes.set_ylim(-190, 190)
     axes.set_yticks(range(-180, 181, 60))
     drawing.legend(axes)

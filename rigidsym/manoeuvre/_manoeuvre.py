@@ -54,7 +54,7 @@ class Manoeuvre:
     limits: Limits = Limits()
 
     def __repr__(self) -> str:
-        from rigidsym.view._text import manoeuvre_text
+        from rigidsym.view._motions import manoeuvre_text
 
         return manoeuvre_text(self)
 

@@ -124,7 +124,7 @@ class Plan:
             The files written.
         """
         from rigidsym.view._plots.figure import rendered
-        from rigidsym.view._plots.flights import transfers
+        from rigidsym.view._plots.motions import transfers
 
         files = {"plan.json": self.to_json().encode()}
         for k, one in enumerate(self.transfers, 1):
@@ -147,12 +147,12 @@ class Plan:
         return json.dumps(data, indent=1) + "\n"
 
     def __repr__(self) -> str:
-        from rigidsym.view._text import plan_text
+        from rigidsym.view._motions import plan_text
 
         return plan_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view._html.motions import plan_html
+        from rigidsym.view._motions import plan_html
 
         return plan_html(self)
 
@@ -292,7 +292,7 @@ def directions_of(plan: Plan) -> "Figure":
     ImportError
         Without plotly.
     """
-    from rigidsym.view.scenes._sphere import directions
+    from rigidsym.view.scenes._pictures import directions
 
     asked = plan.manoeuvre
     posed = problem(asked.inertia, asked.start, asked.target, engines.engine("numpy"))

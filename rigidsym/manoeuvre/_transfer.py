@@ -208,12 +208,12 @@ class Transfer:
         }
 
     def __repr__(self) -> str:
-        from rigidsym.view._text import transfer_text
+        from rigidsym.view._motions import transfer_text
 
         return transfer_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view._html.motions import transfer_html
+        from rigidsym.view._motions import transfer_html
 
         return transfer_html(self)
 

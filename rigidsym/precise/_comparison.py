@@ -23,7 +23,7 @@ from rigidsym.precise._balls import bits_of, of_mpf, to_mpf, working
 from rigidsym.precise._motion import ESTIMATED, METHODS, PreciseMotion
 from rigidsym.precise._regime import ExactInputs
 from rigidsym.precise._taylor import integrate
-from rigidsym.view._plots.panels import Panel, panels_svg
+from rigidsym.view._plots.charts import Panel, panels_svg
 
 SCHEMA = "rigidsym.methods/1"
 NAMES = (*METHODS, *ESTIMATED, "taylor")

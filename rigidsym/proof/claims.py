@@ -15,7 +15,7 @@ from rigidsym.language._latex import (
     turnstile,
     word,
 )
-from rigidsym.view._html.cards import (
+from rigidsym.view._cards import (
     Markup,
     badge,
     card,

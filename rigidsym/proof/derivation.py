@@ -19,7 +19,7 @@ from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
 from rigidsym.proof.steps import Step, StepError
-from rigidsym.view._html.proofs import chapter_html, derivation_html
+from rigidsym.view._proofs import chapter_html, derivation_html
 
 
 class DerivationError(RuntimeError):

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
+from rigidsym.view import _cards as cards
 from rigidsym.view import _formats as formats
-from rigidsym.view._html.cards import Markup, card, head, join, muted
-from rigidsym.view._html.cards import table as card_table
+from rigidsym.view._cards import Markup
 from rigidsym.view._style import SERIES, SERIES_ON_DARK
 from rigidsym.view._tables import table as markdown_table
 
@@ -67,7 +67,8 @@ def fit_page(title: str, tables: Iterable[Table], pictures: Iterable[tuple[str, 
 def fit_card(title: str, tables: Sequence[Table]) -> str:
     """Return some tables of a fit as a card for notebooks."""
     name, _, said = title.partition(": ")
-    return card(head(name, muted(said)), join(*(card_table(x[1], x[2]) for x in tables)))
+    shown = (cards.table(columns, rows) for _, columns, rows in tables)
+    return cards.card(cards.head(name, cards.muted(said)), *shown)
 
 
 @dataclass(frozen=True, slots=True)

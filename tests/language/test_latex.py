@@ -144,7 +144,7 @@ def test_latex_says_what_the_expression_says(expression):
         ("c1**1", "c_{1}"),
         ("D(Omega1)", r"\dot{\Omega}_{1}"),
         ("D(K_squared)", r"\frac{d}{dt} K^{2}"),
-        ("D(a - b)", r"\frac{d}{dt} \left(a - b\right)"),
+        ("D(a - b)", r"\frac{d}{dt}\left(a - b\right)"),
         ("K_squared**2", r"\left(K^{2}\right)^{2}"),
         ("sin_phi2**2*c1", r"c_{1} \sin^{2} \phi_{2}"),
         ("lambda_", r"\lambda"),

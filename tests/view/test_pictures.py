@@ -15,8 +15,7 @@ from rigidsym.view.scenes import (
     sphere_and_body,
     tumbling_body,
 )
-from rigidsym.view.scenes._body import edges
-from rigidsym.view.scenes._poinsot import rolling
+from rigidsym.view.scenes._pictures import edges, rolling
 
 PICTURES = (momentum_sphere, rolling_ellipsoid, tumbling_body)
 MOVING = [name for name in MOTIONS if name != "rest"]

@@ -16,7 +16,7 @@ from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight._results import Tracked
 from rigidsym.proof.paper import EQUATIONS, verdicts
 from rigidsym.solution import sealed
-from rigidsym.view._text import number
+from rigidsym.view._motions import number
 
 BODY, RATES = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")
 SMALLEST = "circulation about the axis of smallest inertia"

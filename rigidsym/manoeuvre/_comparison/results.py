@@ -17,8 +17,8 @@ from rigidsym.manoeuvre._comparison import flights, optimiser, page
 from rigidsym.manoeuvre._comparison.cases import IMPULSE
 from rigidsym.manoeuvre._comparison.collocation import MESH, Cost, Model, Task
 from rigidsym.manoeuvre.flight._settings import Controller, Wheels
+from rigidsym.view._plots.charts import Spread, spreads
 from rigidsym.view._plots.figure import rendered
-from rigidsym.view._plots.spreads import Panel, spreads
 
 SCHEMA = "rigidsym.comparison/1"
 PACKAGES = ("casadi", "numpy", "scipy")
@@ -152,7 +152,7 @@ class Comparison:
             *(write_bytes(directory / f"comparison.{kind}", x) for kind, x in pictures.items()),
         ]
 
-    def _panels(self) -> list[Panel]:
+    def _panels(self) -> list[Spread]:
         """Return a dot for each manoeuvre: costs by method, iterations by guess."""
         label, title = "torque integral over the least fuel", f"optimal control: {_DRAWN.name}"
         costs = _grouped(
@@ -164,8 +164,8 @@ class Comparison:
             for (setting, guess), one in tried.groupby(["setting", "guess"], sort=False)
         }
         return [
-            *(Panel(f"flown with {one}", label, costs[one], True) for one in reversed(Model)),
-            Panel(title, "iterations of IPOPT", iterations, False),
+            *(Spread(f"flown with {one}", label, costs[one], True) for one in reversed(Model)),
+            Spread(title, "iterations of IPOPT", iterations, False),
         ]
 
 

@@ -22,7 +22,7 @@ from rigidsym.manoeuvre.flight._fly import fly
 from rigidsym.manoeuvre.flight._run import Rows, Run, predicted
 from rigidsym.manoeuvre.flight._settings import Flight, read
 from rigidsym.view._plots import figure as drawing
-from rigidsym.view._plots import flights as pictures
+from rigidsym.view._plots import motions as pictures
 from rigidsym.view._tables import columns
 
 SCHEMA = "rigidsym.track/1"
@@ -105,7 +105,7 @@ class Tracked:
         return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
 
     def _repr_html_(self) -> str:
-        from rigidsym.view._html.motions import tracked_html
+        from rigidsym.view._motions import tracked_html
 
         return tracked_html(self, self.rows(checks=False))
 

@@ -10,7 +10,7 @@ from rigidsym.manoeuvre.flight._actuators import Burns
 from rigidsym.manoeuvre.flight._control import Reference
 from rigidsym.manoeuvre.flight._rotation import angle, matrix, relative
 from rigidsym.manoeuvre.flight._settings import Timing, Wheels
-from rigidsym.view._html.motions import run_html
+from rigidsym.view._motions import run_html
 from rigidsym.view._tables import columns
 
 Rows = list[tuple[str, str]]

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from rigidsym.proof.paper._printed import PLAIN, Vocabulary
-from rigidsym.view._html.proofs import equation_html
+from rigidsym.view._proofs import equation_html
 
 
 class Flaw(StrEnum):

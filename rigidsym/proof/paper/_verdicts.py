@@ -13,7 +13,7 @@ from rigidsym.proof.paper._proof import PROOF
 from rigidsym.proof.paper._section2 import SECTION_2
 from rigidsym.proof.paper._section3 import SECTION_3
 from rigidsym.proof.paper._section4 import SECTION_4
-from rigidsym.view._html.proofs import verdict_html
+from rigidsym.view._proofs import verdict_html
 
 # All printed equations, misprints kept.
 EQUATIONS: tuple[Equation, ...] = (*SECTION_2, *SECTION_3, *SECTION_4, *PROOF)

@@ -30,7 +30,7 @@ from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import enclose
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.strata import STRATA, count, draw
-from rigidsym.view._plots.panels import Panel, panels_svg
+from rigidsym.view._plots.charts import Panel, panels_svg
 from rigidsym.view._tables import table
 
 FOURIER = "Fourier"

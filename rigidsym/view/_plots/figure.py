@@ -1,4 +1,4 @@
-"""Figures of matplotlib, apart from pyplot and its state: made, drawn over time, and written.
+"""Figures of matplotlib without pyplot: new figures, axes over time, lines, files.
 
 Functions that make figures are decorated by `defaults()`, so that the user's matplotlibrc has no
 effect.  `rendered` and `svg` write the same bytes on each run and on each processor.
@@ -6,9 +6,9 @@ effect.  `rendered` and `svg` write the same bytes on each run and on each proce
 
 import io
 import re
-from collections.abc import Generator, Mapping
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, TypedDict, Unpack
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,17 +22,6 @@ if TYPE_CHECKING:
 
 DECIMALS = 2
 "Decimals of coordinates in an SVG; further digits depend on the processor."
-
-
-class Style(TypedDict, total=False):
-    """Style of a line: its width in points, and its dashes."""
-
-    linewidth: float
-    linestyle: tuple[int, tuple[int, int]]
-
-
-FLOWN: Style = {"linewidth": 2.0}
-WANTED: Style = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
 
 @contextmanager
@@ -71,11 +60,12 @@ def blank(user: str, width: float, height: float) -> "Figure":
 
 
 @defaults()
-def history(height: float = 4.2) -> tuple["Figure", "Axes"]:
-    """Return an empty figure and its axes over time."""
-    figure = blank("drawing", 8.0, height)
+def history(label: str) -> tuple["Figure", "Axes"]:
+    """Return an empty figure and its axes over time, with the label of the values."""
+    figure = blank("drawing", 8.0, 4.2)
     axes = figure.add_subplot()
     axes.set_xlabel(TIME_AXIS)
+    axes.set_ylabel(label)
     # The margin keeps events at the first time apart from the axis.
     axes.margins(x=0.01)
     axes.locator_params(axis="x", nbins=10, steps=[1, 2, 5, 10])
@@ -93,33 +83,19 @@ def lines(
     axes: "Axes",
     t: np.ndarray,
     values: np.ndarray,
-    labels: tuple[str, ...],
-    colours: tuple[str, ...] = AXES,
-    **style: Unpack[Style],
+    labels: Sequence[str],
+    colours: Sequence[str] = AXES,
+    linewidth: float = 1.4,
+    **style: Any,
 ) -> None:
     """Draw a line for each column of values (N, k); the legend leaves out an empty label."""
     for column, label, colour in zip(values.T, labels, colours, strict=True):
-        axes.plot(t, column, color=colour, label=label or None, **style)
+        axes.plot(t, column, color=colour, label=label or None, linewidth=linewidth, **style)
 
 
 def legend(axes: "Axes") -> None:
     """Add a legend beside the plot, where it hides nothing."""
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
-
-
-def mark(axes: "Axes", t: float, text: str) -> None:
-    """Draw a dotted line at a time, with a text above."""
-    axes.axvline(t, color="0.4", linewidth=1.0, linestyle=":")
-    axes.annotate(
-        text,
-        (t, 1.0),
-        xytext=(0, 4),
-        xycoords=("data", "axes fraction"),
-        textcoords="offset points",
-        ha="center",
-        fontsize=9,
-        color="0.3",
-    )
 
 
 def rendered(figure: "Figure") -> dict[str, bytes]:
@@ -135,15 +111,12 @@ def svg(figure: "Figure", settings: Mapping["RcKeyType", object] | None = None) 
     buffer = io.StringIO()
     with defaults({"svg.hashsalt": "rigidsym", **(settings or {})}):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})
-    text = re.sub(
-        r"-?\d+\.\d{3,}(?![\d.]|e)",
-        lambda found: (
-            f"{round(float(found[0]), DECIMALS) + 0.0:g}"
-            if abs(float(found[0])) < 1e4
-            else found[0]
-        ),
-        buffer.getvalue(),
-    )
+
+    def short(found: re.Match[str]) -> str:
+        value = float(found[0])
+        return f"{round(value, DECIMALS) + 0.0:g}" if abs(value) < 1e4 else found[0]
+
+    text = re.sub(r"-?\d+\.\d{3,}(?![\d.]|e)", short, buffer.getvalue())
     # Names are hashes of coordinates before they were rounded.
     names = dict.fromkeys(re.findall(r'id="([a-zA-Z][0-9a-f]{10})"', text))
     for k, name in enumerate(names):

@@ -5,8 +5,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from rigidsym.view import _formats as formats
-from rigidsym.view._formats import number
-from rigidsym.view._html.cards import (
+from rigidsym.view._cards import (
     Markup,
     badge,
     bullets,
@@ -17,6 +16,7 @@ from rigidsym.view._html.cards import (
     muted,
     table,
 )
+from rigidsym.view._formats import number
 from rigidsym.view._pages import render
 from rigidsym.view._report_data import (
     ByPart,

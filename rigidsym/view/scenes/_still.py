@@ -3,19 +3,16 @@
 import io
 import math
 from base64 import b64encode
-from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from plotly.graph_objects import Figure
 
-from rigidsym.errors import package
 from rigidsym.view._style import GREY
 
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d import Axes3D
-    from plotly.basedatatypes import BaseTraceType as Trace
-    from plotly.graph_objects import Mesh3d, Scatter3d, Surface
     from plotly.graph_objs.layout import Scene
 
 SIZE, DPI = (6.6, 5.8), 90
@@ -37,17 +34,13 @@ class Picture(Figure):
             return
         from IPython.display import display
 
-        display(bundle | self._still(), raw=True)
+        # There is no still without matplotlib, nor of traces that it cannot draw.
+        with suppress(ImportError, LookupError, TypeError, ValueError):
+            bundle |= {"image/jpeg": b64encode(still(self)).decode()}
+        display(bundle, raw=True)
 
     def _ipython_display_(self) -> None:
         self.show()
-
-    def _still(self) -> dict[str, str]:
-        """Return the still; nothing without matplotlib, or for traces that it cannot draw."""
-        try:
-            return {"image/jpeg": b64encode(still(self)).decode()}
-        except (ImportError, LookupError, TypeError, ValueError):
-            return {}
 
 
 def still(picture: Figure) -> bytes:
@@ -56,14 +49,16 @@ def still(picture: Figure) -> bytes:
     Lines, points, surfaces and triangles are drawn, scenes beside each other.  Raises KeyError for
     other traces, and ImportError without matplotlib.
     """
+    from matplotlib.figure import Figure as Flat
+
     scenes = sorted({trace.scene or "scene" for trace in picture.data}) or ["scene"]
     size = SIZE[0] * (1.5 if len(scenes) > 1 else 1.0), SIZE[1]
-    figure = package("matplotlib.figure", "still").Figure(figsize=size, layout="constrained")
+    figure = Flat(figsize=size, layout="constrained")
     for place, scene in enumerate(scenes, 1):
         axes = figure.add_subplot(1, len(scenes), place, projection="3d")
         for trace in picture.data:
             if (trace.scene or "scene") == scene:
-                _DRAWN[trace.type](axes, trace)
+                _draw(axes, trace)
         _dress(axes, picture.layout[scene])
     figure.suptitle(picture.layout.title.text or "", color=GREY, size=11)
     if any(axes.get_legend_handles_labels()[1] for axes in figure.axes):
@@ -75,42 +70,37 @@ def still(picture: Figure) -> bytes:
     return buffer.getvalue()
 
 
-def _points(trace: "Trace") -> list[np.ndarray]:
-    return [np.asarray(trace[name], dtype=float) for name in "xyz"]
+def _draw(axes: "Axes3D", trace: Any) -> None:
+    """Draw one trace of plotly's types scatter3d, surface or mesh3d."""
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-
-def _scatter(axes: "Axes3D", trace: "Scatter3d") -> None:
-    name = "_nolegend_" if trace.showlegend is False else trace.name
-    if "lines" in (trace.mode or "lines"):
-        style = {"color": trace.line.color, "linewidth": _THINNER * (trace.line.width or 2)}
-    else:
-        style = {"color": trace.marker.color, "marker": "o", "markersize": trace.marker.size or 5}
-        style["linestyle"] = "none"
-    axes.plot(*_points(trace), label=name, **style)
-
-
-def _surface(axes: "Axes3D", trace: "Surface") -> None:
-    colour, opacity = trace.colorscale[0][1], trace.opacity
-    axes.plot_surface(*_points(trace), color=colour, alpha=opacity, linewidth=0, shade=False)
-
-
-def _triangles(axes: "Axes3D", trace: "Mesh3d") -> None:
-    corners = np.stack([trace.i, trace.j, trace.k], axis=1).astype(int)
-    sides = np.stack(_points(trace), axis=1)[corners]
-    collection = package("mpl_toolkits.mplot3d.art3d", "still").Poly3DCollection
-    axes.add_collection3d(collection(sides, facecolors=list(trace.facecolor), zsort="min"))
-
-
-# By plotly's names of the types that they take.
-_DRAWN: Mapping[str, Callable[["Axes3D", Any], None]] = {
-    "scatter3d": _scatter,
-    "surface": _surface,
-    "mesh3d": _triangles,
-}
+    points = [np.asarray(trace[name], dtype=float) for name in "xyz"]
+    match trace.type:
+        case "scatter3d":
+            name = "_nolegend_" if trace.showlegend is False else trace.name
+            if "lines" in (trace.mode or "lines"):
+                width = _THINNER * (trace.line.width or 2)
+                style = {"color": trace.line.color, "linewidth": width}
+            else:
+                style = {"color": trace.marker.color, "markersize": trace.marker.size or 5}
+                style |= {"marker": "o", "linestyle": "none"}
+            axes.plot(*points, label=name, **style)
+        case "surface":
+            colour, opacity = trace.colorscale[0][1], trace.opacity
+            axes.plot_surface(*points, color=colour, alpha=opacity, linewidth=0, shade=False)
+        case "mesh3d":
+            corners = np.stack([trace.i, trace.j, trace.k], axis=1).astype(int)
+            sides = np.stack(points, axis=1)[corners]
+            colours = list(trace.facecolor)
+            axes.add_collection3d(Poly3DCollection(sides, facecolors=colours, zsort="min"))
+        case other:
+            raise KeyError(other)
 
 
 def _dress(axes: "Axes3D", scene: "Scene") -> None:
     """Set the cube, labels and camera of a scene."""
+    from matplotlib.ticker import MaxNLocator
+
     eye = scene.camera.eye
     azimuth = math.degrees(math.atan2(eye.y, eye.x))
     axes.view_init(math.degrees(math.atan2(eye.z, math.hypot(eye.x, eye.y))), azimuth)
@@ -120,6 +110,6 @@ def _dress(axes: "Axes3D", scene: "Scene") -> None:
         given = scene[f"{letter}axis"]
         getattr(axes, f"set_{letter}lim")(*given.range)
         getattr(axes, f"set_{letter}label")(given.title.text, color=GREY, size=8)
-        one.set_major_locator(package("matplotlib.ticker", "still").MaxNLocator(4))
+        one.set_major_locator(MaxNLocator(4))
         one.set_pane_color((1, 1, 1, 0))
         one.set_tick_params(labelsize=7, labelcolor=GREY)

@@ -18,8 +18,7 @@ from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.derivation import Derivation, derive
 from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
 from rigidsym.proof.steps._names import symbol, symbols
-from rigidsym.view._article import FORMATS, article, numbers
-from rigidsym.view._article.mathematics import latex, pretty
+from rigidsym.view._article import FORMATS, article, latex, numbers, pretty
 
 # What may stick out of a line, in points of TeX.
 STICKS_OUT = 1.0

@@ -21,7 +21,7 @@ from rigidsym.proof.derivation import Chapter, Derivation
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
 from rigidsym.validate._report import Failure, ValidationReport
-from rigidsym.view._html.cards import TINTS
+from rigidsym.view._cards import TINTS
 
 LEDGER = json.loads(ledger_text())
 FACTS = claims()

@@ -1,43 +1,29 @@
-"""Cards of derivations, printed equations and verdicts for notebooks."""
+"""Derivations, printed equations and verdicts as notebooks show them."""
 
 from collections import Counter
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rigidsym.language._latex import condition, point
-from rigidsym.view._html.cards import (
-    Markup,
-    badge,
-    bullets,
-    card,
-    code,
-    counted,
-    entries,
-    formula,
-    formulas,
-    head,
-    join,
-    muted,
-    table,
-    tag,
-)
+from rigidsym.view import _cards as cards
+from rigidsym.view._cards import Markup, badge, card, code, counted, formula, head, join, muted
 
 if TYPE_CHECKING:
     from rigidsym.proof.derivation import Chapter, Derivation
     from rigidsym.proof.paper._equation import Equation
-    from rigidsym.proof.paper._verdicts import Read, Verdict
+    from rigidsym.proof.paper._verdicts import Verdict
 
 
 def derivation_html(derivation: "Derivation") -> str:
-    """Return the chapters that ran, with the facts each of them proved and their grades."""
+    """Return a card with the chapters that ran, and the number and grades of their facts."""
     rows = [(code(c.name), c.title, len(c.facts), _grades(c)) for c in derivation.chapters]
     total = sum(len(chapter.facts) for chapter in derivation.chapters)
     title = head(f"{counted(total, 'fact')} in {counted(len(derivation.chapters), 'chapter')}")
-    return card(title, table(("chapter", "", "facts", "grades"), rows))
+    return card(title, cards.table(("chapter", "", "facts", "grades"), rows))
 
 
 def chapter_html(chapter: "Chapter", facts: str) -> str:
-    """Return a chapter's title and grades, then `facts`, which is HTML already."""
+    """Return a card with a chapter's title and grades, followed by the HTML of its facts."""
     return join(Markup(card(head(chapter.title, _grades(chapter)))), Markup(facts))
 
 
@@ -47,14 +33,14 @@ def _grades(chapter: "Chapter") -> Markup:
 
 
 def equation_html(equation: "Equation") -> str:
-    """Return an equation as printed, and its interpretation."""
+    """Return a card with an equation as printed, and its interpretation."""
     return card(head(f"({equation.number})"), formula(equation.latex), muted(equation.reading))
 
 
 def verdict_html(verdict: "Verdict") -> str:
-    """Return the verdict, then the print, its repairs, its conditions, and where it fails."""
+    """Return a card with a verdict, the printed equation, its repairs, and where it fails."""
     title = head(f"({verdict.equation.number})", badge(str(verdict.ruling)))
-    return card(title, entries((muted(name), said) for name, said in _rows(verdict)))
+    return card(title, cards.entries((muted(name), said) for name, said in _rows(verdict)))
 
 
 def _rows(verdict: "Verdict") -> Iterator[tuple[str, object]]:
@@ -72,15 +58,20 @@ def _rows(verdict: "Verdict") -> Iterator[tuple[str, object]]:
     for number in verdict.right_with:
         yield "right as printed", f"once ({number}) is mended"
     if verdict.roots:
-        yield "root cause", bullets(map(str, verdict.roots))
+        yield "root cause", cards.bullets(map(str, verdict.roots))
     if found := verdict.counterexample:
         motion = [str(found.motion)] if found.motion else []
-        lines = (tag("div", text) for text in (*motion, *found.sides))
-        yield "fails at", join(*lines, formulas(point(found.point)))
+        lines = (cards.tag("div", text) for text in (*motion, *found.sides))
+        yield "fails at", join(*lines, cards.formulas(point(found.point)))
     if verdict.readings:
-        yield "readings", bullets(map(_reading, verdict.readings))
+        said = []
+        for read in verdict.readings:
+            decided = badge("holds" if read.holds else "fails")
+            at = read.counterexample and cards.formulas(point(read.counterexample.point))
+            said.append(join(read.reading.text, ": ", decided, " ", read.reading.implies, at or ""))
+        yield "readings", cards.bullets(said)
     if equation.flaws:
-        yield "flaws", bullets(f"{flaw}: {text}" for flaw, text in equation.flaws.items())
+        yield "flaws", cards.bullets(f"{flaw}: {text}" for flaw, text in equation.flaws.items())
     for what, names in (
         ("proved by", verdict.proved_by),
         ("refuted by", verdict.refuted_by),
@@ -88,9 +79,3 @@ def _rows(verdict: "Verdict") -> Iterator[tuple[str, object]]:
     ):
         if names:
             yield what, join(*(join(code(name), " ") for name in names))
-
-
-def _reading(read: "Read") -> Markup:
-    verdict = badge("holds" if read.holds else "fails")
-    said = join(read.reading.text, ": ", verdict, " ", read.reading.implies)
-    return join(said, formulas(point(read.counterexample.point))) if read.counterexample else said
