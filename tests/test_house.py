@@ -54,7 +54,7 @@ ALLOWED = {
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
     "rigidsym.view.article": "language view.cards view.pages",
-    "rigidsym.view.pages": "view.cards view.formats view.style view.tables",
+    "rigidsym.view.pages": "view.cards view.style view.tables",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
     "rigidsym.view.validation": "validate.bounds view",

@@ -111,14 +111,14 @@ class Campaign:
         """The number of cases."""
         return sum(count(stratum, self.cases) for stratum in self.strata)
 
-    def to_data(self) -> report_data.Campaign:
+    def to_data(self) -> report_data.Data:
         """Return the campaign as plain data."""
         values = ((x.name, getattr(self, x.name)) for x in fields(self))
         data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values}
         return data
 
     @classmethod
-    def from_data(cls, data: report_data.Campaign) -> "Campaign":
+    def from_data(cls, data: report_data.Data) -> "Campaign":
         """Return the campaign of plain data, the inverse of `to_data`."""
         values: Any = {name: tuple(x) if isinstance(x, list) else x for name, x in data.items()}
         return cls(**values)

@@ -19,7 +19,7 @@ from rigidsym.validate._measure import Errors, measure
 from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
 from rigidsym.validate.strata import Sample, stepped
-from rigidsym.view._report_data import Numbers
+from rigidsym.view._report_data import Data
 
 SCHEMA = "rigidsym.case/2"
 _FIELDS = ("inertia", "omega0", "attitude0", "times")
@@ -105,7 +105,7 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     return Finding(reference, errors)
 
 
-def hexadecimal(sample: Sample) -> Numbers:
+def hexadecimal(sample: Sample) -> Data:
     """Return the exact numbers of a sample: doubles in hexadecimal, others as fractions."""
     found: Any = {
         name: [str(x) if isinstance(x, Fraction) else float(x).hex() for x in getattr(sample, name)]

@@ -189,7 +189,7 @@ class ValidationReport:
     def _repr_html_(self) -> str:
         return report_html(self)
 
-    def to_data(self) -> report_data.Report:
+    def to_data(self) -> report_data.Data:
         """Return the schema rigidsym.validation/3; figures in units of 2^-53, to three digits."""
         campaign = self.campaign
         return {
@@ -230,19 +230,19 @@ class ValidationReport:
             "run": dict(self.run),
         }
 
-    def _implementation(self, name: str) -> report_data.Implementation:
+    def _implementation(self, name: str) -> report_data.Data:
         campaign, view = self.campaign, self.tally.view
         peer = name.startswith(PEER)
 
-        def by_part(kind: str) -> report_data.Cells:
+        def by_part(kind: str) -> report_data.Data:
             """Return the parts of a view, and of each part the measures."""
-            parts: dict[str, dict[str, report_data.Cell]] = {}
+            parts: dict[str, dict[str, report_data.Data]] = {}
             for measure in MEASURES:
                 for part, cell in view(name, measure, kind).items():
                     parts.setdefault(part, {})[measure] = _cell(cell)
             return parts
 
-        def by_measure(kind: str) -> report_data.Cells:
+        def by_measure(kind: str) -> report_data.Data:
             """Return the measures that are drawn, and of each the parts of a view."""
             return {m: {x: _cell(y) for x, y in view(name, m, kind).items()} for m in DRAWN}
 
@@ -267,7 +267,7 @@ class ValidationReport:
             "condition": by_measure("condition"),
         }
 
-    def _case(self, finding: Finding, file: str | None = None) -> report_data.Case:
+    def _case(self, finding: Finding, file: str | None = None) -> report_data.Data:
         """Return a case and the command that repeats it, by the case's file or its drawn name."""
         sample, reference, campaign = finding.sample, finding.reference, self.campaign
         if user := campaign.user_integrator:
@@ -336,7 +336,7 @@ def case_table(finding: Finding) -> Table:
     return columns, rows
 
 
-def markdown(data: report_data.Report) -> str:
+def markdown(data: report_data.Data) -> str:
     """Return tables as Markdown, from data of the schema rigidsym.validation/3."""
     bounds = (
         (
@@ -385,7 +385,7 @@ def markdown(data: report_data.Report) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _row(found: report_data.Implementation, stratum: report_data.Stratum) -> list[str]:
+def _row(found: report_data.Data, stratum: report_data.Data) -> list[str]:
     """Return the row of an implementation in a stratum."""
     name, share = stratum["name"], float(found["share"][stratum["name"]])
     errors = found["strata"].get(name, {})
@@ -396,7 +396,7 @@ def _row(found: report_data.Implementation, stratum: report_data.Stratum) -> lis
     return [name, *own, *cells, f"{share:.2g}", mark]
 
 
-def _shown(cell: report_data.Cell | None, conditioned: bool) -> str:
+def _shown(cell: report_data.Data | None, conditioned: bool) -> str:
     if cell is None:
         return ""
     units = f"{float(cell['units']):.3g}"
@@ -408,12 +408,12 @@ def _variable(name: str) -> str:
     return re.sub(r"\W", "_", name)
 
 
-def as_json(data: report_data.Report) -> str:
+def as_json(data: report_data.Data) -> str:
     """Return data of a report as text, in the order of its keys."""
     return json.dumps(data, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
-def _cell(cell: Cell) -> report_data.Cell:
+def _cell(cell: Cell) -> report_data.Data:
     """Return a cell; of shares, `units` is the part of the bound, `count` the errors beyond it."""
     stratum, index, time = cell.place
     return {
@@ -425,7 +425,7 @@ def _cell(cell: Cell) -> report_data.Cell:
     }
 
 
-def _worst(found: Errors) -> report_data.WorstError:
+def _worst(found: Errors) -> report_data.Data:
     k = int(found.units.argmax())
     return {
         "units": _figure(found.units[k]),

@@ -1,13 +1,11 @@
 """Pages from templates: a page of HTML needs nothing but itself, and loads nothing."""
 
-import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING
 
 from rigidsym.view import _cards as cards
-from rigidsym.view import _formats as formats
 from rigidsym.view._cards import Markup
 from rigidsym.view._style import SERIES, SERIES_ON_DARK
 from rigidsym.view._tables import table as markdown_table
@@ -15,11 +13,6 @@ from rigidsym.view._tables import table as markdown_table
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-# Formats that templates use as filters.
-FORMATS = (
-    *("brief", "condition", "decimal", "number", "percent", "place", "plain", "seconds", "share"),
-    "units",
-)
 CHAPTERS = ("chapter", "", "facts")
 Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 "Caption, columns and rows."
@@ -38,7 +31,7 @@ def render(template: str, **values: object) -> str:
 def _environment() -> "Environment":
     from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-    found = Environment(
+    return Environment(
         loader=PackageLoader("rigidsym.view"),
         autoescape=select_autoescape(["html"]),
         undefined=StrictUndefined,
@@ -46,9 +39,6 @@ def _environment() -> "Environment":
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    found.filters |= {name: getattr(formats, name) for name in FORMATS}
-    found.filters["json"] = lambda value: json.dumps(value, sort_keys=True)
-    return found
 
 
 def scaled(svg: str) -> Markup:

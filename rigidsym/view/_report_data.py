@@ -1,124 +1,148 @@
-"""The data of a validation report by their keys: the schema rigidsym.validation/3.
+"""The data of a validation report, the schema rigidsym.validation/3, and formats of its figures.
 
-Errors are in units of 2^-53; "inf" and "nan" stand for what JSON has no number for.
+A figure is a number, or "inf" or "nan", for which JSON has no number.  Errors and bounds are in
+units of 2^-53.  A report has the keys
+
+* schema, command, passed, complaints, unit; run, what the campaign ran on; campaign, its options;
+* bounds and meanings, by measure; agreement, the tolerance of the oracles;
+* strata: name, about, and the keys of `rigidsym.view._validation.COLUMNS` each;
+* implementations: name, peer, digest (None for a peer), passed; share, the largest part of a bound
+  by stratum; strata, shares and regimes, cells by part and measure; distance, turned and condition,
+  cells by measure and decade; sizes, counts by stratum, measure and half octave;
+* worst, a list of cases; failures: line, target, measure, stratum, index, share, and simplest, a
+  case.
+
+A cell is the worst of `count` figures: its units, condition, case and time t; of shares, `units` is
+the part of the bound and `count` the number beyond it.  A case has its name (case), regime,
+distance, replay (the command that runs it again), errors by implementation and measure (units,
+condition, share, t), and its inputs without loss: inertia, omega0, attitude0 and times, doubles in
+hexadecimal and other numbers as fractions.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal, TypedDict
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
 
 Figure = float | str
-# Views that have parts and then measures, and those that have measures and then parts.
-ByPart = Literal["strata", "shares", "regimes"]
+Data = Mapping[str, Any]
 # Decades of the condition end here: beyond it are exponentials of times.
 MOST_CONDITION = 1e40
-ByMeasure = Literal["distance", "turned", "condition"]
+ULP = 2.0**-53
+KAPPA = "\N{GREEK SMALL LETTER KAPPA}"
+TIMES = "\N{MULTIPLICATION SIGN}"
+UNIT = "2\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT FIVE}\N{SUPERSCRIPT THREE}"
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-class Cell(TypedDict):
-    """The worst of `count` figures, its condition, case and time; of shares, `units` is the part of
-    the bound, and `count` what was beyond it."""
-
-    count: int
-    units: Figure
-    condition: Figure
-    case: str
-    t: str
+def number(figure: Figure) -> float:
+    """Return a figure as a number: NaN counts as infinite."""
+    value = float(figure)
+    return math.inf if math.isnan(value) else value
 
 
-Cells = Mapping[str, Mapping[str, Cell]]
-# "name", "about", and the keys of `rigidsym.view._validation.COLUMNS`.
-Stratum = Mapping[str, Any]
+def units(figure: Figure, digits: int = 3) -> str:
+    """Return a figure to three digits, or "no number" if it is infinite.
 
-
-class Implementation(TypedDict):
-    """A measured implementation.
-
-    `share` is the largest part of a bound by stratum; `sizes` are by stratum, measure and half
-    octave.
+    >>> units(9.9), units(18.0), units(4.2e12), units(0.0), units("inf")
+    ('9.90', '18.0', '4.20e12', '0', 'no number')
     """
-
-    name: str
-    peer: bool
-    digest: str | None
-    passed: bool
-    strata: Cells
-    shares: Cells
-    share: Mapping[str, Figure]
-    regimes: Cells
-    sizes: Mapping[str, Mapping[str, Mapping[str, int]]]
-    distance: Cells
-    turned: Cells
-    condition: Cells
+    value = number(figure)
+    if math.isinf(value):
+        return "no number"
+    return _tidy(f"{value:#.{digits}g}") if value else "0"
 
 
-class WorstError(TypedDict):
-    """The worst of one measure in a case."""
+def brief(figure: Figure) -> str:
+    """Return a figure to three digits, or "< 0.01".
 
-    units: Figure
-    condition: Figure
-    share: Figure
-    t: str
-
-
-class Numbers(TypedDict):
-    """The numbers of a case without loss: doubles in hexadecimal, others as fractions."""
-
-    inertia: list[str]
-    omega0: list[str]
-    attitude0: list[str]
-    times: list[str]
+    >>> brief(3.91e-36), brief(0.0), brief(4.46)
+    ('< 0.01', '0', '4.46')
+    """
+    return "< 0.01" if 0 < number(figure) < 0.01 else units(figure)
 
 
-class Case(Numbers):
-    """A case with errors by implementation and measure, and the command that runs it again."""
+def condition(figure: Figure) -> str:
+    """Return a condition number to two digits; "" if it is 1, which stands for none.
 
-    case: str
-    regime: str
-    distance: Figure
-    errors: Mapping[str, Mapping[str, WorstError]]
-    replay: str
-
-
-class Failure(TypedDict):
-    """A broken bound."""
-
-    line: str
-    target: str
-    measure: str
-    stratum: str
-    index: int
-    share: Figure
-    simplest: Case
+    >>> condition(4.88e5), condition(1.0)
+    ('κ 4.9e5', '')
+    """
+    value = number(figure)
+    return "" if value == 1 else f"{KAPPA} {'∞' if math.isinf(value) else units(value, 2)}"
 
 
-class Campaign(TypedDict):
-    """The options of a campaign."""
+def plain(figure: Figure, form: str = ".2g") -> str:
+    """Return a figure in units of 2^-53 as a plain number, to two digits or in another form.
 
-    targets: list[str]
-    peers: list[str]
-    strata: list[str]
-    cases: int
-    digits: int
-    seed: int
-    digests: list[str]
-    peer_versions: list[str]
-    version: str
+    >>> plain(18.0), plain(4.5, ".2e")
+    ('2e-15', '5.00e-16')
+    """
+    value = number(figure)
+    return "no number" if math.isinf(value) else _tidy(f"{value * ULP:{form}}")
 
 
-class Report(TypedDict):
-    """A whole report; bounds are in units of 2^-53, `agreement` is the tolerance of the oracles."""
+def share(figure: Figure) -> str:
+    """Return a part of a bound: per cent within the bound, a multiple beyond it.
 
-    schema: str
-    campaign: Campaign
-    command: str
-    passed: bool
-    complaints: list[str]
-    unit: str
-    bounds: Mapping[str, float]
-    meanings: Mapping[str, str]
-    strata: Sequence[Stratum]
-    agreement: float
-    implementations: Sequence[Implementation]
-    worst: Sequence[Case]
-    failures: Sequence[Failure]
-    run: Mapping[str, Figure | None]
+    >>> share(0.554), share(37.2) == f"37.2 {TIMES}", share("inf")
+    ('55 %', True, 'no number')
+    """
+    value = number(figure)
+    if value <= 1:
+        return f"{100 * value:.0f} %"
+    return units(value) if math.isinf(value) else f"{units(value)} {TIMES}"
+
+
+def counted(*given: Figure) -> str:
+    """Return one figure, or a range of two, with its unit."""
+    return f"{' to '.join(map(units, given))} {TIMES} {UNIT}"
+
+
+def decimal(written: str) -> str:
+    """Return a number of a case, a hexadecimal double or a fraction, as the decimal of a double.
+
+    >>> decimal("-0x1.8p+1"), decimal("1/8")
+    ('-3.0', '0.125')
+    """
+    return repr(float(Fraction(written)) if "/" in written else float.fromhex(written))
+
+
+def seconds(written: str) -> str:
+    """Return a hexadecimal time to six digits.
+
+    >>> seconds("0x1.8p+1")
+    '3 s'
+    """
+    return f"{_tidy(f'{float.fromhex(written):.6g}')} s"
+
+
+def power(base: int, exponent: float) -> str:
+    """Return a power with a superscript.
+
+    >>> power(10, -15), power(10, 0)
+    ('10⁻¹⁵', '1')
+    """
+    return f"{base}{f'{exponent:g}'.translate(_RAISED)}" if exponent else "1"
+
+
+def exponent(part: str) -> float:
+    """Return the exponent of a decade or half octave; -inf for "0", inf for "inf".
+
+    >>> exponent("1e-15"), exponent("2^-1.5"), exponent("0"), exponent("inf")
+    (-15.0, -1.5, -inf, inf)
+    """
+    return -math.inf if part == "0" else float(part.removeprefix("1e").removeprefix("2^"))
+
+
+def place(cell: Data) -> str:
+    """Return the case and time of a cell, and its condition if it has one."""
+    known = condition(cell["condition"])
+    return f"{cell['case']} at t = {seconds(cell['t'])}{known and ', '}{known}"
+
+
+def _tidy(written: str) -> str:
+    """Remove a bare decimal point, and zeros of the exponent: 1.e+06 becomes 1e6."""
+    mantissa, mark, power_of_ten = written.partition("e")
+    mantissa = mantissa.removesuffix(".")
+    return f"{mantissa}e{int(power_of_ten)}" if mark else mantissa

@@ -1,32 +1,15 @@
 """The validation report as a page that needs nothing but itself, and as a card for notebooks."""
 
+import json
 import math
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from rigidsym.view import _formats as formats
-from rigidsym.view._cards import (
-    Markup,
-    badge,
-    bullets,
-    card,
-    code,
-    head,
-    join,
-    muted,
-    table,
-)
-from rigidsym.view._formats import number
+from rigidsym.view import _cards as cards
+from rigidsym.view import _report_data as formats
 from rigidsym.view._pages import render
-from rigidsym.view._report_data import (
-    ByPart,
-    Case,
-    Cell,
-    Figure,
-    Implementation,
-    Report,
-    Stratum,
-)
+from rigidsym.view._report_data import Data, Figure, number
 from rigidsym.view._validation.figures import VIEWS, histograms, key, scatters
 
 if TYPE_CHECKING:
@@ -34,7 +17,13 @@ if TYPE_CHECKING:
 
 PASSED, BROKEN = "passed", "NOT PASSED"
 INPUTS = {"inertia": "kg m²", "omega0": "rad/s", "attitude0": "", "times": "s"}
-NAMES = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
+HEADINGS = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
+# Formats that the template uses.
+_FORMATS = (
+    *("brief", "condition", "decimal", "number", "place", "plain", "seconds", "share", "units"),
+    "UNIT",
+)
+_EVERYWHERE = ("page", "card", "markdown", "terminal")
 
 
 class Column(NamedTuple):
@@ -48,7 +37,7 @@ class Column(NamedTuple):
     title: str
     value: Callable[["ValidationReport", str], Figure]
     shown: Callable[[Figure], str]
-    bad: Callable[[Stratum], bool]
+    bad: Callable[[Data], bool]
     tables: Sequence[str]
 
 
@@ -59,7 +48,7 @@ COLUMNS = (
         lambda report, stratum: report.tally.cases.get(stratum, 0),
         str,
         lambda stratum: not stratum["cases"],
-        ("page", "card", "markdown", "terminal"),
+        _EVERYWHERE,
     ),
     Column(
         "states",
@@ -67,7 +56,7 @@ COLUMNS = (
         lambda report, stratum: report.tally.states.get(stratum, 0),
         str,
         lambda stratum: not stratum["cases"],
-        ("page", "card", "markdown", "terminal"),
+        _EVERYWHERE,
     ),
     Column(
         "disagreement",
@@ -90,77 +79,71 @@ class Tile(NamedTuple):
 
     title: str
     shown: str
-    remark: str
+    remark: str = ""
     beyond: bool = False
 
 
-def page(data: Report) -> str:
+def page(data: Data) -> str:
     """Return the page of `ValidationReport.to_data()`: the same text for the same data."""
-    everyone = data["implementations"]
+    everyone, bounds = data["implementations"], data["bounds"]
     strata = [stratum["name"] for stratum in data["strata"]]
     cases = [(_nearest(data, found), found) for found in data["worst"]]
+    peers = [one for one in everyone if one["peer"]]
     return render(
         "validation.html",
         data=data,
         headline=_headline(data),
-        peers=list(_peers(data)),
+        peers=[_peer(*found) for one in peers if (found := _worst([one], "strata", "angle"))],
         tiles=list(_tiles(data)),
-        measures=_measures(data),
+        measures=sorted(bounds, key=_rank),
         regimes=sorted({name for one in everyone for name in one["regimes"]}),
         columns=columns_of("page"),
         largest=_largest,
         anchors={case["case"]: f"case-{k}" for k, case in enumerate(data["worst"], 1)},
         inputs=INPUTS,
         keys=[key(k) for k in range(len(everyone))],
-        views=[(view, scatters(everyone, view, data["bounds"])) for view in VIEWS],
+        views={view.key: scatters(everyone, view, bounds) for view in VIEWS},
         sizes=[
-            (measure, heading, histograms(everyone, strata, measure, data["bounds"][measure]))
-            for measure, heading in NAMES.items()
+            (measure, heading, histograms(everyone, strata, measure, bounds[measure]))
+            for measure, heading in HEADINGS.items()
         ],
         cases=sorted(cases, key=lambda found: (-found[0][0], found[1]["case"])),
-        UNIT=formats.UNIT,
+        json=partial(json.dumps, sort_keys=True),
+        **{name: getattr(formats, name) for name in _FORMATS},
     )
 
 
-def _measures(data: Report) -> list[str]:
-    """Return the names of the measures of a report, in the order of their definition."""
-    return sorted(data["bounds"], key=_rank)
-
-
 def _rank(measure: str) -> tuple[int, str]:
+    """Return a sort key of measures: the order of their definition."""
     # `rigidsym.validate` imports this module when it is imported itself.
     from rigidsym.validate._bounds import MEASURES
 
     return MEASURES.index(measure) if measure in MEASURES else len(MEASURES), measure
 
 
-def _judged(data: Report) -> list[Implementation]:
+def _judged(data: Data) -> list[Data]:
     """Return the implementations that have to pass."""
     return [one for one in data["implementations"] if not one["peer"]]
 
 
-def _headline(data: Report) -> str:
+def _headline(data: Data) -> str:
     *first, last = [one["name"] for one in _judged(data)] or ["nothing"]
     names = f"{', '.join(first)} and {last}" if first else last
     if data["passed"]:
         return f"{names} {'stay' if first else 'stays'} within every documented bound"
-    count = len(data["complaints"])
-    return f"{names}: {count} {'failure' if count == 1 else 'failures'}"
+    return f"{names}: {cards.counted(len(data['complaints']), 'failure')}"
 
 
-def _peers(data: Report) -> Iterator[str]:
-    """Yield each peer with its worst angle error."""
-    for one in data["implementations"]:
-        if one["peer"] and (found := _worst([one], "strata", "angle")):
-            name, _, cell = found
-            unit = " rad" if math.isfinite(number(cell["units"])) else ""
-            yield f"{name} {formats.plain(cell['units'])}{unit}"
+def _peer(name: str, stratum: str, cell: Data) -> str:
+    """Return a peer with its worst angle error."""
+    unit = " rad" if math.isfinite(number(cell["units"])) else ""
+    return f"{name} {formats.plain(cell['units'])}{unit}"
 
 
 def _cells(
-    implementations: Sequence[Implementation], view: ByPart, measure: str
-) -> Iterator[tuple[str, str, Cell]]:
-    """Yield the name, part and cell of each cell of a view by a measure."""
+    implementations: Sequence[Data], view: str, measure: str
+) -> Iterator[tuple[str, str, Data]]:
+    """Yield the name of the implementation, the part of a view, and its cell of a measure."""
     for one in implementations:
         for part, found in sorted(one[view].items()):
             if measure in found:
@@ -168,59 +151,59 @@ def _cells(
 
 
 def _worst(
-    implementations: Sequence[Implementation], view: ByPart, measure: str
-) -> tuple[str, str, Cell] | None:
+    implementations: Sequence[Data], view: str, measure: str
+) -> tuple[str, str, Data] | None:
     """Return the worst cell of a view by a measure; None if nothing was measured."""
     listed = _cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
 
 
-def _tiles(data: Report) -> Iterator[Tile]:
-    yield _worst_tile(data, "Worst angle error", "angle", " rad")
-    yield _worst_tile(data, "Worst rate error", "omega", " relative")
+def _tiles(data: Data) -> Iterator[Tile]:
+    """Yield the figures of the summary."""
+    judged, strata = _judged(data), data["strata"]
+    for title, measure, unit in (
+        ("Worst angle error", "angle", " rad"),
+        ("Worst rate error", "omega", " relative"),
+    ):
+        if (found := _worst(judged, "strata", measure)) is None:
+            yield Tile(title, "not measured")
+            continue
+        (name, stratum, cell), bound = found, data["bounds"][measure]
+        part = number(cell["units"]) / bound
+        allowed = f"{formats.share(part)} of the bound {formats.plain(bound)}"
+        remark = f"{formats.counted(cell['units'])}, {allowed}; {name} in {stratum}"
+        yield Tile(title, formats.plain(cell["units"], ".2e") + unit, remark, part > 1)
     shares = [
         (number(cell["units"]), measure, name, stratum)
-        for measure in _measures(data)
-        for name, stratum, cell in _cells(_judged(data), "shares", measure)
+        for measure in data["bounds"]
+        for name, stratum, cell in _cells(judged, "shares", measure)
     ]
     if shares:
         part, measure, name, stratum = max(shares)
         remark = f"{measure}; {name} in {stratum}"
         yield Tile("Nearest to its bound", formats.share(part), remark, part > 1)
     else:
-        yield Tile("Nearest to its bound", "not measured", "")
-    apart = [(number(one["disagreement"]), one["name"]) for one in data["strata"]]
-    if apart:
-        (part, name), allowed = max(apart), data["agreement"]
-        shown = f"{part * allowed:.2g}" if math.isfinite(part) else "not compared"
-        remark = f"at most, of {allowed:g} allowed; {name}"
+        yield Tile("Nearest to its bound", "not measured")
+    if strata:
+        part, name = max((number(one["disagreement"]), one["name"]) for one in strata)
+        shown = f"{part * data['agreement']:.2g}" if math.isfinite(part) else "not compared"
+        remark = f"at most, of {data['agreement']:g} allowed; {name}"
         yield Tile("Oracles differ by", shown, remark, part > 1)
     else:
-        yield Tile("Oracles differ by", "not compared", "")
-    cases, states = (sum(one[key] for one in data["strata"]) for key in ("cases", "states"))
-    yield Tile("Tested", f"{cases:,} cases", f"{states:,} states in {len(data['strata'])} strata")
+        yield Tile("Oracles differ by", "not compared")
+    cases, states = (sum(one[key] for one in strata) for key in ("cases", "states"))
+    yield Tile("Tested", f"{cases:,} cases", f"{states:,} states in {len(strata)} strata")
 
 
-def _worst_tile(data: Report, title: str, measure: str, unit: str) -> Tile:
-    found = _worst(_judged(data), "strata", measure)
-    if found is None:
-        return Tile(title, "not measured", "")
-    (name, stratum, cell), bound = found, data["bounds"][measure]
-    part = number(cell["units"]) / bound
-    allowed = f"{formats.share(part)} of the bound {formats.plain(bound)}"
-    remark = f"{formats.counted(cell['units'])}, {allowed}; {name} in {stratum}"
-    return Tile(title, formats.scientific(cell["units"]) + unit, remark, part > 1)
-
-
-def _largest(one: Implementation, stratum: str) -> tuple[str, Cell] | None:
-    """Return the largest part of a bound that was used, with its measure."""
+def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
+    """Return the measure that used the largest part of its bound, with that part."""
     shares = one["shares"].get(stratum, {})
     known = sorted(shares, key=_rank)
     name = max(known, key=lambda name: number(shares[name]["units"]), default=None)
     return None if name is None else (name, shares[name])
 
 
-def _nearest(data: Report, case: Case) -> tuple[float, str, str]:
+def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
     """Return the largest part of a bound that a module used in a case, its name and the measure."""
     shares = (
         (number(cell["share"]), name, measure)
@@ -234,11 +217,10 @@ def _nearest(data: Report, case: Case) -> tuple[float, str, str]:
 def report_html(report: "ValidationReport") -> str:
     """Return a card: the verdict and its reasons, then the strata with the worst errors."""
     data = report.to_data()
-    title = head("Validation", badge(PASSED if data["passed"] else BROKEN), code(data["command"]))
-    everyone = data["implementations"]
-    columns = columns_of("card")
-    heads = [column.title for column in columns]
-    names = ("stratum", *heads, *(f"{one['name']}: angle, bound used" for one in everyone))
+    everyone, columns = data["implementations"], columns_of("card")
+    verdict = cards.badge(PASSED if data["passed"] else BROKEN)
+    names = ["stratum", *(column.title for column in columns)]
+    names += [f"{one['name']}: angle, bound used" for one in everyone]
     rows = (
         (
             stratum["name"],
@@ -247,16 +229,22 @@ def report_html(report: "ValidationReport") -> str:
         )
         for stratum in data["strata"]
     )
-    said = [bullets(data["complaints"])] if data["complaints"] else []
-    unit = muted("worst rotation angle in units of 2⁻⁵³ rad; the largest part used of any bound")
-    return card(title, *said, table(names, rows), unit)
+    unit = "worst rotation angle in units of 2⁻⁵³ rad; the largest part used of any bound"
+    return cards.card(
+        cards.head("Validation", verdict, cards.code(data["command"])),
+        cards.bullets(data["complaints"]) if data["complaints"] else "",
+        cards.table(names, rows),
+        cards.muted(unit),
+    )
 
 
-def _card_cell(one: Implementation, stratum: str) -> Markup:
+def _card_cell(one: Data, stratum: str) -> cards.Markup:
+    """Return the worst angle of an implementation in a stratum, and the part of a bound used."""
     found = one["strata"].get(stratum, {}).get("angle")
-    shares = [float(cell["units"]) for cell in one["shares"].get(stratum, {}).values()]
-    if found is None or not shares:
-        return muted("not asked")
-    part = max(shares)
+    largest = _largest(one, stratum)
+    if found is None or largest is None:
+        return cards.muted("not asked")
+    part = float(largest[1]["units"])
     text = f"{part:.0%}" if part < 10 else f"{part:.2g} times" if math.isfinite(part) else "∞"
-    return join(f"{float(found['units']):.3g}, ", text if part <= 1 else badge(text))
+    shown = text if part <= 1 else cards.badge(text)
+    return cards.join(f"{float(found['units']):.3g}, ", shown)

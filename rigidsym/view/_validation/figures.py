@@ -16,11 +16,10 @@ from xml.etree import ElementTree as ET
 import numpy as np
 from markupsafe import Markup
 
-from rigidsym.view import _formats as formats
-from rigidsym.view._formats import ULP
+from rigidsym.view import _report_data as formats
 from rigidsym.view._pages import render
 from rigidsym.view._plots.figure import defaults, svg
-from rigidsym.view._report_data import MOST_CONDITION, ByMeasure, Cell, Implementation
+from rigidsym.view._report_data import MOST_CONDITION, ULP, Data
 from rigidsym.view._style import SERIES
 
 if TYPE_CHECKING:
@@ -82,9 +81,14 @@ class Axis:
     @property
     def ticks(self) -> list[float]:
         """Round exponents, few where the scale is small."""
+        from matplotlib.ticker import MaxNLocator
+
+        def among(low: float, high: float, most: int) -> list[float]:
+            locator = MaxNLocator(most, steps=[1, 2, 5, 10], integer=True, min_n_ticks=1)
+            return [float(x) for x in locator.tick_values(low, high) if low <= x <= high]
+
         *far, low, high = [exponent for exponent, _ in self.knots]
-        near = [x for x in _round(low, high, 6) if low <= x <= high]
-        return [x for end in far for x in _round(end, low, 2) if end <= x < low] + near
+        return [x for end in far for x in among(end, low, 2) if x < low] + among(low, high, 6)
 
     def labels(self, room: float, zero: str, beyond: str, base: int) -> dict[float, str]:
         """Return places and labels of the slots, and of ticks that are `room` apart from them."""
@@ -104,13 +108,6 @@ def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) ->
     under = slot if min(known, default=low) < low else 0.0
     over = slot if max(known, default=high) > high else 0.0
     return Axis(low, max(high, low + 1), under, over)
-
-
-def _round(low: float, high: float, most: int) -> list[float]:
-    from matplotlib.ticker import MaxNLocator
-
-    locator = MaxNLocator(most, steps=[1, 2, 5, 10], integer=True, min_n_ticks=1)
-    return list(map(float, locator.tick_values(low, high)))
 
 
 class Drawing:
@@ -139,17 +136,17 @@ class Drawing:
         self._named[name] = class_, titles
 
     def line(self, class_: str, x: Sequence[float], y: Sequence[float]) -> None:
-        """Draw a line."""
+        """Draw a line of a class."""
         (line,) = self.axes.plot(x, y)
         self.add(class_, line)
 
-    def grid(self, x: Axis, y: Axis) -> None:
-        """Draw lines at the ticks, and between parts of the axes."""
-        for axis, draw in ((x, self.axes.axvline), (y, self.axes.axhline)):
-            for tick in axis.ticks:
-                self.add("grid", draw(axis.at(tick)))
-            for edge in axis.edges:
-                self.add("part", draw(edge))
+    def mark(
+        self, class_: str, k: int, x: Sequence[float], y: Sequence[float], titles: Sequence[str]
+    ) -> None:
+        """Draw marks in the shape of implementation k, with a title each."""
+        shape = MARKERS[k % len(MARKERS)]
+        (marks,) = self.axes.plot(x, y, marker=shape, markersize=8, linestyle="none")
+        self.add(class_, marks, titles)
 
     def svg(self, label: str, class_: str = "plot") -> Markup:
         """Return the drawing as an element of a page, with classes instead of styles."""
@@ -162,69 +159,42 @@ class Drawing:
             texts = group.findall(f"{_SVG}text")
             for text in texts:
                 anchor = re.search(r"text-anchor: (\w+)", text.get("style") or "")
-                words.append(
-                    {**text.attrib, "class": class_of, "anchor": anchor and anchor[1]}
-                    | {"text": text.text}
-                )
+                own = {"class": class_of, "anchor": anchor and anchor[1], "text": text.text}
+                words.append({**text.attrib, **own})
             if class_of and not texts:
-                found = [x.attrib for x in group.iter(f"{_SVG}use")]
-                found = found or [x.attrib for x in group.iter(f"{_SVG}path")]
-                for shape, title in zip_longest(found, titles):
-                    path = shape.get("d") or markers[shape[_LINK]] or ""
-                    known = {"class": class_of, "title": title, "path": " ".join(path.split())}
-                    shapes.append({**shape, **known})
-        box = root.get("viewBox")
-        names = {"class_": class_, "box": box, "label": label, "shapes": shapes, "words": words}
-        return Markup(render("drawing.html", **names))
+                uses = [*group.iter(f"{_SVG}use")] or [*group.iter(f"{_SVG}path")]
+                for shape, title in zip_longest(uses, titles):
+                    path = shape.get("d") or markers[shape.attrib[_LINK]] or ""
+                    own = {"class": class_of, "title": title, "path": " ".join(path.split())}
+                    shapes.append({**shape.attrib, **own})
+        names = {"class_": class_, "box": root.get("viewBox"), "label": label}
+        return Markup(render("drawing.html", **names, shapes=shapes, words=words))
 
 
 class View(NamedTuple):
-    """A pair of figures: labels of the abscissa, of its zero, and of values beyond its decades."""
+    """A property of cases: its key in the data, and labels of it, of zero, and of larger values."""
 
-    view: ByMeasure
-    heading: str
+    key: str
     label: str
     zero: str
     beyond: str
-    remark: str
 
 
 VIEWS = (
-    View(
-        "distance",
-        "Error and distance from the separatrix",
-        "distance from the separatrix (1: nothing cancels, 0: on it)",
-        "on it",
-        "∞",
-        "On the separatrix itself (left) and ever nearer to it, where solutions fly apart: "
-        "a sound module shows no rise to the left.",
-    ),
-    View(
-        "turned",
-        "Error and time",
-        "angle turned, |ω₀t| (rad)",
-        "t = 0",
-        "∞",
-        "Times from the start on (left), as the angle that the body has turned by: "
-        "errors that accumulate rise to the right.",
-    ),
+    View("distance", "distance from the separatrix (1: nothing cancels, 0: on it)", "on it", "∞"),
+    View("turned", "angle turned, |ω₀t| (rad)", "t = 0", "∞"),
     View(
         "condition",
-        "Error and condition number",
         "condition number κ",
         "0",
         f"> {formats.power(10, math.log10(MOST_CONDITION))}",
-        "κ is how far a relative change of the inputs moves the true state, by its derivatives. "
-        "A module that is no better than its inputs rises with κ; one that solves the given "
-        "problem stays below the bound: what is ill-conditioned is told apart from what is "
-        "computed badly.",
     ),
 )
 
 
 @defaults()
 def scatters(
-    implementations: Sequence[Implementation], view: View, bounds: Mapping[str, float]
+    implementations: Sequence[Data], view: View, bounds: Mapping[str, float]
 ) -> list[Markup]:
     """Draw the worst angle and rate error of each decade; `bounds` in units of 2^-53."""
     return [
@@ -234,37 +204,41 @@ def scatters(
 
 
 def _scatter(
-    implementations: Sequence[Implementation], view: View, measure: str, label: str, bound: float
+    implementations: Sequence[Data], view: View, measure: str, label: str, bound: float
 ) -> Markup:
-    found = [
-        sorted((formats.decade(part), cell) for part, cell in one[view.view][measure].items())
-        for one in implementations
-    ]
+    # The exponents of the decade and of the error of each cell.
+    found = []
+    for one in implementations:
+        cells = one[view.key][measure].items()
+        marks = ((formats.exponent(part), _exponent(cell), cell) for part, cell in cells)
+        found.append(sorted(marks, key=lambda mark: mark[0]))
     limit = math.log10(bound * ULP)
-    x = fitted([at + 0.5 for cells in found for at, _ in cells], 0.1)
-    errors = [_exponent(cell) for cells in found for _, cell in cells]
-    y = fitted([limit, *errors], 0.1, LEAST_DECADE)
+    x = fitted([at + 0.5 for marks in found for at, _, _ in marks], 0.1)
+    y = fitted([limit, *(error for marks in found for _, error, _ in marks)], 0.1, LEAST_DECADE)
     drawing = Drawing((480, 270), (76, 46, 14, 12))
     axes, width = drawing.axes, drawing.inner[0]
     drawing.line("area", (0, 1, 1, 0, 0), (0, 0, 1, 1, 0))
-    drawing.grid(x, y)
+    for axis, draw in ((x, axes.axvline), (y, axes.axhline)):
+        for tick in axis.ticks:
+            drawing.add("grid", draw(axis.at(tick)))
+        for edge in axis.edges:
+            drawing.add("part", draw(edge))
     drawing.line("bound", (0, 1), (y.at(limit),) * 2)
     apart = min(SPREAD / len(found), MOST) / width
-    for k, (one, cells) in enumerate(zip(implementations, found, strict=True)):
+    for k, (one, marks) in enumerate(zip(implementations, found, strict=True)):
         aside = (k - (len(found) - 1) / 2) * apart
-        points = [
-            (at, _exponent(cell), x.at(at + 0.5) + aside, y.at(_exponent(cell)))
-            for at, cell in cells
-        ]
+        places = [(x.at(at + 0.5) + aside, y.at(error)) for at, error, _ in marks]
         # Marks in slots are not on the line.
-        inside = [p[2:] for p in points if math.isfinite(p[0]) and y.low <= p[1] <= y.high]
+        inside = [
+            place
+            for place, (at, error, _) in zip(places, marks, strict=True)
+            if math.isfinite(at) and y.low <= error <= y.high
+        ]
         if inside:
             drawing.line(f"trace {colour(k)}", *zip(*inside, strict=True))
-        if points:
-            _, _, *places = zip(*points, strict=True)
-            marker = MARKERS[k % len(MARKERS)]
-            (marks,) = axes.plot(*places, marker=marker, markersize=8, linestyle="none")
-            drawing.add(f"mark {colour(k)}", marks, [_title(one["name"], *each) for each in cells])
+        if places:
+            titles = [_title(one["name"], at, cell) for at, _, cell in marks]
+            drawing.mark(f"mark {colour(k)}", k, *zip(*places, strict=True), titles)
     below = x.labels(33 / width, view.zero, view.beyond, 10)
     beside = y.labels(14 / drawing.inner[1], f"< {formats.power(10, y.low)}", "none", 10)
     axes.set_xticks([*below], [*below.values()])
@@ -278,25 +252,27 @@ def _scatter(
     return drawing.svg(f"{label} against {view.label}, the worst of each decade")
 
 
-def _exponent(cell: Cell) -> float:
+def _exponent(cell: Data) -> float:
+    """Return the decimal logarithm of the error of a cell."""
     value = formats.number(cell["units"]) * ULP
     return math.log10(value) if value else -math.inf
 
 
-def _title(name: str, exponent: float, cell: Cell) -> str:
+def _title(name: str, exponent: float, cell: Data) -> str:
+    """Return the text that is shown for a mark: decade, number of states, and worst error."""
     if math.isinf(exponent):
         decade = "beyond all" if exponent > 0 else "0"
     else:
         decade = f"{formats.power(10, exponent)} to {formats.power(10, exponent + 1)}"
-    size = f"{formats.plain(cell['units'])} = {formats.counted(cell['units'])}"
-    if math.isinf(formats.number(cell["units"])):
-        size = "no number"
+    size = formats.plain(cell["units"])
+    if math.isfinite(formats.number(cell["units"])):
+        size = f"{size} = {formats.counted(cell['units'])}"
     return f"{name}, {decade}\n{cell['count']} states, worst {size}\n{formats.place(cell)}"
 
 
 @defaults()
 def histograms(
-    implementations: Sequence[Implementation], strata: Sequence[str], measure: str, bound: float
+    implementations: Sequence[Data], strata: Sequence[str], measure: str, bound: float
 ) -> list[tuple[str, Markup]]:
     """Draw for each stratum how often errors have each size, a row of bars an implementation.
 
@@ -304,20 +280,18 @@ def histograms(
     row.  `bound` is in units of 2^-53.
     """
     parts = {
-        formats.half_octave(part)
+        formats.exponent(part)
         for one in implementations
         for sizes in one["sizes"].values()
         for part in sizes.get(measure, {})
     }
-    ends = [part + STEP for part in parts]
-    axis = fitted([math.log2(bound), *parts, *ends], 0.1, LEAST_OCTAVE)
-    rows = len(implementations)
+    limit, rows = math.log2(bound), len(implementations)
+    axis = fitted([limit, *parts, *(part + STEP for part in parts)], 0.1, LEAST_OCTAVE)
     drawing = Drawing((240, 40 + 34 * rows), (8, 34, 8, 6))
     bases = [1 - (k + 1) / rows for k in range(rows)]
     for base in bases:
         drawing.line("base", (0, 1), (base, base))
-    limit = axis.at(math.log2(bound))
-    drawing.line("bound", (limit, limit), (0, 1))
+    drawing.line("bound", (axis.at(limit),) * 2, (0, 1))
     below = axis.labels(24 / drawing.inner[0], "less", "none", 2)
     drawing.axes.set(xticks=[*below], xticklabels=[*below.values()])
     drawing.add("label", drawing.axes.set_xlabel(f"error / {formats.UNIT}", fontsize=12))
@@ -325,13 +299,16 @@ def histograms(
     for stratum in strata:
         bars: list[Rectangle] = []
         for k, (one, base) in enumerate(zip(implementations, bases, strict=True)):
-            counts = _counts(one["sizes"].get(stratum, {}).get(measure, {}), axis)
+            counts: Counter[float] = Counter()
+            for part, count in one["sizes"].get(stratum, {}).get(measure, {}).items():
+                exponent = formats.exponent(part)
+                counts[-math.inf if exponent < axis.low else exponent] += count
             most, total = max(counts.values(), default=1), sum(counts.values())
-            for exponent, number in sorted(counts.items()):
+            for exponent, count in sorted(counts.items()):
                 left, right = _extent(axis, exponent)
-                height = max(0.82 * number / most, 0.03) / rows
+                height = max(0.82 * count / most, 0.03) / rows
                 (bar,) = drawing.axes.bar((left + right) / 2, height, 0.8 * (right - left), base)
-                title = f"{one['name']}: {number} of {total} states, {_size(axis, exponent)}"
+                title = f"{one['name']}: {count} of {total} states, {_size(axis, exponent)}"
                 drawing.add(f"bar {colour(k)}", bar, [title])
                 bars.append(bar)
         drawing.axes.set(xlim=(0, 1), ylim=(0, 1))
@@ -339,14 +316,6 @@ def histograms(
         for bar in bars:
             bar.remove()
     return found
-
-
-def _counts(sizes: Mapping[str, int], axis: Axis) -> Counter[float]:
-    counts: Counter[float] = Counter()
-    for part, number in sizes.items():
-        exponent = formats.half_octave(part)
-        counts[-math.inf if exponent < axis.low else exponent] += number
-    return counts
 
 
 def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
@@ -358,6 +327,7 @@ def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
 
 
 def _size(axis: Axis, exponent: float) -> str:
+    """Return the errors that a bar counts, in words."""
     if math.isinf(exponent):
         return "no number" if exponent > 0 else f"less than {formats.counted(2**axis.low)}"
     return formats.counted(2**exponent, 2 ** (exponent + STEP))
@@ -372,6 +342,5 @@ def colour(k: int) -> str:
 def key(k: int) -> Markup:
     """Draw the mark of implementation k by itself, for a legend."""
     drawing = Drawing((12, 12), (0, 0, 0, 0))
-    (marks,) = drawing.axes.plot([0.5], [0.5], marker=MARKERS[k % len(MARKERS)], markersize=8)
-    drawing.add(f"key {colour(k)}", marks)
+    drawing.mark(f"key {colour(k)}", k, [0.5], [0.5], [])
     return drawing.svg("", "")

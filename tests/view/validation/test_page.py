@@ -32,6 +32,9 @@ def test_a_page_is_well_formed_and_loads_nothing(data):
     assert len(anchors) == len(set(anchors))
     assert not any("src" in given for _, given in elements.found)
     assert not re.search(r"url\(|@import|https?:", text)
+    bars = [given["style"] for given in elements.all("span") if "style" in given]
+    assert bars
+    assert all(re.fullmatch(r"--part:\d+%", bar) for bar in bars)
 
 
 def test_everybody_and_every_stratum_and_plot_is_there(data):
