@@ -1,4 +1,6 @@
-"""A motion of every regime, to be drawn."""
+"""A motion of every regime, and pictures of them that several tests look at."""
+
+from functools import cache
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
@@ -14,3 +16,10 @@ MOTIONS = {
     "spin": TorqueFreeMotion((1, 2, 2.5), (0, 0, -2)),
     "rest": TorqueFreeMotion((1, 2, 2.5), (0, 0, 0)),
 }
+MOVING = [name for name in MOTIONS if name != "rest"]
+
+
+@cache
+def picture(draw, name):
+    """Draw a picture of a motion once; tests that change it have to draw their own."""
+    return draw(MOTIONS[name])

@@ -180,6 +180,9 @@ def latex(expression: Any) -> str:
     if isinstance(expression, sympy.Rel):
         sign = {"==": "=", **language.SIGNS}[expression.rel_op]
         return f"{latex(expression.lhs)} {sign} {latex(expression.rhs)}"
+    if isinstance(expression, sympy.MatrixBase):
+        rows = r" \\ ".join(" & ".join(map(latex, row)) for row in expression.tolist())
+        return rf"\left[\begin{{matrix}}{rows}\end{{matrix}}\right]"
     return _PRINTER.of(_tree(expression))
 
 
@@ -214,9 +217,6 @@ def _tree(expression: Any) -> Expression:
             return Name(rf"\left|{{{latex(arguments[0])}}}\right|")
         case sympy.Integral():
             return Name(rf"\int \left({latex(arguments[0])}\right)\, d{latex(arguments[1][0])}")
-        case sympy.MatrixBase():
-            rows = (" & ".join(map(latex, row)) for row in expression.tolist())
-            return Name(r"\left[\begin{{matrix}}{}\end{{matrix}}\right]".format(r" \\ ".join(rows)))
         case sympy.Function():
             return Call(expression.func.__name__, tuple(map(_tree, arguments)))
     if type(expression).__name__ == "Rate":

@@ -1,0 +1,230 @@
+"""A derivation as an article: every step in every form, and LaTeX that compiles."""
+
+import re
+import shutil
+import subprocess
+import sys
+from functools import cache
+
+import pytest
+import sympy
+from html_cards import Elements
+from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
+
+from derivations import FORWARD
+from derivations.setting import Setting
+from rigidsym._cli import main
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.derivation import derive
+from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
+from rigidsym.proof.steps._names import symbol, symbols
+from rigidsym.view._article import FORMATS, article, latex, numbers, pretty
+
+# What may stick out of a line, in points of TeX.
+STICKS_OUT = 1.0
+VARIANTS = [
+    Setting(),
+    Setting((3, 1, 3), 2, sympy.Integer(1), -1),
+    Setting(lagrangian=f"{Setting().lagrangian} + h1*Omega1"),
+]
+# How each form shows the name of a fact, without what LaTeX needs to break and to escape it.
+NAMED = {"text": "[{}]", "markdown": "`{}`", "latex": r"\fact{{{}}}", "html": ">{}<"}
+
+
+@cache
+def derived(k=0):
+    """Return the chapters of a variant, derived once."""
+    return derive((), setting=VARIANTS[k]).chapters
+
+
+def every_step():
+    return [step for chapter in derived() for step in chapter.steps]
+
+
+@cache
+def written(form):
+    if form == "html":
+        pytest.importorskip("latex2mathml", reason="needs latex2mathml (extra docs)")
+    return article(derived(), form)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_steps_are_in_every_form_in_their_order_and_with_their_numbers(form):
+    text = written(form)
+    bare = text.replace(r"\_\allowbreak ", "_").replace(r".\allowbreak ", ".")
+    place = 0
+    assert all(chapter.steps for chapter in derived())
+    for step in every_step():
+        place = bare.index(NAMED[form].format(step.fact.id), place)
+    cited = {numbers(s) for s in every_step() if all(n[0].isdigit() for n in s.source)} - {""}
+    assert len(cited) > 20
+    assert {number for number in cited if number not in text} == set()
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_no_line_is_ragged(form):
+    assert written(form).endswith("\n")
+    assert not [line for line in written(form).splitlines() if line != line.rstrip()]
+
+
+def test_all_chapters_up_to_theorem_1_are_in_it():
+    assert [chapter.name for chapter in derived()] == list(FORWARD)
+    assert all(chapter.title in written("text") for chapter in derived())
+
+
+def test_conditions_and_free_quantities_are_said():
+    conditions = sum(len(step.conditions) for step in every_step())
+    assert conditions > 5
+    assert written("text").count("    where ") >= conditions - 2
+    assert written("markdown").count(r"\neq 0") == conditions
+    assert "b_free is free" in written("text")
+
+
+@pytest.mark.parametrize("k", range(len(VARIANTS)), ids=map(str, VARIANTS))
+def test_latex_compiles_and_nothing_sticks_out(k, tmp_path):
+    pdflatex = shutil.which("pdflatex")
+    if pdflatex is None:
+        pytest.skip("pdflatex is not installed (Debian: texlive-latex-recommended)")
+    source = tmp_path / "article.tex"
+    source.write_text(article(derived(k), "latex"), "utf-8")
+    command = [pdflatex, "-interaction=nonstopmode", "-halt-on-error", source.name]
+    ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    log = (tmp_path / "article.log").read_text("utf-8", errors="replace")
+    assert ran.returncode == 0, log[-2000:]
+    assert not [line for line in log.splitlines() if line.startswith("!")]
+    wide = [float(x) for x in re.findall(r"Overfull \\hbox \(([0-9.]+)pt", log)]
+    assert max(wide, default=0.0) <= STICKS_OUT
+
+
+def test_html_is_well_formed():
+    text = written("html")
+    assert text.startswith("<!doctype html>\n")
+    Elements(text)
+    assert text.count("<math") == sum(len(s.shown) + len(s.conditions) for s in every_step())
+
+
+def test_html_passes_a_parser_of_html5():
+    html5lib = pytest.importorskip("html5lib", reason="needs html5lib, of no extra")
+    html5lib.HTMLParser(strict=True).parse(written("html"))
+
+
+def test_without_latex2mathml_it_is_one_line(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "latex2mathml.converter", None)
+    assert main(["derive", "lie_algebra", "--format", "html"]) == 1
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "--format html needs latex2mathml" in captured.err.splitlines()[-1]
+
+
+def test_output_makes_its_folder(tmp_path, capsys):
+    path = tmp_path / "not" / "there" / "article.md"
+    assert main(["derive", "lie_algebra", "--format", "markdown", "-o", str(path)]) == 0
+    assert capsys.readouterr().out == ""
+    assert path.read_text("utf-8").startswith("## SU(2)")
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["-o", "/dev/null/inside"], "output = /dev/null/inside: cannot be written"),
+        (["--json"], "json = given: is not for --show and --format"),
+    ],
+)
+def test_options_that_do_not_fit_are_one_line(options, message, capsys):
+    assert main(["derive", "lie_algebra", "--show", *options]) == 2
+    assert message in capsys.readouterr().err
+
+
+R, M = matrix("R"), matrix("M")
+MOVED = rate_of(symbol("Omega_i"))
+x, y, a, K, mu, OMEGA = symbols("x y a K mu Omega1")
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        (MOVED, r"\dot{\Omega}_{i}"),
+        (MOVED**2, r"\dot{\Omega}_{i}^{2}"),
+        (rate_of(x * y), r"\frac{d}{dt}\left(x y\right)"),
+        (Rate(R), r"\dot{R}"),
+        (Rate(R * M), r"\frac{d}{dt}\left(R M\right)"),
+        (symbol("alpha") * symbol("Omega_i") ** 4, r"\alpha \Omega_{i}^{4}"),
+        # Constants come before what moves, and sums begin with a plus.
+        (sympy.cos(x) * OMEGA * K, r"K \Omega_{1} \cos {x}"),
+        (1 - mu * sympy.sin(x) ** 2, r"1 - \mu \sin^{2} {x}"),
+        (-x - y, "-x - y"),
+        (-(x**2) / (2 * y), r"-\frac{x^{2}}{2 y}"),
+        (M * R - R * M, "M R - R M"),
+        (-R.I * M, "-R^{-1} M"),
+        (
+            sympy.Matrix([[-sympy.I / 2, 1]]),
+            r"\left[\begin{matrix}-\frac{i}{2} & 1\end{matrix}\right]",
+        ),
+        (sympy.Ne(x, 0), r"x \neq 0"),
+    ],
+)
+def test_latex_as_the_paper_writes_it(expression, text):
+    assert latex(expression) == text
+
+
+@pytest.mark.parametrize("expression", [Rate(R * M), rate_of(x * y)])
+def test_the_rate_of_a_product_in_a_terminal(expression):
+    assert pretty(expression).startswith("d/dt (")
+    assert pretty(Rate(R * M)) == "d/dt (R\N{DOT OPERATOR}M)"
+
+
+def test_lines_do_not_depend_on_the_encoding_of_stdout():
+    column = sympy.Matrix([sympy.Symbol("Omega1") / 2, 1])
+    expected = pretty(column)
+    before = pretty_use_unicode(False)
+    try:
+        assert pretty(column) == expected
+        assert not pretty_use_unicode()
+    finally:
+        pretty_use_unicode(before)
+
+
+def opened(**part):
+    return Scope.open(LedgerBuilder(), "plane", Part(**part), static="rates" not in part)
+
+
+def solved(source: tuple[str, ...] = ("28",)) -> Step:
+    scope = opened(witness={"x": "1", "y": "1", "a": "1"}, units=("a",))
+    return solve(scope, "plane.found", [(a * x, y)], [x], "solve for M1 < M2", source)
+
+
+def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
+    html = solved()._repr_html_()
+    assert r"x = \frac{y}{a}" in html
+    assert "(28)" in html
+    assert "<code>plane.found</code>" in html
+    assert r"where </span><span>\(a \neq 0\)" in html
+    assert r"Solve for <span>\(M_{1}\)</span> &lt; <span>\(M_{2}\)</span>:" in html
+
+
+def test_a_line_without_conditions_has_no_where():
+    scope = opened(witness={"x": "1"}, rates={"x": "2*x"})
+    step = differentiate(scope, "plane.x", x**2, "its rate")
+    assert "where" not in step._repr_html_()
+    assert step._repr_latex_() == r"$$\frac{d}{dt}\left(x^{2}\right) = 4 x^{2}$$"
+
+
+def test_a_line_of_latex_is_tagged_by_the_papers_numbers():
+    assert solved()._repr_latex_() == r"$$x = \frac{y}{a}\tag*{(28)}$$"
+    bare = solved(("R^-1 dR/dt",))._repr_latex_()
+    assert bare.endswith(r"\tag*{$R^{-1}\dot R$}$$")
+
+
+def test_several_equations_are_aligned():
+    scope = opened(witness={"x": "1", "y": "1"})
+    step = solve(scope, "plane.found", [(x + y, 1), (x - y, 3)], [x, y], "both")
+    assert step._repr_latex_() == r"$$\begin{aligned}x &= 2 \\ y &= -1\end{aligned}$$"
+
+
+def test_a_terminal_shows_the_line_in_two_dimensions():
+    from IPython.lib import pretty as terminal
+
+    shown = terminal.pretty(solved())
+    assert shown.splitlines()[0] == "Solve for M1 < M2:  (28)"
+    assert "[plane.found]" in shown
+    assert repr(solved()) == "<solve: x = y/a [plane.found]>"
