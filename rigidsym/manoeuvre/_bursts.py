@@ -19,7 +19,7 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Bursts:
-    """The bursts at the ends of motions, and their limits, for a duration of 1 s.
+    """Bursts at both ends of motions that take 1 s, and their limits.
 
     before, after (3,): momenta outside of the motion, over the largest moment.  max_rate,
     max_burst: limits of rates and of either burst, inf where there is none.
@@ -52,7 +52,7 @@ class Bursts:
 
     @cached_property
     def spin(self) -> float:
-        """Greatest difference of a cost from twice the momentum of the motion, times 1 s."""
+        """Sum of the momenta before and after, a bound of the cost's distance from 2 K."""
         return float(np.linalg.norm(self.before) + np.linalg.norm(self.after))
 
     def sizes(self, rates: np.ndarray, duration: float) -> np.ndarray:
@@ -63,11 +63,11 @@ class Bursts:
         return np.stack([np.linalg.norm(burst, axis=1) for burst in bursts], axis=1)
 
     def allowed(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return whether motions (N,) keep to the limits."""
+        """Return True for each motion (N,) that keeps to the limits."""
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return the ratios (N,) of what motions need to what the limits allow."""
+        """Return the greater ratio (N,) of rate and burst to their limits, for each motion."""
         needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
             needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))
@@ -80,7 +80,7 @@ class Bursts:
 
     @np.errstate(divide="ignore")
     def shortest(self, rates: np.ndarray) -> np.ndarray:
-        """Return the shortest durations (N,) in which motions keep to the limits; inf for never."""
+        """Return the shortest duration (N,) in which each motion keeps to the limits; else inf."""
         fastest = np.full(len(rates), np.inf)
         slowest = np.zeros(len(rates))
         if np.isfinite(self.max_rate):
@@ -94,7 +94,7 @@ class Bursts:
 
 @np.errstate(divide="ignore", invalid="ignore")
 def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the interval of factors s (N,) whose change |s end - outside| is within a limit."""
+    """Return the interval of factors s (N,) with |s end - outside| within a limit."""
     if not np.isfinite(limit):
         return np.zeros(len(end)), np.full(len(end), np.inf)
     square, mixed = np.sum(end * end, axis=1), end @ outside

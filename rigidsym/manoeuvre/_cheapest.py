@@ -44,7 +44,7 @@ _IMAGES = np.array([signs for signs in product((1, -1), repeat=3) if np.prod(sig
 
 
 def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
-    """Return the cheapest motions within the limits, rates (N, 3), N at most `count`.
+    """Return the rates (N, 3) of the cheapest motions within the limits, at most `count`.
 
     From rest to rest a motion costs twice its momentum (facts manoeuvre.first_burst,
     manoeuvre.last_burst), and never less than that less what the spins before and after can save;
@@ -78,7 +78,7 @@ def shortest(bursts: Bursts, asked: Manoeuvre) -> Fraction:
 
 
 def refuse(bursts: Bursts, asked: Manoeuvre) -> NoReturn:
-    """Raise InputError with the limit that binds in the duration, and a duration that would do."""
+    """Raise InputError that names the binding limit and a duration that is long enough."""
     duration = float(asked.duration or 0)
     found = _shortest(bursts)
     rule = _NEVER
@@ -91,7 +91,7 @@ def refuse(bursts: Bursts, asked: Manoeuvre) -> NoReturn:
 def _refuse(
     bursts: Bursts, asked: Manoeuvre, can_be_kept: Callable[[Bursts], bool], rule: str
 ) -> NoReturn:
-    """Raise InputError about the limits that cannot be kept even alone, or about both."""
+    """Raise InputError that names the limits that cannot be kept even alone, or both."""
     limits = asked.limits
     alone = {
         "max_rate": (limits.max_rate, replace(bursts, max_burst=np.inf)),
@@ -104,8 +104,9 @@ def _refuse(
 
 
 def _shortest(bursts: Bursts) -> float:
-    """Return the shortest duration, s; motions of larger momentum than those found need longer."""
+    """Return the shortest duration that the limits allow, s; inf if none was found."""
     bound = least(bursts.problem)
+    # Motions of larger momentum than those searched need longer.
     while True:
         known = _all(bursts, bound, lambda known: _least(bursts, known, bursts.shortest))
         found = float(np.min(bursts.shortest(known), initial=np.inf))
@@ -115,7 +116,7 @@ def _shortest(bursts: Bursts) -> float:
 
 
 def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Return all motions up to a momentum, rates (N, 3).
+    """Return the rates (N, 3) of all motions up to a momentum.
 
     Where motions of a one-parameter family differ in cost or in the limits they need, `best`
     replaces each motion by one of its family.
@@ -126,7 +127,7 @@ def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray])
 
 
 def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
-    """Return the cheapest motion within the limits of the family of each motion, rates (N, 3).
+    """Replace each motion, rates (N, 3), by the cheapest of its family within the limits.
 
     Where none is within them, it is the one nearest to the limits.
     """
@@ -144,7 +145,7 @@ def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.nda
 
 
 def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
-    """Return the motion of least value of the family of each motion, rates (N, 3)."""
+    """Replace each motion, rates (N, 3), by the member of its family with the least value."""
 
     def arrived(found: np.ndarray) -> np.ndarray:
         missed = np.linalg.norm(bursts.problem.misses(found), axis=1)
@@ -166,7 +167,7 @@ def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
 
 
 def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Return rates (N, 3) in the family of rates (3,), shares (N,) of it further on."""
+    """Return the members (N, 3) of the family of a motion (3,) at shares (N,) of one period."""
     problem, size = bursts.problem, bursts.problem.momenta(rates)
     if size == 0:
         return np.zeros((len(shares), 3))
@@ -183,7 +184,7 @@ def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def _equal_axes(bursts: Bursts, rates: np.ndarray) -> np.ndarray | None:
-    """Return two axes (2, 3) of the moment of a spin; of a sphere, those nearest to both spins."""
+    """Return two axes (2, 3) with the moment of a spin, for a sphere those nearest to the spins."""
     c = bursts.problem.inertia
     if c.min() == c.max():
         return np.linalg.svd([bursts.before, bursts.after])[2][:2]

@@ -28,10 +28,11 @@ _SAME = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class Arcs:
-    """Arcs of curves on the sphere: `ends` (A, 2), angles; `direction` from angles and arcs.
+    """Arcs of curves of directions on the sphere.
 
-    Along an arc goes the coordinate x from -inf to inf, in which the ends are approached like
-    exp(-|x|).
+    ends (A, 2): angles of both ends of each arc.  direction: from angles and arcs (N,) to unit
+    vectors (N, 3).  Along an arc goes the coordinate x from -inf to inf, in which the ends are
+    approached like exp(-|x|).
     """
 
     ends: np.ndarray
@@ -64,7 +65,7 @@ def arcs(problem: Problem) -> Arcs:
 
 
 def is_symmetry(problem: Problem) -> bool:
-    """Return whether the turn keeps the inertia: motions then come in one-parameter families.
+    """Return True if the turn is a symmetry of the body, with one-parameter families of motions.
 
     Facts manoeuvre.symmetry, ring.euler.
     """
@@ -74,7 +75,7 @@ def is_symmetry(problem: Problem) -> bool:
 
 
 def _inverse(problem: Problem) -> np.ndarray:
-    """Return inverse moments less that of the middle one, from differences of moments."""
+    """Return 1/c_k - 1/c_middle for each axis k, computed without cancellation."""
     c, middle = problem.inertia, problem.axes[1]
     return (c[middle] - c) / (c * c[middle])
 
@@ -86,9 +87,10 @@ def quadratic_form(problem: Problem) -> np.ndarray:
 
 
 def _meridian(problem: Problem, split: float) -> Arcs:
-    """Return arcs through the axes of the largest and the smallest moment, across every polhode.
+    """Return arcs of the great circle through the axes of largest and smallest moment.
 
-    They lie on both sides of both: turns about the axis of a symmetric body need not be half turns.
+    They cross every polhode, on both sides of both axes: turns about the axis of a symmetric body
+    need not be half turns.
     """
     low, _, high = problem.axes
 
@@ -105,7 +107,7 @@ def _meridian(problem: Problem, split: float) -> Arcs:
 def _cone(
     form: np.ndarray, axes: list[np.ndarray], middle: np.ndarray, planes: list[np.ndarray]
 ) -> Arcs:
-    """Return the directions m with m form m = 0, by their angle about the axis of the cone."""
+    """Return the arcs of the cone of directions m with m form m = 0."""
     values, frame = np.linalg.eigh(form)
     if values[1] < 0:
         values, frame = -values[::-1], frame[:, ::-1]
@@ -132,7 +134,7 @@ def _cone(
 
 
 def _cuts(points: np.ndarray, flat: bool) -> np.ndarray:
-    """Return the angles that cut a curve: at points (N, 3), and where planes nearly cross."""
+    """Return the angles that cut a curve into arcs: at points (N, 3), and at flat corners."""
     angles = [0.0, *np.arctan2(points[:, 1], points[:, 0])]
     angles += [0.0, np.pi] if flat else []
     cuts = np.unique(np.mod(angles, 2 * np.pi))

@@ -34,7 +34,7 @@ def least(problem: Problem) -> float:
 
 
 def families(problem: Problem, bound: float) -> np.ndarray:
-    """Return all rates (N, 3) that arrive with a momentum up to `bound`, by momentum.
+    """Return all rates (N, 3) that arrive with a momentum up to `bound`, sorted by momentum.
 
     A one-parameter family, of a turn that is a symmetry of the body, is represented by one motion.
     Raises TooManyError where there are too many to search.
@@ -50,12 +50,12 @@ def families(problem: Problem, bound: float) -> np.ndarray:
 
 @lru_cache(1)
 def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return refined spins of less than a turn; cached for the bound and then the search."""
+    """Return the refined spins of less than a turn, cached for both callers."""
     return refine(problem, _spins(problem, _LESS_THAN_ONE))
 
 
 def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:
-    """Return turns (N, 3) about the axis of the turn, by whole turns longer.
+    """Return rates (N, 3) of spins that make the turn and a number of whole turns.
 
     They arrive where that is a principal axis, and nearly where the body is nearly a sphere.
     """
@@ -68,7 +68,7 @@ def _axes(problem: Problem) -> np.ndarray:
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Return the rates that arrive, each once, by momentum; of a one-parameter family, one."""
+    """Return the distinct rates that arrive, sorted by momentum, one of each family."""
     # Of equal ones the one that arrives best is kept.
     order = np.argsort(angles, kind="stable")
     rates = rates[order][_arrive(problem, rates[order], angles[order])]
@@ -83,7 +83,7 @@ def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.nda
 
 
 def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Return whether motions (N,) arrive.
+    """Return True for each motion (N,) that arrives.
 
     Close to the separatrix doubles miss by more than rounding, but rates hardly differ from those
     that arrive; where misses hardly depend on the rates it is the other way round.

@@ -28,7 +28,7 @@ class Figures:
     angles: EulerAngles
 
     def numbers(self) -> dict[str, Any]:
-        """Return the numbers beside the figures; SI units, angles in degrees.
+        """Return the numbers that describe the figures, in SI units, angles in degrees.
 
         burst: the largest torques of the first burst, of the coast and of the last burst.
         """
@@ -95,14 +95,14 @@ class Figures:
 
 
 def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> Figures:
-    """Plan and fly the paper's manoeuvre; `progress` is called as by `track`."""
+    """Plan and fly the paper's manoeuvre for its figures; `progress` is called as by `track`."""
     tracked = track("paper", progress)
     return Figures(tracked, euler_angles(tracked.transfer.motion, tracked.run.t))
 
 
 @drawing.defaults()
 def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
-    """Draw angles in degrees; the line joins their jumps, as it does in the paper's picture."""
+    """Draw Euler's angles in degrees, with lines across their jumps as in the paper."""
     figure, axes = drawing.history("Euler's angles (degrees)")
     values = np.stack([angles.precession, angles.nutation, angles.spin], axis=1)
     names = ("precession", "nutation", "spin")

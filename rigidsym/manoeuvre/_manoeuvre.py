@@ -1,4 +1,4 @@
-"""A manoeuvre, from one attitude to another in a given time, within limits, and its file."""
+"""Manoeuvres from one attitude to another within limits, and their files."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -60,7 +60,7 @@ class Manoeuvre:
 
     @property
     def trivial(self) -> bool:
-        """True where start equals target, of either sign and any length, at rest."""
+        """True if the body rests in the target from the beginning, up to sign and length."""
         pairs = combinations(zip(self.start, self.target, strict=True), 2)
         turned = any(p * s != q * r for (p, q), (r, s) in pairs)
         return not (turned or any(self.start_spin) or any(self.target_spin))
@@ -133,7 +133,7 @@ def above_zero(field: str, value: ExactNumber) -> Fraction:
 
 
 def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Return rates in rad/s, rounded to doubles, which files can hold in a few digits."""
+    """Convert rates from deg/s to rad/s, rounded to doubles, which files hold in a few digits."""
     exact = inputs.certain("degrees", inputs.in_radians(values))
     return tuple(Fraction(float(x)) for x in exact)
 

@@ -100,7 +100,7 @@ class Plan:
         return "; ".join(said)
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-        """Return columns and rows; the last column is the miss by 1 % and by 1 deg of a burst."""
+        """Return the columns and rows of the table; the last column has effects of errors."""
         rows = []
         for k, one in enumerate(self.transfers, 1):
             rates = ", ".join(f"{x:.9g}" for x in one.omega0)
@@ -258,7 +258,7 @@ def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
 
 
 def _too_many(asked: Manoeuvre, count: int) -> InputError:
-    """Return the error about what makes too many motions to search: spins, count or body."""
+    """Return the error that names the spin, count or body with too many motions to search."""
     spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
     fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
     if any(spins[fastest]):

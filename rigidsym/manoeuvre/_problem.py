@@ -56,7 +56,7 @@ class Problem:
 
     @cached_property
     def _undo(self) -> np.ndarray:
-        """Matrix (4, 4) that takes a quaternion q to q turn^-1 = q @ _undo."""
+        """Matrix (4, 4) with q turn^-1 = q @ _undo for quaternions q."""
         w, x, y, z = self.turn
         return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
 

@@ -1,4 +1,4 @@
-"""From rates that nearly arrive to rates that do: to doubles, then to thirty digits.
+"""Refinement of rates that nearly arrive: in doubles, then at thirty digits.
 
 Doubles are refined by Gauss-Newton with exact derivatives; the derived solution at thirty digits
 verifies them, and refines them once more where doubles are too coarse.
@@ -34,7 +34,7 @@ _PRECISE_ROUNDS = 8
 def refine(
     problem: Problem, rates: np.ndarray, rounds: int = _ROUNDS, enough: float = 1.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return rates (N, 3) nearer to arrival, and the angles (N,) by which they still miss, rad.
+    """Refine rates (N, 3) by Gauss-Newton; return them and the angles (N,) they miss by, rad.
 
     Steps are cut until they help; rates that none helps are kept.  enough: the accepted miss, as a
     multiple of the rounding of doubles; 0 for the least.
@@ -67,7 +67,7 @@ def refine(
 
 
 def smallness(rates: np.ndarray) -> np.ndarray:
-    """Return the scale (N,) of misses of rates (N, 3): small turns are to miss by less."""
+    """Return the scale (N,) of accepted misses, which is smaller for small turns."""
     return np.clip(np.linalg.norm(rates, axis=1), _SMALLEST, 1.0)
 
 
@@ -76,7 +76,7 @@ def _rounding(rates: np.ndarray) -> np.ndarray:
 
 
 def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndarray:
-    """Return steps (N, 3) to arrival, of least length, and no longer than a part of the rates.
+    """Return the Newton steps (N, 3) of least length, limited to a part of the rates.
 
     misses (N, 3), slopes (N, 3, 3): those of the rates (N, 3) and their derivatives.  Steps are
     zero where derivatives are beyond binary64.
@@ -93,7 +93,7 @@ def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndar
 
 
 def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple[Rates, float]:
-    """Return exact rates in rad/s from rates (3,) of the problem, and their miss, rad.
+    """Return exact rates (rad/s) refined from rates (3,) of the problem, and their miss (rad).
 
     They are doubles where these arrive, else decimals of thirty digits.
     """
@@ -118,7 +118,7 @@ def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple
 
 
 def miss(manoeuvre: Manoeuvre, rates: Rates) -> np.ndarray:
-    """Return the turn from the target to where exact rates lead, by the derived solution.
+    """Return the rotation from the target to the attitude that exact rates lead to.
 
     It is a rotation vector (3,), rad, in the body axes of the start.
     """

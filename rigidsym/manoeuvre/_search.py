@@ -42,7 +42,7 @@ class TooManyError(ArithmeticError):
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Points of arcs, and the arrivals of motions that start there; arrays with N rows.
+    """Samples of arcs, with the arrivals of motions that start there, as arrays with N rows.
 
     turns: whole turns of the momentum round its polhode, which take `period` each.  time: momentum
     times duration.  half: half of the angle about the momentum that is left, rad.
@@ -65,7 +65,7 @@ class Samples:
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
-    """Return rates (N, 3) close to all that arrive with a momentum up to `bound`.
+    """Return starting rates (N, 3) near every motion that arrives with a momentum up to `bound`.
 
     Raises TooManyError where there are too many motions of that momentum.
     """
@@ -85,7 +85,7 @@ def _check(count: float, most: int) -> None:
 
 
 def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Samples, Samples]]:
-    """Yield begins and ends of steps that are fine enough."""
+    """Yield the samples at both ends of steps, halved until they are fine enough."""
     samples, left, right = _first(problem, curves, bound)
     for _ in range(_ROUNDS):
         begin, end = samples[left], samples[right]
@@ -102,7 +102,7 @@ def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Sampl
 
 
 def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.ndarray, np.ndarray]:
-    """Return samples, and the rows at begins and ends of the first steps."""
+    """Return the first samples, and the rows of both ends of each step between them."""
     count, grid = len(curves.ends), len(_GRID)
     arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
     momenta = curves.at(arc, x)
@@ -189,7 +189,7 @@ def _zeros(
 def _crossings(
     problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples, wanted: np.ndarray
 ) -> np.ndarray:
-    """Return rates (N, 3) where half angles have changed by a wanted part of their change.
+    """Return the rates (N, 3) at which half angles have made a wanted part of their change.
 
     The zero is found by regula falsi, in its Illinois variant.
     """

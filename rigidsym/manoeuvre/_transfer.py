@@ -1,4 +1,4 @@
-"""A natural motion from start to target, its bursts, and its miss by errors at the start."""
+"""Natural motions from start to target, their bursts, and the effects of errors at the start."""
 
 import json
 from collections.abc import Sequence
@@ -38,12 +38,12 @@ class Robustness:
 
     @property
     def size(self) -> float:
-        """Miss by a burst that is 1 % too strong or too weak, rad."""
+        """Miss caused by a first burst that is 1 % too strong or too weak, rad."""
         return _PERCENT * float(np.linalg.norm(self.by_burst @ self.burst))
 
     @property
     def direction(self) -> float:
-        """Miss by a burst that points off in the worst direction, rad per rad.
+        """Miss caused by an error in the direction of the first burst, at worst, rad per rad.
 
         A burst points off where the attitude is not known exactly.
         """
@@ -52,7 +52,7 @@ class Robustness:
 
 
 def robustness(motion: TorqueFreeMotion, burst: np.ndarray, duration: float) -> Robustness:
-    """Return the robustness of a motion that a burst (3,) begins, N m s, after `duration` s.
+    """Return the effects of small errors on a motion after `duration` s; burst (3,) in N m s.
 
     Raises InputError as `motion.sensitivity` does.
     """
@@ -109,7 +109,7 @@ class Transfer:
         return TorqueFreeMotion(self.manoeuvre.inertia, self.rates, start, engine=self.engine)
 
     def faster(self, manoeuvre: Manoeuvre, ratio: Fraction) -> "Transfer":
-        """Return the same motion `ratio` times as fast, for a manoeuvre that is shorter by it."""
+        """Return the same motion `ratio` times as fast, for a shorter manoeuvre."""
         rates = tuple(ratio * x for x in self.rates)
         return replace(
             self, manoeuvre=manoeuvre, rates=rates, peak_rate=float(ratio) * self.peak_rate
@@ -139,7 +139,7 @@ class Transfer:
 
     @cached_property
     def sensitivity(self) -> Robustness:
-        """Miss where the first burst, the attitude or the moments are not exact.
+        """Effects of small errors in the first burst, the attitude and the moments.
 
         Raises InputError where that leaves binary64, beside the separatrix.
         """
@@ -147,13 +147,13 @@ class Transfer:
 
     @property
     def miss(self) -> str:
-        """Residual in rad, as a bound where rounding alone decides its digits."""
+        """Residual as text, rad; a bound where its digits are rounding."""
         bounds = (f"< {bound:g}" for bound in (1e-14, 1e-12) if self.residual < bound)
         return next(bounds, f"{self.residual:.1e}")
 
     @property
     def missed(self) -> str:
-        """Misses by 1 % and by 1 degree of the first burst, in the worst direction, in degrees."""
+        """Misses as text, degrees: by 1 % of the first burst, and by 1 degree of its direction."""
         found = self.sensitivity
         grown = ", grows exponentially" if self.growth_exponent else ""
         return f"{np.degrees(found.size):.3g}, {found.direction:.3g}{grown}"

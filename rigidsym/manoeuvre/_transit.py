@@ -91,9 +91,10 @@ def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -
 
 @np.errstate(divide="ignore", invalid="ignore")
 def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return first times (N,) at which momenta (N, 3) arrive where the turn puts them, and periods.
+    """Return the first times (N,) at which momenta (N, 3) arrive, and their periods (N,).
 
-    Momenta have size 1.  NaN where they never arrive, being on another polhode, or do not move.
+    They arrive where the turn puts them, and have size 1.  NaN where they never arrive, being on
+    another polhode, or do not move.
     """
     count = len(momenta)
     both = phases(problem, np.concatenate([momenta, momenta @ problem.rotation]))
@@ -103,11 +104,11 @@ def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
-    """Return the largest |omega| (N,) in time 1 of motions that begin with rates (N, 3) and arrive.
+    """Return the largest |omega| (N,) of motions that arrive, from rates (N, 3).
 
-    On a polhode |omega|^2 is linear in sn^2, so that its extremes are at the ends of the motion
-    and where the argument of Jacobi's functions passes a multiple of K(m) (facts regular.speed,
-    regular.speed_rate).
+    Motions take time 1.  On a polhode |omega|^2 is linear in sn^2, so that its extremes are at the
+    ends of the motion and where the argument of Jacobi's functions passes a multiple of K(m) (facts
+    regular.speed, regular.speed_rate).
     """
     sizes = problem.momenta(rates)
     momenta = problem.inertia * rates / np.where(sizes > 0, sizes, 1.0)[:, None]

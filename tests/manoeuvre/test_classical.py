@@ -1,4 +1,4 @@
-"""Euler's angles of the classical solution against the library's attitudes and by definition."""
+"""Tests of Euler's angles of the classical solution by the library's attitudes."""
 
 import numpy as np
 import pytest
@@ -17,11 +17,13 @@ MOTIONS = {
 }
 
 
-@pytest.fixture(params=MOTIONS)
-def motion(request):
-    return MOTIONS[request.param]
+@pytest.fixture
+def steady():
+    """Angles of a symmetric body at 0, 0.1, .., 100 s."""
+    return euler_angles(MOTIONS["symmetric"], np.linspace(0, 100, 1001))
 
 
+@pytest.mark.parametrize("motion", MOTIONS.values(), ids=MOTIONS)
 def test_the_angles_are_the_attitude(motion):
     t = np.linspace(0, 300, 601)
     angles = euler_angles(motion, t)
@@ -45,21 +47,15 @@ def about(axis, angle):
     return matrix(q)
 
 
-def test_a_symmetric_body_precesses_steadily():
-    t = np.linspace(0, 100, 1001)
-    angles = euler_angles(MOTIONS["symmetric"], t)
+def test_a_symmetric_body_precesses_steadily(steady):
     size = np.linalg.norm([0.03 * 0.02, 0.03 * 0.01, 0.05 * 0.04])
-    np.testing.assert_allclose(angles.nutation, np.arccos(0.05 * 0.04 / size), rtol=1e-12)
-    rate = np.diff(np.unwrap(angles.precession)) / 0.1
-    np.testing.assert_allclose(rate, size / 0.03, rtol=1e-9)
-    np.testing.assert_allclose(np.diff(np.unwrap(angles.spin)) / 0.1, 0.04 - size * (
-        0.05 * 0.04 / size) / 0.03, rtol=1e-9)  # fmt: skip
+    np.testing.assert_allclose(steady.nutation, np.arccos(0.05 * 0.04 / size), rtol=1e-12)
+    precession, spin = (np.diff(np.unwrap(x)) / 0.1 for x in (steady.precession, steady.spin))
+    np.testing.assert_allclose(precession, size / 0.03, rtol=1e-9)
+    np.testing.assert_allclose(spin, 0.04 - 0.05 * 0.04 / 0.03, rtol=1e-9)
 
 
-def test_jumps_are_counted():
-    t = np.linspace(0, 100, 1001)
-    angles = euler_angles(MOTIONS["symmetric"], t)
-    turned = np.unwrap(angles.precession)
-    whole = int(np.floor((turned[-1] + np.pi) / (2 * np.pi)))
-    assert angles.jumps()["precession"] == whole > 0
-    assert angles.jumps()["nutation"] == 0
+def test_jumps_are_counted(steady):
+    whole = int(np.floor((np.unwrap(steady.precession)[-1] + np.pi) / (2 * np.pi)))
+    assert steady.jumps()["precession"] == whole > 0
+    assert steady.jumps()["nutation"] == 0

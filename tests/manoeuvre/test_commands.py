@@ -24,12 +24,12 @@ creation_date = 2026-01-01T00:00:00Z
 """
 AT_TARGET = ("[0.9, 0.1, -0.2, 0.3]", "[-2, 0, 0, 0]")
 TARGET = np.array([0.9, 0.1, -0.2, 0.3]) / np.linalg.norm([0.9, 0.1, -0.2, 0.3])
+WRITING = "plan short.toml -o out", "track short.toml -o out", "figures -o figures"
 COMMANDS = """
 import sys
 from rigidsym._cli import main
-status, commands, *words = sys.argv[1:]
-for command in commands.split(","):
-    assert main([*command.split(), *words]) == int(status)
+for command in sys.argv[2:]:
+    assert main(command.split()) == int(sys.argv[1])
 """
 # Settings of matplotlib that change lines, texts, backgrounds, sizes and ids.
 SETTINGS = """
@@ -51,12 +51,11 @@ def short(tmp_path):
     return path
 
 
-def process(status, commands, *words, before="", cwd=None, **environment):
+def process(cwd, status, *commands, before="", **environment):
     """Run commands in a process of its own; each has to end with a status."""
-    command = [sys.executable, "-W", "error", "-c", before + COMMANDS, str(status), commands]
     done = subprocess.run(
-        [*command, *map(str, words)], env={**os.environ, **environment}, capture_output=True,
-        text=True, check=False, cwd=cwd,
+        [sys.executable, "-W", "error", "-c", before + COMMANDS, str(status), *commands],
+        env={**os.environ, **environment}, capture_output=True, text=True, check=False, cwd=cwd,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     return done
@@ -66,29 +65,30 @@ def contents(directory):
     return {path.name: path.read_bytes() for path in directory.iterdir()}
 
 
-@pytest.fixture(scope="module")
-def flown(tmp_path_factory):
-    """The files of `rigidsym plan` and `rigidsym track`, and what they print."""
-    directory = tmp_path_factory.mktemp("flown")
-    short = directory / "short.toml"
-    short.write_text(SHORT)
-    own = {"PYTHONHASHSEED": "0", "OMP_NUM_THREADS": "1"}
-    return directory / "out", process(0, "plan,track", short, "-o", directory / "out", **own)
+@pytest.fixture(scope="session")
+def made(once):
+    """A folder with the files of plan and track (`out`) and of figures, and what they print."""
+
+    def run(folder):
+        (folder / "short.toml").write_text(SHORT)
+        done = process(folder, 0, *WRITING, PYTHONHASHSEED="0", OMP_NUM_THREADS="1")
+        (folder / "stdout").write_text(done.stdout)
+        (folder / "stderr").write_text(done.stderr)
+
+    return once("manoeuvres", run)
 
 
-@pytest.fixture(scope="module")
-def figures(tmp_path_factory):
-    """The files of `rigidsym figures`, and what it prints."""
-    directory = tmp_path_factory.mktemp("figures")
-    return directory, process(0, "figures", "-o", directory).stdout
+@pytest.fixture(scope="session")
+def printed(made):
+    return (made / "stdout").read_text(), (made / "stderr").read_text()
 
 
 def test_plan(short, run):
-    printed = run("plan", short, "--all", "3")
-    assert "rigidsym plan: 20 s" in printed.out
-    assert "miss (rad)" in printed.out
-    assert printed.out.count("< 1e-1") == 3  # rounding, whose digits differ between processors
-    assert printed.err == ""
+    found = run("plan", short, "--all", "3")
+    assert "rigidsym plan: 20 s" in found.out
+    assert "miss (rad)" in found.out
+    assert found.out.count("< 1e-1") == 3  # rounding, whose digits differ between processors
+    assert found.err == ""
 
 
 def test_json_is_the_same_each_time(short, run):
@@ -99,10 +99,9 @@ def test_json_is_the_same_each_time(short, run):
     assert len(data["transfers"]) == 2
 
 
-def test_its_case_files_reach_the_target(flown, run):
-    directory, done = flown
-    assert f"wrote {directory / 'plan.json'}" in done.stderr
-    last = run("propagate", directory / "transfer-1.toml").out.strip().splitlines()[-1]
+def test_its_case_files_reach_the_target(made, printed, run):
+    assert "wrote out/plan.json" in printed[1]
+    last = run("propagate", made / "out" / "transfer-1.toml").out.strip().splitlines()[-1]
     numbers = [float(x) for x in last.replace(",", " ").split()]
     assert numbers[0] == 20
     assert abs(np.array(numbers[1:5]) @ TARGET) == pytest.approx(1, abs=1e-9)
@@ -121,24 +120,24 @@ def test_the_file_of_the_package_can_be_planned(run):
     assert json.loads(run("plan paper --json").out)["transfers"][0]["residual"] <= 1e-12
 
 
-def test_track(flown):
-    directory, done = flown
-    assert "settled at the target" in done.stdout
-    assert "nothing to do" not in done.stdout
-    assert len(re.findall(r"unexplained.* below \de-", done.stdout)) == 2
-    assert f"wrote {directory / 'summary.json'}" in done.stderr
-    with np.load(directory / "run.npz") as states:
+def test_track(made, printed):
+    out, err = printed
+    assert "settled at the target" in out
+    assert "nothing to do" not in out
+    assert len(re.findall(r"unexplained.* below \de-", out)) == 2
+    assert "wrote out/summary.json" in err
+    with np.load(made / "out" / "run.npz") as states:
         q = states["q"][-1]
     assert q @ TARGET == pytest.approx(1, abs=1e-6)
 
 
-def test_track_as_json(flown, short, run):
+def test_track_as_json(made, short, run):
     text = run("track --json", short).out
     summary = json.loads(text)
     assert summary["schema"] == "rigidsym.track/1"
     assert summary["transfer"]["duration"] == 20
     assert summary["flight"]["run"]["length"] == 50
-    assert text == (flown[0] / "summary.json").read_text()
+    assert text == (made / "out" / "summary.json").read_text()
 
 
 @pytest.mark.parametrize(
@@ -187,32 +186,32 @@ def test_bad_files_are_refused_in_one_line(short, command, text, message, run):
         short.unlink()
     else:
         short.write_text(text)
-    printed = run(command, short, status=2)
-    assert printed.err.startswith(f"rigidsym {command}: {message.format(path=short)}")
-    assert printed.err.count("\n") == 1
-    assert printed.out == ""
+    found = run(command, short, status=2)
+    assert found.err.startswith(f"rigidsym {command}: {message.format(path=short)}")
+    assert found.err.count("\n") == 1
+    assert found.out == ""
 
 
 @pytest.mark.parametrize("package", ["scipy", "erfa", "ppigrf", "pydantic", "matplotlib"])
 def test_missing_packages_are_named_in_one_line(package, tmp_path):
     commands = ["track paper", "figures"] + (["plan paper"] if package == "scipy" else [])
     hidden = f"import sys\nsys.modules[{package!r}] = None\n"
-    lines = process(2, ",".join(commands), before=hidden, cwd=tmp_path).stderr.splitlines()
+    lines = process(tmp_path, 2, *commands, before=hidden).stderr.splitlines()
     assert len(lines) == len(commands)
     for line in lines:
         assert f"packages = {package}: " in line
         assert "pip install 'rigidsym[app]'" in line
 
 
-def test_the_figures(figures):
-    directory, printed = figures
+def test_the_figures(made, printed):
     names = {f"figure{k}.{suffix}" for k in (1, 2, 3) for suffix in ("svg", "png")}
-    assert {path.name for path in directory.iterdir()} == names | {"figures.md"}
-    assert re.search(r"jumps of Euler's angles in 180 s: precession [1-9], .* spin [1-9]", printed)
+    assert {path.name for path in (made / "figures").iterdir()} == names | {"figures.md"}
+    jumps = r"jumps of Euler's angles in 180 s: precession [1-9], .* spin [1-9]"
+    assert re.search(jumps, printed[0])
 
 
-def test_the_figures_show_what_the_papers_show(figures):
-    text = " ".join((figures[0] / "figures.md").read_text().split())
+def test_the_figures_show_what_the_papers_show(made):
+    text = " ".join((made / "figures" / "figures.md").read_text().split())
 
     def numbers(pattern):
         return map(float, re.search(pattern, text).groups())
@@ -230,19 +229,17 @@ def test_the_figures_show_what_the_papers_show(figures):
     assert next(numbers(r"quaternions to (\S+) degrees")) < 1e-10
 
 
-def test_the_figures_are_the_same_each_time(figures, tmp_path, run):
-    run("figures", "-o", tmp_path)
-    for path in tmp_path.iterdir():
-        assert path.read_bytes() == (figures[0] / path.name).read_bytes(), path.name
-
-
-def test_files_are_the_same_in_all_environments(flown, short, tmp_path):
-    """Whatever the order of sets, the number of threads and the user's settings of matplotlib."""
-    settings = tmp_path / "matplotlibrc"
+def test_files_are_the_same_in_all_environments(made, short):
+    """The order of sets, the number of threads and settings of matplotlib have no effect."""
+    folder = short.parent
+    settings = folder / "matplotlibrc"
     settings.write_text(SETTINGS)
     own = {"MATPLOTLIBRC": str(settings), "PYTHONHASHSEED": "7", "OMP_NUM_THREADS": "2"}
-    process(0, "plan,track", short, "-o", tmp_path / "other", **own)
-    one, other = contents(flown[0]), contents(tmp_path / "other")
-    assert {"plan.json", "run.npz", "attitude.svg", "attitude.png", "torques.svg"} <= set(one)
-    assert one.keys() == other.keys()
-    assert [name for name in one if one[name] != other[name]] == []
+    process(folder, 0, *WRITING, **own)
+    assert {"plan.json", "run.npz", "attitude.svg", "attitude.png", "torques.svg"} <= set(
+        contents(made / "out")
+    )
+    for name in ("out", "figures"):
+        one, other = contents(made / name), contents(folder / name)
+        assert one.keys() == other.keys()
+        assert [name for name in one if one[name] != other[name]] == []

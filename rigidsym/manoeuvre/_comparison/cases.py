@@ -26,7 +26,7 @@ _DIGITS = 6
 
 @dataclass(frozen=True)
 class Case:
-    """A random manoeuvre by its index; body: "paper" or "random"."""
+    """A random manoeuvre and its index; `body` is "paper" or "random"."""
 
     index: int
     body: str
@@ -34,7 +34,7 @@ class Case:
 
     @cached_property
     def problem(self) -> Problem:
-        """The dimensionless problem; it computes no motions here, so that any engine will do."""
+        """The dimensionless problem of the manoeuvre; no motion is computed with its engine."""
         asked = self.manoeuvre
         return problem(asked.inertia, asked.start, asked.target, engine("numpy"))
 

@@ -169,7 +169,7 @@ def still(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Trajectory:
-    """Sample a motion on a mesh, with the torques that its rates need, whatever the limits.
+    """Sample a motion on a mesh, and the torques that it needs without limits.
 
     The first and the last interval start and stop it where it does not begin and end at rest.
     """
@@ -185,7 +185,7 @@ def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Tra
 
 
 class Driven:
-    """The motion from rest and the start under impulses on a mesh, by SciPy's DOP853.
+    """Motion from rest under impulses on a mesh, integrated by SciPy's DOP853.
 
     It checks optima by another integrator than collocation.
     """

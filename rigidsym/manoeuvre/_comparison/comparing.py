@@ -1,7 +1,8 @@
-"""Random manoeuvres, shared among processes; the result does not depend on how they are shared.
+"""The comparison on random manoeuvres, computed by several processes.
 
-The work is cut into pieces of a second or two, which processes share well and stop soon.  Each
-piece draws and plans its manoeuvre anew, or takes it from a cache.
+The results do not depend on how the work is shared.  It is cut into pieces of a second or two,
+which processes share well and stop soon.  Each piece draws and plans its manoeuvre anew, or takes
+it from a cache.
 """
 
 from collections.abc import Callable, Sequence
@@ -11,14 +12,12 @@ from functools import lru_cache, partial
 from itertools import count, islice, product
 from typing import Any, TypeVar
 
-import numpy as np
-
 from rigidsym import _inputs as inputs
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import flights, optimiser
 from rigidsym.manoeuvre._comparison.cases import Case, draw
 from rigidsym.manoeuvre._comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre._comparison.flights import METHODS, Ways
+from rigidsym.manoeuvre._comparison.flights import METHODS
 from rigidsym.manoeuvre._comparison.optimiser import TASKS
 from rigidsym.manoeuvre._comparison.results import Comparison, Record
 from rigidsym.manoeuvre._transfer import Transfer
@@ -72,20 +71,22 @@ def compare(
 def _records(
     work: Callable[[Sequence[Callable[[], Any]]], list[Any]], seed: int, indices: Sequence[int]
 ) -> list[Record]:
-    """Solve optimal control first, since its motions are flown."""
+    """Return the results of all manoeuvres; optimal control is first, as its motions are flown."""
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
-    solved = dict(zip(tasks, work([partial(_solved, seed, *one) for one in tasks]), strict=True))
+    calls = [partial(_piece, seed, k, optimiser.solved, task) for k, task in tasks]
+    solved = dict(zip(tasks, work(calls), strict=True))
     calls = [
-        partial(_flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
-        for k, (model, method) in ways
+        partial(_piece, seed, k, flights.flown, *way, solved[k, Task(way[0], Cost.FUEL)][1])
+        for k, way in ways
     ]
     flown = dict(zip(ways, work(calls), strict=True))
-    ideals = work([partial(_ideals, seed, k) for k in indices])
+    ideals = work([partial(_piece, seed, k, flights.ideals) for k in indices])
     return [
         {
             **draw(k, seed).to_data(),
             "flown": {
-                model.value: {way: flown[k, (model, way)] for way in METHODS} for model in Model
+                model.value: {way: asdict(flown[k, (model, way)]) for way in METHODS}
+                for model in Model
             },
             "ideal": ideals[k],
             "optimal": {task.name: solved[k, task][0] for task in TASKS},
@@ -94,21 +95,9 @@ def _records(
     ]
 
 
-def _solved(seed: int, index: int, task: Task) -> tuple[dict[str, Any], np.ndarray]:
-    case, transfer = _planned(seed, index)
-    return optimiser.solved(case, task, optimiser.guesses(case, transfer))
-
-
-def _flown(
-    seed: int, index: int, model: Model, method: str, impulses: np.ndarray
-) -> dict[str, Any]:
-    case, transfer = _planned(seed, index)
-    return asdict(flights.flown(method, Ways(case, model, transfer, impulses)))
-
-
-def _ideals(seed: int, index: int) -> dict[str, dict[str, float]]:
-    case, transfer = _planned(seed, index)
-    return {model.value: flights.ideal(case, model, transfer) for model in Model}
+def _piece(seed: int, index: int, work: Callable[..., Found], *given: object) -> Found:
+    """Return a piece of work on the manoeuvre of an index and its cheapest transfer."""
+    return work(*_planned(seed, index), *given)
 
 
 @lru_cache(maxsize=8)

@@ -101,14 +101,14 @@ class Ways:
     impulses: np.ndarray
 
     def flight(self, controller: Controller | None = None) -> Flight:
-        """Return the paper's flight, as long as the manoeuvre takes; by feedback alone if None."""
+        """Return the settings of a flight with a controller, by default of feedback alone."""
         plain = Controller(feedforward=self.actuators is Model.THRUSTERS)
         timing = Timing(length=Fraction(self.case.duration) + HOLD, period=PERIOD)
         return Flight(run=timing, controller=controller or plain)
 
     @property
     def slow(self) -> Flight:
-        """A flight by feedback alone with gains so low that a step takes the duration."""
+        """Settings of feedback with gains so low that a step takes the whole duration."""
         flight, case = self.flight(), self.case
         settled = np.radians(flight.run.settled)
         frequency = slowest(case.problem.angle, settled) / case.duration
@@ -151,10 +151,12 @@ class Flown:
     saturated: bool
 
 
-def flown(method: str, ways: Ways) -> Flown:
+def flown(
+    case: Case, transfer: Transfer, actuators: Model, method: str, impulses: np.ndarray
+) -> Flown:
     """Fly a way and measure it; raises InputError where torques are too wild to follow."""
-    track, flight = METHODS[method](ways)
-    return measured(fly(ways.case.manoeuvre, flight, track), flight, ways.actuators)
+    track, flight = METHODS[method](Ways(case, actuators, transfer, impulses))
+    return measured(fly(case.manoeuvre, flight, track), flight, actuators)
 
 
 def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
@@ -179,7 +181,7 @@ def exerted(run: Run, actuators: Model) -> np.ndarray:
 
 
 def slowest(turn: float, within: float) -> float:
-    """Return the natural frequency times the time that a critically damped oscillator takes.
+    """Return the natural frequency with which a critically damped oscillator settles in time 1.
 
     It is `turn` off at first and `within` at last, rad: (1 + x) exp(-x) = within / turn, solved
     by Lambert's function.
@@ -187,30 +189,32 @@ def slowest(turn: float, within: float) -> float:
     return float(-1 - lambertw(-within / turn / e, -1).real) if turn > within else 1.0
 
 
-def ideal(case: Case, model: Model, transfer: Transfer) -> dict[str, float]:
-    """Return the cost of ways if bursts took no time and nothing disturbed.
+def ideals(case: Case, transfer: Transfer) -> dict[str, dict[str, float]]:
+    """Return the costs of ways with instantaneous bursts and without disturbances.
 
-    It is the integral of |torque|, summed over the axes, N m s, by way.  Wheels have to exert the
-    gyroscopic torque of a natural motion, thrusters have to cancel that of a turn at constant rate.
+    They are the integral of |torque|, summed over the axes, N m s, by actuators and way.  Wheels
+    have to exert the gyroscopic torque of a natural motion, thrusters have to cancel that of a turn
+    at constant rate.
     """
+    several = solve(case.manoeuvre, FAMILIES).transfers
+    rates, t = case.rotation_vector / case.duration, np.linspace(0, case.duration, _SAMPLES)
 
     def gyroscopic(omega: np.ndarray) -> np.ndarray:
         return np.abs(np.cross(omega, case.inertia * omega)).sum(axis=-1)
 
-    def natural(one: Transfer) -> float:
+    def natural(one: Transfer, model: Model) -> float:
         bursts = float(np.abs(one.bursts).sum())
         if model is Model.THRUSTERS:
             return bursts
-        t = np.linspace(0, case.duration, _SAMPLES)
         return bursts + float(np.trapezoid(gyroscopic(one.motion(t)[1]), t))
 
-    rates = case.rotation_vector / case.duration
     turn = 2 * float(np.abs(case.inertia * rates).sum())
-    if model is Model.THRUSTERS:
-        turn += case.duration * float(gyroscopic(rates))
-    several = solve(case.manoeuvre, FAMILIES).transfers
+    driven = turn + case.duration * float(gyroscopic(rates))
     return {
-        "natural": natural(transfer),
-        f"natural, best of {FAMILIES}": min(map(natural, several)),
-        "eigenaxis": turn,
+        model.value: {
+            "natural": natural(transfer, model),
+            f"natural, best of {FAMILIES}": min(natural(one, model) for one in several),
+            "eigenaxis": driven if model is Model.THRUSTERS else turn,
+        }
+        for model in Model
     }

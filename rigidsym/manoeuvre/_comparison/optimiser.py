@@ -83,7 +83,7 @@ class Optimum:
     trajectory: Trajectory
 
 
-def solved(case: Case, task: Task, begin: Mapping[str, Guess]) -> tuple[dict[str, Any], np.ndarray]:
+def solved(case: Case, transfer: Transfer, task: Task) -> tuple[dict[str, Any], np.ndarray]:
     """Solve a task from each guess, and return the results and the impulses of the best.
 
     The results are the entries of the schema rigidsym.comparison/1: the least cost of all attempts
@@ -94,7 +94,10 @@ def solved(case: Case, task: Task, begin: Mapping[str, Guess]) -> tuple[dict[str
     largest = float(case.inertia.max())
     inertia, target = case.inertia / largest, case.problem.turn
     posed = Posed(inertia, target, Wheels().max_torque * case.duration**2 / largest)
-    points = {name: guessed(MESH, inertia, task.model, motion) for name, motion in begin.items()}
+    points = {
+        name: guessed(MESH, inertia, task.model, motion)
+        for name, motion in guesses(case, transfer).items()
+    }
     found = {
         setting: {name: optimum(task, posed, point, setting) for name, point in points.items()}
         for setting in SETTINGS

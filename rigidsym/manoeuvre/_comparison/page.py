@@ -120,7 +120,7 @@ def conclusion(summary: Mapping[str, Any], manoeuvres: int) -> str:
 
 
 def page(command: str, count: int, summary: Mapping[str, Any]) -> str:
-    """Return comparison.md."""
+    """Return the text of comparison.md."""
     flown, optimal = summary["flown"], summary["optimal"]
     wheels = flown[Model.WHEELS]
     fuel = {model: optimal[Task(model, Cost.FUEL).name]["attempts"] for model in Model}

@@ -42,7 +42,7 @@ class Comparison:
 
     @cached_property
     def flown(self) -> DataFrame:
-        """A row for each flight: manoeuvre, actuators, method, measures and their ratios."""
+        """Table of all flights: manoeuvre, actuators, method, measures and their ratios."""
         return DataFrame(
             {
                 "manoeuvre": record["index"],
@@ -60,7 +60,7 @@ class Comparison:
 
     @cached_property
     def ideal(self) -> DataFrame:
-        """A row for each way with ideal bursts: its ratio to the least fuel without limits."""
+        """Table of all ways with ideal bursts: ratios to the least fuel without limits."""
         return DataFrame(
             {
                 "manoeuvre": record["index"],
@@ -75,7 +75,7 @@ class Comparison:
 
     @cached_property
     def attempts(self) -> DataFrame:
-        """A row for each search: iterations, and whether it converged, was best, was quickest."""
+        """Table of all searches: iterations, and whether each converged, was best, was quickest."""
         frame = DataFrame(
             {"manoeuvre": record["index"], "task": task, "setting": setting, "guess": guess, **one}
             for record in self.records
@@ -111,7 +111,7 @@ class Comparison:
         return f"rigidsym compare --manoeuvres {len(self.records)} --seed {self.seed}"
 
     def to_json(self) -> str:
-        """Return the schema rigidsym.comparison/1: no times, so that it is the same on each run."""
+        """Return the schema rigidsym.comparison/1 as text, the same for each run."""
         data = {
             "schema": SCHEMA,
             "command": self.command,
@@ -153,7 +153,7 @@ class Comparison:
         ]
 
     def _panels(self) -> list[Spread]:
-        """Return a dot for each manoeuvre: costs by method, iterations by guess."""
+        """Return the panels of the picture: costs by method, iterations by guess."""
         label, title = "torque integral over the least fuel", f"optimal control: {_DRAWN.name}"
         costs = _grouped(
             self.flown, ["actuators", "method"], lambda one: one["over_least_fuel"].tolist()
@@ -170,7 +170,7 @@ class Comparison:
 
 
 def _least(record: Record, model: str, cost: Cost = Cost.FUEL, limited: bool = True) -> float:
-    """Return the least cost that was found, N m s of fuel, N^2 m^2 s of energy."""
+    """Return the least cost found for a manoeuvre, N m s of fuel or N^2 m^2 s of energy."""
     return record["optimal"][Task(Model(model), cost, limited).name]["best"]
 
 
@@ -185,7 +185,7 @@ def spread(values: Iterable[float]) -> dict[str, float]:
 
 
 def _grouped(frame: DataFrame, columns: list[str], measure: Callable[[DataFrame], Any]) -> Any:
-    """Return measures of groups as nested dicts by the values of columns, in order of rows."""
+    """Measure the rows for each combination of values in columns; return nested dicts."""
     first, *rest = columns
     return {
         str(key): _grouped(group, rest, measure) if rest else measure(group)
@@ -204,7 +204,7 @@ def _measures(flown: DataFrame) -> dict[str, Any]:
 
 
 def _attempts(tried: DataFrame) -> dict[str, Any]:
-    """Return iterations, None where no search converged; and how many did, were best, quickest."""
+    """Return the spread of iterations, and how many searches converged, were best or quickest."""
     done = tried["iterations"][tried["converged"]]
     counts = {name: int(tried[name].sum()) for name in ("converged", "best", "fewest")}
     return {"iterations": spread(done) if len(done) else None, **counts}

@@ -69,7 +69,7 @@ class Burns:
 
 
 def planned(flight: Flight, manoeuvre: Manoeuvre, track: Transfer | Track) -> Burns | None:
-    """Return the burns of thrusters, or of wheels that feed the bursts forward; None without.
+    """Return the burns by which thrusters or wheels make the bursts; None without burns.
 
     Thrusters leave out a component below half of the minimum impulse; others are at least that
     impulse.  Raises InputError where burns last too long.

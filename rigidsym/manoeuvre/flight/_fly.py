@@ -37,7 +37,7 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _Ramp:
-    """The wheels between two samples; their torque goes to `then` along a straight line."""
+    """Wheels between two samples, with a torque that changes linearly to `then`."""
 
     begin: float
     end: float
@@ -148,7 +148,7 @@ def _steered(
     span: tuple[float, float],
     burns: Burns | None,
 ) -> _Ramp:
-    """Return the wheels' course until the next sample, by feedback, feedforward and burns."""
+    """Return the wheels' torque until the next sample, from feedback, feedforward and burns."""
     begin, end = span
     q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
     command = control.feedforward(controller, q, omega, now.momentum, wanted)

@@ -91,7 +91,7 @@ class Tracked:
         return target["final_error"] is not None and target["settled_at"] is None
 
     def rows(self, checks: bool = True) -> Rows:
-        """Return pairs of name and figure, the most important first, the checks last."""
+        """Return the measures as pairs of name and text, the checks last."""
         rows = self.run.rows(self.flight.run.settled)
         missed = self.transfer.sensitivity
         flown = [name for name, _ in rows].index("error at arrival")
@@ -127,9 +127,9 @@ class Tracked:
         return aem(Track(run.t, run.q, run.omega), epoch, **names)
 
     def contents(self) -> dict[str, bytes]:
-        """Return files by name: run.npz, from 1972 on attitude.aem, pictures, summary.json.
+        """Return the contents of all files by name: data, message, pictures, summary.
 
-        Raises InputError as `to_aem` does.
+        There is a message from 1972 on.  Raises InputError as `to_aem` does.
         """
         found = {"run.npz": self.to_npz()}
         if self.flight.orbit.epoch.year >= _UTC_BEGINS:
@@ -142,10 +142,10 @@ class Tracked:
         return found | {"summary.json": self.to_json().encode()}
 
     def write(self, directory: Path) -> list[Path]:
-        """Write `contents`, all of them made before the first; raises InputError.
+        """Write all files of `contents` to a directory; raise InputError where that fails.
 
-        An attitude.aem of an earlier flight is removed where this one has none: beside the other
-        files it would be taken for this flight's.
+        All contents are made before the first is written.  An attitude.aem of an earlier flight is
+        removed where this one has none: beside the other files it would be taken for this flight's.
         """
         contents = self.contents()
         if _MESSAGE not in contents:
@@ -166,5 +166,5 @@ def track(name: str, progress: Callable[[int, int], None] = lambda done, total: 
 
 
 def _plain(value: datetime | Fraction) -> str | float:
-    """Return a setting that JSON has no type for as one that it has."""
+    """Convert a setting of a type that JSON cannot hold."""
     return value.isoformat() if isinstance(value, datetime) else float(value)

@@ -158,7 +158,7 @@ class Run:
         }
 
     def rows(self, settled: float = _SETTLED) -> Rows:
-        """Return pairs of name and figure; `settled` is what counts as settled, degrees."""
+        """Return the measures as pairs of name and text; `settled` is a tolerance, degrees."""
         error, target, effort = self.tracking(), self.holding(radians(settled)), self.effort()
         burnt = []
         if last := self.last_burn():
@@ -247,7 +247,7 @@ class Run:
 
 
 def predicted(size: float, direction: float) -> tuple[str, str]:
-    """Return the row of the miss of a natural motion that nothing corrects.
+    """Return the table row of the miss that is predicted for an uncorrected motion.
 
     size: by 1 % of the first burst, rad.  direction: by where it points, rad per rad.
     """

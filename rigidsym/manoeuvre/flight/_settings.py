@@ -1,4 +1,4 @@
-"""Settings of a flight: every number that it needs, with its source, and the tables that give it.
+"""Settings of a flight with their sources, and the tables of files that change them.
 
 "paper" below is the caption of the paper's Figure 3.  The paper prints nothing else: what is not
 marked so is a choice made here, with its reason.
@@ -46,7 +46,7 @@ Rule = tuple[Callable[[Any], bool], str]
 
 
 def _read(read: Callable[[Any], Any], *rules: Rule) -> PlainValidator:
-    """Return the validator of a value as `read` gives it; it, or each part of it, keeps rules."""
+    """Return a validator that reads a value and checks it, or each of its parts, by rules."""
 
     def found(value: Any) -> Any:
         number = read(value)
@@ -61,12 +61,12 @@ def _read(read: Callable[[Any], Any], *rules: Rule) -> PlainValidator:
 
 
 def _number(*rules: Rule) -> PlainValidator:
-    """Return the validator of a double that keeps rules."""
+    """Return a validator that checks a double by rules."""
     return _read(lambda value: inputs.doubles("", [inputs.exact("", value)])[0], *rules)
 
 
 def _triple(*rules: Rule) -> PlainValidator:
-    """Return the validator of three doubles, each of which keeps rules."""
+    """Return a validator that checks each of three doubles by rules."""
 
     def read(value: Any) -> tuple[float, ...]:
         return tuple(inputs.doubles("", inputs.certain("", inputs.vector("", value, 3))))
@@ -88,7 +88,7 @@ def _within(most: float, unit: str) -> Rule:
 
 
 def _between(low: float, high: float, what: str = "", unit: str = "") -> PlainValidator:
-    """Return the validator of a double in a range; `what` is for words before it."""
+    """Return a validator of a double in a range; `what` and `unit` are words for the message."""
     return _number((lambda x: low <= x <= high, f"must be {what}from {low:g} to {high:g}{unit}"))
 
 
@@ -153,7 +153,7 @@ class Wheels:
 @with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Thrusters:
-    """Pairs along the principal axes that push against the outside, on or off."""
+    """Pairs of thrusters along the principal axes, on or off."""
 
     torque: Positive = 1e-3
     "Of a pair while it burns, N m (chosen: as much as the wheels')."
@@ -305,7 +305,7 @@ def read(tables: TomlTable) -> Flight:
 
 
 def _table(name: str, table: object) -> dict[str, object]:
-    """Return a table as a dict; TOML has no None, which pydantic would take for a default."""
+    """Return a table as a dict; refuse None, which pydantic would take for a default."""
     if not isinstance(table, Mapping):
         known = ", ".join(_NAMES[name])
         raise InputError(name, repr(table), f"must be a table of {known}")
@@ -316,7 +316,7 @@ def _table(name: str, table: object) -> dict[str, object]:
 
 
 def _refused(error: ValidationError) -> InputError:
-    """Return the first error of pydantic in one line."""
+    """Return the first error of pydantic as an InputError."""
     first = error.errors(include_url=False)[0]
     name, *inner = map(str, first["loc"])
     cause = first.get("ctx", {}).get("error")

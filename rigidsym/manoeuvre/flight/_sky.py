@@ -53,7 +53,7 @@ class Path:
 
 
 def sunlit(position: Sequence[float], sun: Sequence[float]) -> float:
-    """Return the share of the Sun's disc that the Earth leaves visible: a conical shadow.
+    """Return the visible share of the Sun's disc, by a conical shadow of the Earth.
 
     position, sun: (3,) from the Earth's middle, m.  Montenbruck and Gill, Satellite Orbits,
     section 3.4.2: a, b are the apparent radii of Sun and Earth, c the angle between their middles.
@@ -94,7 +94,7 @@ def _utc(epoch: datetime) -> tuple[float, float]:
 
 @contextmanager
 def _unwarned() -> Generator[None]:
-    """Silence warnings of unsure leap seconds, before 1960 and to come, and of an unsure Sun."""
+    """Silence warnings about dates with uncertain leap seconds or Sun."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", erfa.ErfaWarning)
         yield
@@ -111,9 +111,10 @@ def sun_position(epoch: datetime, t: np.ndarray) -> np.ndarray:
 
 
 def earth_turn(epoch: datetime, t: np.ndarray) -> np.ndarray:
-    """Return rotations (N, 3, 3), inertial to Earth-fixed: precession, nutation, Earth's angle.
+    """Return rotation matrices (N, 3, 3) from inertial to Earth-fixed axes.
 
-    UT1 is taken as UTC (15 arc seconds at most) and the polar motion (half of one) as none.
+    They are of precession, nutation and the Earth's angle.  UT1 is taken as UTC (15 arc seconds at
+    most) and the polar motion (half of one) as none.
     """
     whole, part = _utc(epoch)
     universal = (whole, part + np.asarray(t) / DAY)

@@ -29,22 +29,26 @@ import sys
 from fractions import Fraction
 from rigidsym._cli import main
 from rigidsym.manoeuvre._comparison import flights
-flights.PERIOD = Fraction(1)
-sys.exit(main(["compare", "--manoeuvres", "1", "--workers", "1", "-o", sys.argv[1]]))
+flights.PERIOD = Fraction(2)
+sys.exit(main(["compare", "--manoeuvres", "1", "--workers", "1", "-o", "files"]))
 """
 
 
-@pytest.fixture(scope="module")
-def compared(tmp_path_factory):
+@pytest.fixture(scope="session")
+def compared(once):
     """The files of a comparison on one manoeuvre, and what it prints."""
-    directory = tmp_path_factory.mktemp("compared")
-    command = [sys.executable, "-W", "error", "-c", COMMAND, str(directory)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    return directory, done.stdout
+
+    def run(folder):
+        command = [sys.executable, "-W", "error", "-c", COMMAND]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+        assert done.returncode == 0, done.stderr
+        (folder / "stdout").write_text(done.stdout)
+
+    folder = once("compared", run)
+    return folder / "files", (folder / "stdout").read_text()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def data(compared):
     return json.loads((compared[0] / "comparison.json").read_text())
 
@@ -92,16 +96,15 @@ def test_what_holds_of_any_manoeuvre(data):
 
 
 def test_the_same_each_time(data, monkeypatch):
-    monkeypatch.setattr(flights, "PERIOD", Fraction(1))
+    monkeypatch.setattr(flights, "PERIOD", Fraction(2))
     (one,) = data["manoeuvres"]
     case = draw(0, 1)
     transfer = solve(case.manoeuvre).best
     task = Task(Model.THRUSTERS, Cost.ENERGY)
-    solved, impulses = optimiser.solved(case, task, optimiser.guesses(case, transfer))
+    solved, impulses = optimiser.solved(case, transfer, task)
     assert json.loads(json.dumps(solved)) == one["optimal"][task.name]
-    ways = flights.Ways(case, Model.THRUSTERS, transfer, impulses)
-    flown = asdict(flights.flown("natural", ways))
-    assert flown == one["flown"]["thrusters"]["natural"]
+    flown = flights.flown(case, transfer, Model.THRUSTERS, "natural", impulses)
+    assert asdict(flown) == one["flown"]["thrusters"]["natural"]
 
 
 @pytest.mark.parametrize(
@@ -113,10 +116,10 @@ def test_attempts_that_end_elsewhere_are_not_the_best(cost, iterations, converge
     assert found["best"] == best
 
 
-def test_a_task_that_is_not_solved_is_told():
-    case = draw(0, 1)
+def test_a_task_that_is_not_solved_is_told(monkeypatch):
+    monkeypatch.setattr(optimiser, "guesses", lambda case, transfer: {})
     with pytest.raises(InputError, match="manoeuvre = 0: wheels, energy: no optimum was found"):
-        optimiser.solved(case, Task(Model.WHEELS, Cost.ENERGY), {})
+        optimiser.solved(draw(0, 1), None, Task(Model.WHEELS, Cost.ENERGY))
 
 
 def test_pieces_of_work_keep_their_order_and_tell_how_many_are_done():

@@ -13,7 +13,7 @@ from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import flights
 from rigidsym.manoeuvre._comparison.cases import PAPER, Case, draw
 from rigidsym.manoeuvre._comparison.collocation import MESH, Model, guessed
-from rigidsym.manoeuvre._comparison.flights import METHODS, Ways, exerted, ideal, measured
+from rigidsym.manoeuvre._comparison.flights import METHODS, Ways, exerted, ideals, measured
 from rigidsym.manoeuvre._manoeuvre import manoeuvre
 from rigidsym.manoeuvre.flight._fly import fly
 from rigidsym.manoeuvre.flight._rotation import angle
@@ -127,7 +127,7 @@ def test_a_slow_step_comes_within_what_counts_as_settled():
 
 def test_ideal_bursts_are_cheap_where_coasting_is():
     transfer = ways(Model.THRUSTERS).transfer
-    thrusters, wheels = (ideal(CASE, model, transfer) for model in Model)
+    thrusters, wheels = ideals(CASE, transfer).values()
     assert thrusters["natural"] == pytest.approx(np.abs(transfer.bursts).sum())
     assert thrusters["natural"] < wheels["natural"]
     assert wheels["eigenaxis"] < thrusters["eigenaxis"]
