@@ -11,7 +11,6 @@ of the context, or where a function has no value, are skipped; `DUE` points have
 
 import hashlib
 from collections.abc import Callable
-from operator import add, mul, sub, truediv
 
 from flint import acb, arb, ctx, fmpq
 
@@ -103,18 +102,6 @@ class Values(Language[acb]):
         if not value.is_finite():
             raise Refused(f"{function} has no finite value at the point")
         return acb(value.real) if all(x.imag == 0 for x in arguments) else value
-
-    def combine(self, operator: str, left: acb, right: acb) -> acb:
-        """Return the sum, difference, product or quotient of two balls."""
-        return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
-
-    def negative(self, operand: acb) -> acb:
-        """Return the negative of a ball."""
-        return -operand
-
-    def power(self, base: acb, exponent: int) -> acb:
-        """Return a natural power of a ball."""
-        return base**exponent
 
 
 def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:

@@ -9,7 +9,8 @@ No tree is built: each part is given its meaning as soon as it is read.
 import keyword
 import re
 from abc import ABC, abstractmethod
-from typing import Generic, TypeAlias, TypeVar
+from operator import add, mul, sub, truediv
+from typing import Any, Generic, TypeAlias, TypeVar
 
 from rigidsym.proof.checker._records import Refused
 
@@ -30,7 +31,10 @@ def is_name(text: object) -> bool:
 
 
 class Language(ABC, Generic[Meaning]):
-    """Parser of the grammar; subclasses evaluate numbers, names and operators."""
+    """Parser of the grammar; subclasses evaluate numbers, names and calls.
+
+    Operators are Python's own unless a subclass evaluates them in another way.
+    """
 
     @abstractmethod
     def number(self, number: int) -> Meaning:
@@ -44,17 +48,17 @@ class Language(ABC, Generic[Meaning]):
     def call(self, function: str, arguments: list[Meaning]) -> Meaning:
         """Return the value of ``function(*arguments)``, or raise Refused."""
 
-    @abstractmethod
-    def combine(self, operator: str, left: Meaning, right: Meaning) -> Meaning:
+    def combine(self, operator: str, left: Any, right: Any) -> Meaning:
         """Return the value of ``left operator right`` for one of ``+ - * /``."""
+        return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
 
-    @abstractmethod
-    def negative(self, operand: Meaning) -> Meaning:
+    def negative(self, operand: Any) -> Meaning:
         """Return the value of ``-operand``."""
+        return -operand
 
-    @abstractmethod
-    def power(self, base: Meaning, exponent: int) -> Meaning:
+    def power(self, base: Any, exponent: int) -> Meaning:
         """Return the value of ``base**exponent``."""
+        return base**exponent
 
     def read(self, text: str) -> Meaning:
         """Return the value of a text; Refused unless it is one expression."""

@@ -7,7 +7,6 @@ Monomials are ordered lexicographically, later generators larger, as ledgers are
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
-from operator import add, mul, sub
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -75,15 +74,7 @@ class Ring(Language[Quotient]):
         """Return the sum, difference, product or quotient; Refused if a divisor has no inverse."""
         if operator == "/":
             return left * self.inverse(right)
-        return {"+": add, "-": sub, "*": mul}[operator](left, right)
-
-    def negative(self, operand: Quotient) -> Quotient:
-        """Return the negative of a fraction."""
-        return -operand
-
-    def power(self, base: Quotient, exponent: int) -> Quotient:
-        """Return a power; Refused unless it is positive and not too large."""
-        return base**exponent
+        return super().combine(operator, left, right)
 
     def name(self, name: str) -> Quotient:
         """Return the value of a name; Refused inside its own definition."""

@@ -125,7 +125,7 @@ class Interpreter:
         """Return the value of a function call."""
         match function, arguments:
             case "neg", (inner,):
-                return multiply(Complex(negative(ONE)), self.value(inner)).each(_tidy)
+                return self.value(inner).each(negative)
             case "pm", (inner,):
                 return multiply(Complex(parse(self.vocabulary.pm)), self.value(inner))
             case "at", (inner, Name("t")):
@@ -255,14 +255,6 @@ def squared(number: Complex) -> Complex:
     if number.imag == ZERO:
         return Complex(Operation("**", number.real, Number(2)))
     return number * number
-
-
-def _tidy(expression: Expression) -> Expression:
-    """Rewrite a product (-1) x as -x."""
-    match expression:
-        case Operation("*", Call("neg", (Number(1),)), right):
-            return negative(right)
-    return expression
 
 
 class _Plain(Interpreter):

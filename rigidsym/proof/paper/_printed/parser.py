@@ -88,7 +88,14 @@ GREEK = frozenset(f"\\{name}" for name in LETTERS)
 FUNCTIONS = frozenset([r"\cos", r"\sin", r"\tan", r"\exp", r"\det"])
 NAMED = frozenset(["sn", "cn", "dn", "am", "sgn"])
 PREFIXES = {r"\nabla": "nabla", r"\partial": "partial", "d": "d"}
-CLOSING = {"(": ")", r"\left|": r"\right|", "|": "|"}
+# What opens a form, the call that it makes ("" for none), and what separates and closes its parts.
+BRACKETS = {
+    "(": ("", (")",)),
+    "|": ("abs", ("|",)),
+    r"\left|": ("abs", (r"\right|",)),
+    "[": ("bracket", (",", "]")),
+    r"\begin{pmatrix}": ("matrix", ("&", "\\\\", "&", r"\end{pmatrix}")),
+}
 
 
 @lru_cache
@@ -156,7 +163,8 @@ class _Reader:
         total: Expression | None = None
         while total is None or self.next in SIGNS:
             sign = SIGNS[self.take()] if self.next in SIGNS else "+"
-            term = self.product() if self.begins() or self.next == "|" else self.lone(sign)
+            alone = sign == "pm" and self.next.startswith(r"\text{")
+            term = Number(1) if alone else self.product()
             if sign == "pm":
                 term = Call("pm", (term,))
             if total is None:
@@ -165,13 +173,9 @@ class _Reader:
                 total = Operation("-" if sign == "-" else "+", total, term)
         return total
 
-    def lone(self, sign: str) -> Expression:
-        """Parse the factor after a sign; a +- that stands alone is 1."""
-        return Number(1) if sign == "pm" and self.next.startswith(r"\text{") else self.factor()
-
     def product(self) -> Expression:
         """Parse adjacent factors and quotients."""
-        total = self.power(self.enclosed()) if self.next == "|" else self.factor()
+        total = self.factor()
         while self.next == "/" or self.begins():
             operator = "/" if self.next == "/" else "*"
             if operator == "/":
@@ -213,13 +217,14 @@ class _Reader:
     def quantity(self) -> Expression:
         """Parse a quantity, which has operators only inside brackets."""
         token = self.next
-        if token.isdigit():
-            return self.number()
-        if token in CLOSING:
+        if token in BRACKETS:
             return self.enclosed()
+        if name := self.function():
+            return self.applied(name)
+        if token in PREFIXES:
+            self.take()
+            return Call(PREFIXES[token], (self.symbol(),))
         match token:
-            case "[":
-                return self.bracket()
             case r"\frac" | r"\tfrac":
                 self.take()
                 return Operation("/", self.argument(), self.argument())
@@ -229,46 +234,21 @@ class _Reader:
             case r"\sqrt":
                 self.take()
                 return Call("sqrt", (self.argument(),))
-            case r"\begin{pmatrix}":
-                return self.matrix()
-        if token in PREFIXES:
-            self.take()
-            return Call(PREFIXES[token], (self.symbol(),))
-        name = self.function()
-        return self.applied(name) if name else self.symbol()
-
-    def number(self) -> Number:
-        """Parse a natural number."""
+        if not token.isdigit():
+            return self.symbol()
         digits = self.take()
         while self.next.isdigit():
             digits += self.take()
         return Number(int(digits))
 
     def enclosed(self) -> Expression:
-        """Parse a sum in brackets, or an absolute value."""
-        opening = self.take()
-        found = self.sum()
-        self.take(CLOSING[opening])
-        return found if opening == "(" else Call("abs", (found,))
-
-    def bracket(self) -> Expression:
-        """Parse the Lie bracket of two matrices."""
-        self.take("[")
-        left = self.sum()
-        self.take(",")
-        right = self.sum()
-        self.take("]")
-        return Call("bracket", (left, right))
-
-    def matrix(self) -> Expression:
-        """Parse a two-by-two matrix."""
-        self.take()
-        entries = [self.sum()]
-        for due in ("&", "\\\\", "&"):
-            self.take(due)
-            entries.append(self.sum())
-        self.take(r"\end{pmatrix}")
-        return Call("matrix", tuple(entries))
+        """Parse a form in brackets: a sum, an absolute value, a Lie bracket or a matrix."""
+        name, due = BRACKETS[self.take()]
+        parts = []
+        for token in due:
+            parts.append(self.sum())
+            self.take(token)
+        return Call(name, tuple(parts)) if name else parts[0]
 
     def function(self) -> str:
         """Return the name of the next token if it is a function, else ""."""
