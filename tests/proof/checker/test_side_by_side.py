@@ -354,16 +354,9 @@ def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
 @pytest.mark.parametrize(
     "change",
     [
-        {"kind": "equal"},
-        {"kind": "root"},
-        {"kind": "unequal"},
-        {"rhs": ("x**2",)},
-        {"lhs": ("x*r",)},
-        {"premises": ("m", "s")},
-        {"premises": ("s", "e")},
-        {"premises": ("s",)},
-        {"context": "rooted"},
-        {"grade": Grade.PROVED},
+        *({"kind": kind} for kind in ("equal", "root", "unequal")),
+        *({"premises": premises} for premises in (("m", "s"), ("s", "e"), ("s",))),
+        *({"rhs": ("x**2",)}, {"lhs": ("x*r",)}, {"context": "rooted"}),
     ],
     ids=str,
 )
@@ -489,22 +482,13 @@ def test_a_wrong_partition(fact):
 @pytest.mark.parametrize(
     "change",
     [
-        {"nonnegative": ("x",)},  # one dropped
-        {"nonnegative": ("x", "y")},  # the order changed
-        {"nonnegative": ("y",)},
-        {"nonnegative": ("y", "1*x")},
-        {"nonnegative": ("y", "x", "x")},
-        {"nonnegative": ("y", "x - 1")},  # changed to less
-        {"units": ()},
-        {"units": ("y",)},
-        {"units": ("x", "y")},  # one added
-        {"relations": ()},
-        {"relations": ("y**2 - 1", "x - 1")},
-        {"relations": ("y - 1",)},
-        {"rates": None},
-        {"rates": {"x": "?"}},
-        {"definitions": {"w": "y - x"}},
-        {"definitions": {}},
+        # Dropped, in another order, said otherwise, said twice, less.
+        *({"nonnegative": signs} for signs in (("x",), ("x", "y"), ("y",), ("y", "1*x"))),
+        *({"nonnegative": signs} for signs in (("y", "x", "x"), ("y", "x - 1"))),
+        *({"units": units} for units in ((), ("y",), ("x", "y"))),
+        *({"relations": x} for x in ((), ("y**2 - 1", "x - 1"), ("y - 1",))),
+        *({"rates": rates} for rates in (None, {"x": "?"})),
+        *({"definitions": texts} for texts in ({"w": "y - x"}, {})),
         {"reading": {}},
         {"generators": ("y", "x")},
         {"generators": ("x", "y", "z"), "witness": dict.fromkeys("xyz", "1")},
@@ -581,14 +565,12 @@ def test_a_partition_of_a_case():
 @pytest.mark.parametrize(
     "change",
     [
-        {"premises": ()},
+        *({"premises": premises} for premises in ((), ("p",))),
         {"rhs": ("zero", "plus0", "plus1", "minus")},
         {"rhs": ("zero", "plus0", "plus1", "plus1", "minus")},
         {"rhs": ("zero", "plus0", "plus1", "plus2", "plus2", "minus")},
-        {"rhs": ("zero", "plus", "minus")},
-        {"rhs": ("zero", "minus", "plus0", "plus1", "plus2")},
+        *({"rhs": rhs} for rhs in (CASES, ("zero", "minus", "plus0", "plus1", "plus2"))),
         {"rhs": ("zero", "plus", "plus0", "plus1", "plus2", "minus")},
-        {"premises": ("p",)},
     ],
     ids=str,
 )
@@ -614,22 +596,14 @@ HONEST = unchecked([*BOTH, *refined()[0]], [ASSUMED, BRIDGE, THERE, HERE, *refin
 @pytest.mark.parametrize(
     ("fact", "change"),
     [
-        ("s", {"certificate": {"cofactors": [["r"]]}}),
-        ("s", {"certificate": {"cofactors": [["-2*r"]]}}),
-        ("s", {"rhs": ["2*r**2"]}),
-        ("s", {"lhs": ["r"]}),
-        ("s", {"rule": "sign"}),
-        ("m", {"grade": "PROVED"}),
-        ("m", {"grade": "ENCLOSED"}),
-        ("m", {"premises": ["s"]}),
-        ("m", {"premises": []}),
+        *(("s", {"certificate": {"cofactors": [[x]]}}) for x in ("r", "-2*r")),
+        *(("s", change) for change in ({"rhs": ["2*r**2"]}, {"lhs": ["r"]}, {"rule": "sign"})),
+        *(("m", {"grade": grade}) for grade in ("PROVED", "ENCLOSED")),
+        *(("m", {"premises": premises}) for premises in (["s"], [])),
         ("h", {"grade": "PROVED"}),
-        ("h", {"premises": ["s", "s"]}),
-        ("h", {"premises": ["e", "m"]}),
-        ("e", {"grade": "ENCLOSED"}),
-        ("e", {"certificate": {"points": []}}),
-        ("p", {"rhs": [*CASES]}),
-        ("p", {"premises": []}),
+        *(("h", {"premises": premises}) for premises in (["s", "s"], ["e", "m"])),
+        *(("e", change) for change in ({"grade": "ENCLOSED"}, {"certificate": {"points": []}})),
+        *(("p", change) for change in ({"rhs": [*CASES]}, {"premises": []})),
         ("q", {"certificate": {"cases": ["plus0", "plus1"]}}),
     ],
     ids=str,

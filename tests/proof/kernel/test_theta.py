@@ -132,6 +132,7 @@ NORM = Context(
     },
 )
 AT = {"a": "v", "c": "I*b"}
+RIGHT = "y**2 + z**2 + s**2 + t**2"
 
 
 def stated(rhs: str, identity: str = f"{SUM} - theta4(a, q)*theta3(c, q)", **forms: str) -> Fact:
@@ -158,24 +159,19 @@ def verdicts(fact: Fact, *contexts: Context) -> tuple[bool, bool]:
 
 
 def test_a_product_of_thetas_is_a_sum_of_squares():
-    assert verdicts(stated("y**2 + z**2 + s**2 + t**2"), NORM) == (True, True)
+    assert verdicts(stated(RIGHT), NORM) == (True, True)
 
 
 @pytest.mark.parametrize(
     "fact",
     [
-        stated("y**2 + z**2 - s**2 - t**2"),
-        stated("y**2 - z**2 + s**2 - t**2"),
-        stated("2*(y**2 + z**2 + s**2 + t**2)"),
-        stated("y**2 + z**2 + s**2 + t**2", a="b"),
-        stated("y**2 + z**2 + s**2 + t**2", c="b"),
-        stated("y**2 + z**2 + s**2 + t**2", c="2*I*b"),
-        stated("y**2 + z**2 + s**2 + t**2", a="v + 1"),
-        stated("y**2 + z**2 + s**2 + t**2", SUM),
-        replace(stated("y**2 + z**2 + s**2 + t**2"), kind="root"),
-        replace(stated("y**2 + z**2 + s**2 + t**2"), kind="nonnegative"),
-        replace(stated("y**2 + z**2 + s**2 + t**2"), certificate={}),
-        replace(stated("y**2 + z**2 + s**2 + t**2"), rule="identity"),
+        *map(stated, ("y**2 + z**2 - s**2 - t**2", "y**2 - z**2 + s**2 - t**2", f"2*({RIGHT})")),
+        *(stated(RIGHT, c=form) for form in ("b", "2*I*b")),
+        *(stated(RIGHT, a=form) for form in ("b", "v + 1")),
+        stated(RIGHT, SUM),
+        *(replace(stated(RIGHT), kind=kind) for kind in ("root", "nonnegative")),
+        replace(stated(RIGHT), certificate={}),
+        replace(stated(RIGHT), rule="identity"),
     ],
 )
 def test_what_the_identity_does_not_say_is_refused(fact):
@@ -187,7 +183,7 @@ def test_each_declaration_is_needed(name):
     others = {other: text for other, text in NORM.thetas.items() if other != name}
     for thetas in (others, others | {name: "re(theta2(v, q))"}):
         context = replace(NORM, thetas=thetas)
-        assert verdicts(stated("y**2 + z**2 + s**2 + t**2"), context) == (False, False)
+        assert verdicts(stated(RIGHT), context) == (False, False)
 
 
 def opens(context: Context) -> tuple[bool, bool]:
@@ -211,36 +207,23 @@ def test_rates_of_theta_functions():
     assert opens(replace(TURN, rates=None)) == (True, True)
 
 
-def rated(**rates: str) -> Context:
-    return replace(TURN, rates={**(TURN.rates or {}), **rates})
-
-
 @pytest.mark.parametrize(
-    "context",
+    "changed",
     [
-        rated(x="dx"),
-        rated(x="-2*dx"),
-        rated(x="0"),
-        rated(v="1"),
-        rated(q="1"),
-        rated(q="?"),
-        rated(n="1"),
-        rated(b="1"),
-        rated(y="dx"),
-        rated(dx="x"),
-        replace(TURN, thetas={"w": "re(theta4(v, q))"}),
-        replace(TURN, thetas={"x": "re(theta4(w, q))"}),
-        replace(TURN, thetas={"x": "re(theta4(v, w))"}),
-        replace(TURN, thetas={"x": "theta4(v, q)"}),
-        replace(TURN, thetas={"x": "abs(theta4(v, q))"}),
-        replace(TURN, thetas={"x": "re(2*theta4(v, q))"}),
-        replace(TURN, thetas={"x": "re(theta4(v*b, q))"}),
-        replace(TURN, thetas={"x": "re(theta4(v, q)) + 1"}),
-        replace(TURN, thetas={"x": "re(theta4(v, -q))"}),
+        *({"rates": TURN.rates | {"x": rate}} for rate in ("dx", "-2*dx", "0")),
+        *({"rates": TURN.rates | {"q": rate}} for rate in ("1", "?")),
+        *({"rates": TURN.rates | {name: "1"}} for name in ("v", "n", "b")),
+        *({"rates": TURN.rates | rates} for rates in ({"y": "dx"}, {"dx": "x"})),
+        {"thetas": {"w": "re(theta4(v, q))"}},
+        *({"thetas": {"x": f"re({text})"}} for text in ("theta4(w, q)", "theta4(v, w)")),
+        *({"thetas": {"x": f"re({text})"}} for text in ("2*theta4(v, q)", "theta4(v*b, q)")),
+        *({"thetas": {"x": text}} for text in ("theta4(v, q)", "abs(theta4(v, q))")),
+        *({"thetas": {"x": text}} for text in ("re(theta4(v, q)) + 1", "re(theta4(v, -q))")),
     ],
+    ids=str,
 )
-def test_what_theta_functions_do_not_do_is_refused(context):
-    assert opens(context) == (False, False)
+def test_what_theta_functions_do_not_do_is_refused(changed):
+    assert opens(replace(TURN, **changed)) == (False, False)
 
 
 def test_rational_points_refute_nothing_about_functions():
