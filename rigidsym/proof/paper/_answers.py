@@ -6,15 +6,18 @@ found by its texts.
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
+from rigidsym.language import _expression
 from rigidsym.language._expression import Call, Expression, Name
-from rigidsym.language._expression import parse as parse_text
 from rigidsym.proof.paper._equation import Equation, Sense
 from rigidsym.proof.paper._printed import Display, PrintError, Statement, parse, translate
 from rigidsym.proof.paper._printed.interpreter import defined
 
 Texts = Mapping[str, str]
+# The same texts are parsed for every line that a context decides.
+parse_text = lru_cache(maxsize=4096)(_expression.parse)
 
 
 @dataclass(frozen=True, slots=True)

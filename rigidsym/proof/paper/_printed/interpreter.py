@@ -9,6 +9,7 @@ parameter give them.
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import lru_cache
 
 from rigidsym.language._expression import Call, Expression, Name, Number, Operation, parse, to_text
 from rigidsym.proof.paper._printed.parser import Display, PrintError, Statement
@@ -266,6 +267,7 @@ class _Plain(Interpreter):
         return super().value(tree)
 
 
+@lru_cache(maxsize=1024)
 def in_names(text: str) -> Value:
     """Return the value of a text that uses a context's own names."""
     return _Plain(PLAIN).value(parse(text))
