@@ -1,4 +1,4 @@
-"""Ledgers as an attacker would write them: a definition changed everywhere, all proofs redone.
+"""Ledgers that an attacker would write: one definition changed, all proofs redone.
 
 What no longer follows is left out, and what was published of it is taken from definitions.  The
 attacker may do more than the kernel lets him: witnesses are not looked at again, and balls agree.
@@ -16,17 +16,17 @@ from rigidsym.proof.kernel._ledger import _frozen
 
 
 class Unwitnessed(Context):
-    """A context whose witness nobody looks at."""
+    """A context whose witness is not checked."""
 
     __slots__ = ()
 
     def check_point(self, ring, values):
-        """Any point will do."""
+        """Accept any point."""
         return []
 
 
 def changes(text: str) -> dict[str, str]:
-    """A definition with a flipped sign, a dropped term or factor, and a doubled factor."""
+    """Return a definition with a flipped sign, a dropped term or factor, and a doubled factor."""
     tree = parse(text)
     found = {"flipped": _flipped(tree), "doubled": Operation("*", Number(2), tree)}
     if isinstance(tree, Operation) and tree.operator != "**":
@@ -44,14 +44,14 @@ def _flipped(tree):
 
 
 def definitions(specification: str, data: Any) -> list[tuple[str, str]]:
-    """(name, text) of all definitions of the contexts that a specification is about, each once."""
+    """Return name and text of each definition in the contexts of a specification."""
     named = theorems(specification)
     contexts = [context for context in data["contexts"] if context["name"] in named]
     return [*dict.fromkeys(pair for c in contexts for pair in c["definitions"].items())]
 
 
 class Attacker:
-    """One who knows a ledger, and writes others."""
+    """Writer of changed ledgers from an honest one."""
 
     def __init__(self, text: str) -> None:
         self._data, self._ledger = json.loads(text), Ledger()
@@ -62,7 +62,7 @@ class Attacker:
             self._ledger.facts[fact.id] = fact
 
     def redefine(self, name: str, text: str, changed: str) -> Any:
-        """The ledger where a name is defined as something else, wherever it was defined so."""
+        """Return the ledger in which a name has another definition everywhere."""
         hit = {c.name for c in self._ledger.contexts.values() if c.definitions.get(name) == text}
         builder = LedgerBuilder()
         builder.ledger = Ledger(lambda *_: True)
@@ -96,7 +96,7 @@ class Attacker:
                 ledger.contexts.pop(context.name, None)
 
     def _sequences(self, ledger: Ledger, group: str) -> dict[str, list[Any]]:
-        """What is published, by definition where the fact is lost."""
+        """Return the published formulas, by definition where the fact is lost."""
         return {
             sequence: [self._entry(ledger, entry) for entry in entries]
             for sequence, entries in self._data["published"][group].items()
@@ -114,7 +114,7 @@ class Attacker:
 
 
 def _restated(fact: Fact, name: str, text: str, changed: str) -> Fact:
-    """The fact, with the change where it restates the definition."""
+    """Return a fact with the changed definition wherever it restates it."""
     if fact.kind not in ("equal", "root"):
         return fact
     pairs = zip(fact.lhs, fact.rhs, strict=True)

@@ -20,7 +20,7 @@ _LISTS = ("generators", "units", "relations", "nonnegative")
 
 
 def edited(text: str, specification: str, seed: int) -> tuple[str, Any]:
-    """What was changed in a ledger, in words, and the ledger as plain data."""
+    """Return a random change of a ledger in words, and the changed ledger as data."""
     random, data = Random(seed), json.loads(text)
     while True:
         kind = random.choice([_hypothesis, _meaning, _statement])
@@ -29,7 +29,7 @@ def edited(text: str, specification: str, seed: int) -> tuple[str, Any]:
 
 
 def changed(text: str, names: list[str], random: Random) -> str:
-    """Another expression: a name, number or sign replaced, a power dropped, a factor put in."""
+    """Return another expression, with one name, number, sign, power or factor changed."""
     tokens = [*_TOKEN.finditer(text)]
     while True:
         token = random.choice(tokens)
@@ -61,7 +61,7 @@ def _context(data: Any, specification: str, random: Random) -> Any:
 
 
 def _hypothesis(data: Any, specification: str, random: Random) -> str:
-    """Drop, add or change what a theorem assumes."""
+    """Drop, add or change a hypothesis of a theorem."""
     context = _context(data, specification, random)
     field = random.choice([*_LISTS, "rates"])
     items, names = context[field], [*context["generators"], *context["definitions"]]
@@ -83,7 +83,7 @@ def _hypothesis(data: Any, specification: str, random: Random) -> str:
 
 
 def _meaning(data: Any, specification: str, random: Random) -> str:
-    """Change a definition, in each context that has it, and wherever it is restated."""
+    """Change a definition in every context that has it, and in all facts that restate it."""
     context = _context(data, specification, random)
     if not context["definitions"]:
         return ""

@@ -1,4 +1,4 @@
-"""Ledgers for tests: facts decided in any ledger, and ledgers written without asking the kernel."""
+"""Helpers for tests of ledgers: facts decided in any ledger, and unchecked ledgers."""
 
 import json
 from collections.abc import Iterable
@@ -21,19 +21,19 @@ FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 
 
 def prove(ledger: Ledger, fact: Fact) -> Fact:
-    """Admit an identity with the cofactors of its normal form, as a builder does."""
+    """Admit an identity with cofactors computed as by the builder."""
     builder = LedgerBuilder()
     builder.ledger = ledger
     return builder.decide(fact)
 
 
 def written(data: Any) -> str:
-    """JSON as ledgers are spelled."""
+    """Return data as JSON in the spelling of ledgers."""
     return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
 def unchecked(contexts: Iterable[Context], facts: Iterable[Fact]) -> str:
-    """The text of a ledger that nobody has checked."""
+    """Return the text of a ledger of unchecked contexts and facts."""
     return Ledger(
         contexts={context.name: context for context in contexts},
         facts={fact.id: fact for fact in facts},
@@ -44,7 +44,7 @@ GONE = object()
 
 
 def tampered(text: str, path: str, value: Any) -> str:
-    """The ledger with the entry at this path replaced, removed (GONE) or appended (+)."""
+    """Return a ledger with the entry at a path replaced, removed (GONE) or appended (+)."""
     data = place = json.loads(text)
     *outer, last = [int(key) if key.isdigit() else key for key in path.split("/")]
     for key in outer:

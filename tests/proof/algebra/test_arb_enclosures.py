@@ -1,4 +1,4 @@
-"""Balls: their values against mpmath, and all that has no value or is not agreed with."""
+"""The kernel's balls: values against mpmath, and expressions without a value."""
 
 from contextlib import suppress
 from fractions import Fraction
@@ -25,7 +25,7 @@ def ball(text, point=None, **named):
 
 
 def agrees(lhs, rhs, *points, **named):
-    """Whether balls agree with an equation at points, and nowhere else for all one knows."""
+    """Return whether balls agree with an equation at some points."""
     fact = Fact("c.f", "c", "equal", (lhs,), (rhs,), "assumption")
     return all(agree_at(context(**named), fact, point) for point in points)
 
@@ -41,7 +41,7 @@ def incomplete_pi(n, phi, m):
 
 
 def associate(u, n, m):
-    """J at a real u, by Pi at the amplitude of u."""
+    """Return J at a real u, computed from Pi at the amplitude of u."""
     half_turns = int(mp.nint(u / (2 * mp.ellipk(m))))
     sine = (-1) ** half_turns * mp.ellipfun("sn", u, m=m)
     return (incomplete_pi(n, half_turns * mp.pi + mp.asin(sine), m) - u) / n
@@ -81,7 +81,7 @@ EXPECTED = {
 
 
 def argument(kind, random):
-    """The same number as a text and for mpmath."""
+    """Draw a number and return it as a text and for mpmath."""
     real, aside = random.randint(*RANGES.get(kind, (-2000, 2000))), random.randint(-600, 600)
     if kind not in "zw":
         return f"{real}/1000", mp.mpf(real) / 1000

@@ -1,4 +1,4 @@
-"""The same laws for unit quaternions and for SU(2), as identities of polynomials."""
+"""Group laws of unit quaternions and of SU(2) as polynomial identities."""
 
 import pytest
 import sympy
@@ -23,7 +23,7 @@ BASIS = Setting().basis()
 
 
 def matrix(q):
-    """F of the chapter, with the components of any quaternion in the place of p's."""
+    """Return the chapter's matrix F of a quaternion."""
     return from_quaternion("p").subs(dict(zip(PQR[0], q, strict=True)), simultaneous=True)
 
 
@@ -123,7 +123,7 @@ def test_kinematics_are_those_of_textbooks_and_texts_that_the_kernel_reads():
 
 
 def test_axes_of_the_other_handedness_turn_the_other_way():
-    """With an axis turned round, i and its coefficient change sign; the product is the same one."""
+    """Reversing an axis changes the sign of i and of its coefficient, but not the product."""
     p, q, _ = PQR
     mirrored = [[x[0], x[1] * -1, x[2], x[3]] for x in (p, q)]
     whole, left = product(*mirrored), product(p, q, -1)

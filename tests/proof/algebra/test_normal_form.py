@@ -1,4 +1,4 @@
-"""Cofactors that multiply out, and no zero that is not one."""
+"""Normal forms: cofactors multiply out, and no nonzero polynomial reduces to zero."""
 
 from fractions import Fraction
 from random import Random

@@ -1,4 +1,4 @@
-"""SymPy's polynomials as texts of the kernel, in an order of one's own."""
+"""SymPy polynomials as kernel texts with a chosen order of names."""
 
 import pytest
 from hypothesis import given
@@ -34,7 +34,7 @@ def test_names_come_as_listed_and_terms_by_degree_and_sign(polynomial, names, te
 
 
 def plain(polynomial):
-    """The polynomial as a sum of monomials, by nothing but its coefficients."""
+    """Return a polynomial as a sum of monomials, from its coefficients alone."""
     terms = Poly(polynomial, x, y, z).terms()
     powers = ["".join(f"*{v}**{n}" for v, n in zip("xyz", p, strict=True) if n) for p, _ in terms]
     return " + ".join(f"({c}){power}" for (_, c), power in zip(terms, powers, strict=True))

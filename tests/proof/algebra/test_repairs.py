@@ -1,3 +1,5 @@
+"""Search for repairs of false statements, and exact values at points of a context."""
+
 from fractions import Fraction
 
 import pytest
@@ -14,7 +16,7 @@ CIRCLE = Part(
 
 
 def mended(statement, place="rhs", definitions=None, point=None):
-    """The repairs that are found, as equations."""
+    """Return the repairs found for a false statement, as equations."""
     builder = LedgerBuilder()
     builder.open(join("c", CIRCLE, Part(definitions=definitions or {})))
     builder.refute("c.wrong", statement, point or {})

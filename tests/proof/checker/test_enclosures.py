@@ -288,7 +288,7 @@ def test_only_equations_are_enclosed(kind):
 
 
 def test_the_kernel_asks_for_balls():
-    """With none, or with balls that say no, nothing is ENCLOSED; what they are asked is all."""
+    """The kernel refuses ENCLOSED without balls that agree, and passes them all points."""
     text, asked = unchecked([CONTEXT], [enclosed("s**2", "1 - c**2")]), []
     for balls in (None, lambda context, fact, points: False):
         with pytest.raises(KernelError, match="balls"):
@@ -299,7 +299,7 @@ def test_the_kernel_asks_for_balls():
 
 
 def test_the_square_of_a_name_is_not_minus_one():
-    """It would be nonnegative by its form, and -1 with it, by way of a model."""
+    """A square that is -1 would prove a false sign by way of a model."""
     names = {"z": "1"}
     context = Context("balls", ("z",), names, reading={"z": "I"})
     assert "z is not real" in refusal(enclosed("z**2", "-1", {}), context)
@@ -399,7 +399,7 @@ AUTHORS = {
 
 
 def supposed(lhs, rhs, free, **certificate):
-    """A claim with the author's points for names that it needs."""
+    """Return a cited equation with its author's points for some names."""
     points = [{name: AUTHORS[name][k] for name in free.split()} for k in range(3)]
     certificate |= {"reference": "a book", "points": points}
     fact = Fact("f", "place", "equal", (lhs,), (rhs,), "assumption", Grade.ENCLOSED)
@@ -435,7 +435,7 @@ TRUE = [
 
 
 def functions(fact):
-    """The context where functions are read by a name: facts themselves name none."""
+    """Replace a function in a fact by a name that is read as it; return fact and context."""
     text = "jacobi_sn(x, k_1)"
     names = (*DRAWN_NAMES, "y")
     reading = {**PLACE.reading, "y": text}
@@ -458,7 +458,7 @@ def test_what_holds_everywhere_is_enclosed(decide, lhs, rhs, free):
 
 @BOTH
 def test_a_hypothesis_is_where_to_look(decide):
-    """Without x >= 0 it is false, as above."""
+    """The equation holds only for x >= 0, which the context assumes."""
     signed = replace(PLACE, nonnegative=("K", "x"))
     assert decide(supposed("2*s", "s + x", "x"), signed)
 
@@ -477,7 +477,7 @@ def test_whole_numbers_are_said_to_be_whole(decide):
 
 @BOTH
 def test_a_claim_has_to_say_something_at_enough_points(decide):
-    """A function without a value is no agreement, and where nearly all have none is no evidence."""
+    """Points where a function has no value are no evidence."""
     nowhere = replace(PLACE, reading={"s": "jacobi_sn(1, 1 + x**2)"})
     with pytest.raises((KernelError, Refused)):
         decide(supposed("2*s", "s + s", "x"), nowhere)

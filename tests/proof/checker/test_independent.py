@@ -1,4 +1,4 @@
-"""The second checker on the sealed ledger, and that it shares no code with the kernel."""
+"""The second checker accepts the sealed ledger and shares no code with the kernel."""
 
 import ast
 import json
@@ -25,7 +25,7 @@ def test_accepts_the_sealed_ledger():
 
 @pytest.fixture(scope="module")
 def excerpt() -> str:
-    """Three contexts of the sealed ledger with their facts; the kernel needs 0.4 s for it."""
+    """Return three contexts of the sealed ledger with their facts."""
     data, names = json.loads(SEALED), ("body", "attitude", "regular")
     data["contexts"] = [context for context in data["contexts"] if context["name"] in names]
     facts = [fact for fact in data["facts"] if fact["context"] in names]
@@ -54,7 +54,7 @@ def test_both_checkers_refuse_a_dropped_hypothesis(excerpt, path):
 
 
 def test_its_modules_import_each_other_without_circles():
-    """Imports that are there for types alone count as well."""
+    """Imports for type checkers count as well."""
     rests_on = {
         path.stem: {
             *re.findall(r"from rigidsym\.proof\.checker\.(\w+) import", path.read_text("utf-8"))
@@ -65,7 +65,7 @@ def test_its_modules_import_each_other_without_circles():
 
 
 def test_imports_neither_sympy_nor_the_rest_of_rigidsym():
-    """Neither in its own text nor, by way of something else, when it runs."""
+    """Its modules import neither directly nor indirectly."""
     allowed = sys.stdlib_module_names | {"flint", "rigidsym.proof.checker"}
     for file in HOME.glob("*.py"):
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):

@@ -1,4 +1,4 @@
-"""Both checkers on the same ledgers: signs, models by premises, partitions, grades."""
+"""Kernel and second checker agree on signs, grammar, models, partitions and grades."""
 
 import json
 from dataclasses import replace
@@ -27,7 +27,7 @@ def accepted(contexts, facts) -> None:
 
 
 def refused(contexts, facts) -> None:
-    """The last fact is refused by both, and what comes before it by neither."""
+    """Assert that both refuse the last fact and accept those before it."""
     accepted(contexts, facts[:-1])
     both_refuse(unchecked(contexts, facts), facts[-1].id)
 
@@ -51,7 +51,7 @@ SIGNS = Context(
 
 
 def signed(form: str, kind: str = "nonnegative") -> Fact:
-    """0 + form = form >= 0, or form = sqrt(form**2)."""
+    """Return the fact 0 + form = form >= 0, or form = sqrt(form**2)."""
     lhs, rhs = (f"0 + {form}", form) if kind == "nonnegative" else (form, f"({form})**2")
     return Fact("f", "signs", kind, (lhs,), (rhs,), "identity", certificate={"cofactors": [[]]})
 
@@ -91,7 +91,7 @@ def test_what_only_looks_like_a_sign(form):
 
 @pytest.mark.parametrize("name", ["-1", "(w)", "w#", "w\n", "x - w", "\ufb01"], ids=ascii)
 def test_a_definition_cannot_rename_what_is_no_name(name):
-    """With 1 for the text "-1", the sign of -1 would be seen in its definition."""
+    """A definition of the text "-1" as 1 would make the sign of -1 visible."""
     names = ("w", "x", "fi")
     context = Context("c", names, dict.fromkeys(names, "1"), definitions={name: "1"})
     both_refuse(unchecked([context], []))
@@ -121,13 +121,13 @@ PLAIN = Context("plain", ("x",), {"x": "1"}, rates={"x": "3*x"})
 
 
 def read(text: str) -> Fact:
-    """What a text means is not 1/7 where x = 1: true, if it can be read, of all in the lists."""
+    """Return the fact that a text is not 1/7 at x = 1, true for every listed expression."""
     point = {"point": {"x": "1"}}
     return Fact("f", "plain", "unequal", (text,), ("1/7",), "counterexample", certificate=point)
 
 
 def zero(text: str) -> Fact:
-    """text - text = 0."""
+    """Return the fact text - text = 0."""
     lhs, certificate = f"{text} - {text}", {"cofactors": [[]]}
     return Fact("f", "plain", "equal", (lhs,), ("0",), "identity", certificate=certificate)
 
@@ -141,7 +141,7 @@ def test_both_read_an_expression(text):
     "text", [*NOT_EXPRESSIONS, *MEANINGLESS], ids=lambda text: ascii(text[:16])
 )
 def test_neither_reads_anything_else(text):
-    """Python's parser drops comments, folds letters and takes 1_000; readers of a ledger do not."""
+    """Python's parser drops comments, folds letters and takes 1_000; ledger readers do not."""
     refused([PLAIN], [read(text)])
     if text in NOT_EXPRESSIONS:
         with pytest.raises(KernelError, match=r"not an expression|not a text|no meaning"):
@@ -152,7 +152,7 @@ TOKENS = ["x", "y", "D", "if", "2", "0", "10", "1_0", *"+-*/(),", "**", " ", "  
 
 
 def by_the_kernel(text: str):
-    """The form that the kernel reads, as the other checker writes forms; None if it refuses."""
+    """Return the kernel's tree of a text in the other checker's form; None if it refuses."""
     try:
         return binary(parse(text))
     except KernelError:
@@ -399,7 +399,7 @@ def test_a_premise_that_is_no_equation(kind, lhs, rhs, rule, certificate):
 
 
 def test_a_premise_makes_no_unit_and_no_sign():
-    """r = x says nothing about 1/r, or about the sign of r, where x has neither."""
+    """The premise r = x gives neither 1/r nor the sign of r if x has none."""
     refused([replace(ROOTED, units=("x",)), FREE], [ASSUMED, BRIDGE])
     refused([replace(ROOTED, nonnegative=("r",)), FREE], [ASSUMED, BRIDGE])
     accepted(
@@ -542,7 +542,7 @@ FINER = [
 
 
 def refined() -> tuple[list[Context], Fact, Fact]:
-    """plus split by v = x - 1."""
+    """Return contexts and facts that split the case `plus` by the sign of v = x - 1."""
     with_v = {"definitions": {"v": "x - 1"}}
     below = {"x": "1/2", "y": "1"}
     first, second, third = (replace(context, **with_v) for context in FINER)

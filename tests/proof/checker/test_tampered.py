@@ -1,4 +1,4 @@
-"""A small ledger with one place changed: kernel and second checker refuse it."""
+"""Kernel and second checker refuse a small ledger with one place changed."""
 
 import json
 from typing import Any
@@ -11,7 +11,7 @@ from rigidsym.proof.kernel import Context, Fact, Grade, Ledger, replay
 
 
 def small_ledger() -> str:
-    """One fact of every rule."""
+    """Return a ledger with a fact of every rule."""
     fields = {"units": ("w",), "definitions": {"double": "2*s*c", "w1": "1/w"}}
     fields |= {"rates": {"s": "w*c", "c": "-w*s"}, "nonnegative": ("w",)}
     at, circle = {"w": "2", "s": "0", "c": "1"}, "c**2 + s**2 - 1"
@@ -147,7 +147,7 @@ STRICTER = [
 
 
 def culprit(path: str) -> str:
-    """The entry that a path leads into, as refusals name it."""
+    """Return the name by which refusals call the entry at a path."""
     section, *rest = path.split("/")
     if not rest:
         return "ledger"
@@ -204,7 +204,7 @@ def test_premises_must_come_first():
 
 
 def test_a_cofactor_may_carry_a_unit():
-    """Its numerators need not be the kernel's: gap * w is as good as the gap where w != 0."""
+    """A cofactor of gap * w proves the gap as well, since w is a unit."""
     text = tampered(SMALL, "facts/1/certificate/cofactors/0/1", "-w")
     assert check(text) == len(json.loads(text)["facts"])
 
@@ -231,7 +231,7 @@ def test_json_of_another_type_is_refused(section, field, odd):
 
 
 def test_a_string_is_not_taken_for_a_column_of_letters():
-    """lhs "xy", rhs "ab" would be checked as x = a, y = b, and be read as xy = ab."""
+    """Sides "xy" and "ab" would be checked as x = a, y = b, but read as xy = ab."""
     names = ("x", "y", "a", "b", "xy", "ab")
     witness = dict.fromkeys(names, "1") | {"ab": "2"}
     ledger = Ledger()

@@ -1,4 +1,4 @@
-"""The export to Coq, and that Coq accepts true statements and theorems, and refuses false ones."""
+"""Export to Coq: it accepts the exported theorems and refuses false ones."""
 
 import json
 import re
@@ -61,7 +61,7 @@ NEEDS_COQ = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def ledger() -> Ledger:
-    """A ledger with a fact of every rule."""
+    """Return a ledger with a fact of every rule."""
     admitted = Ledger()
     for context in (PLANE, CIRCLE, NUMBERS, *cases()):
         admitted.open(context)
@@ -91,7 +91,7 @@ def cases():
 
 
 def theorem(text: str, name: str) -> str:
-    """What a theorem of a file states."""
+    """Return the statement of a theorem in a Coq file."""
     return text.split(f"Theorem fact_{name} ")[1].split("Proof.")[0]
 
 
@@ -180,7 +180,7 @@ def write(files, folder: Path) -> None:
 
 @pytest.fixture(scope="session")
 def prelude(once):
-    """A folder with the prelude, compiled once for all tests."""
+    """Return a folder with the compiled prelude, shared by all tests."""
 
     def make(folder: Path) -> None:
         write({"prelude.v": export(Ledger()).files["prelude.v"]}, folder)
@@ -191,7 +191,7 @@ def prelude(once):
 
 @pytest.fixture(scope="module")
 def exported(ledger, prelude, tmp_path_factory):
-    """The exported files, with the prelude compiled."""
+    """Return the folder of the exported files, with the prelude compiled."""
     folder = tmp_path_factory.mktemp("coq")
     files = {k: text for k, text in export(ledger).files.items() if k != "prelude.v"}
     write(files, folder)
@@ -230,7 +230,7 @@ def test_coq_refuses_what_is_false(exported, stated, claimed):
 
 @pytest.fixture(scope="module")
 def files():
-    """The export of two contexts of the sealed ledger."""
+    """Return the exported files of two contexts of the sealed ledger."""
     data = json.loads(ledger_text())
     data["contexts"] = [one for one in data["contexts"] if one["name"] in CONTEXTS]
     data["facts"] = [fact for fact in data["facts"] if fact["context"] in CONTEXTS]
@@ -242,7 +242,7 @@ def in_plain_words(files):
 
 
 def listed(text):
-    """The theorems of which Coq is asked what they rest on."""
+    """Return the theorems whose axioms a file prints."""
     return re.findall(r"@(\w+)", text)
 
 
@@ -269,7 +269,7 @@ def test_of_each_theorem_it_is_asked_what_it_rests_on(files):
 
 @pytest.fixture(scope="module")
 def compiled(once, files, prelude):
-    """The folder of theorems that Coq has accepted, and its output in `said`."""
+    """Return the folder of compiled theorems, with Coq's output in `said`."""
 
     def make(folder: Path) -> None:
         write({name: text for name, text in files.items() if name != "prelude.v"}, folder)

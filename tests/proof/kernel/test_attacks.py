@@ -35,12 +35,12 @@ def equation(fact_id: str, context: str, lhs: str, rhs: str, rule: str = "identi
 
 
 class StillBusy(BaseException):
-    """Not an Exception, so that nothing on the way can take it for a refusal."""
+    """Timeout that no `except Exception` can take for a refusal."""
 
 
 @contextmanager
 def within(seconds: int):
-    """Raise StillBusy after so many seconds of the processor."""
+    """Raise StillBusy after some seconds of processor time."""
 
     def stop(*_):
         raise StillBusy(f"after {seconds} s")
@@ -64,7 +64,7 @@ def test_python_reads_an_expression_in_the_same_way(text):
 
 @pytest.mark.parametrize("cofactor", ["1/w", "w/w", "0/w", "1 + w/w**2"])
 def test_a_cofactor_is_a_polynomial(cofactor):
-    """Denominators of cofactors are nowhere in the sum that has to give the difference."""
+    """The sum that has to give the difference ignores denominators of cofactors."""
     ledger = Ledger()
     ledger.open(CIRCLE)
     sides = "(c**2 + s**2)*w", "w"
@@ -141,7 +141,7 @@ def test_a_relation_in_motion_may_be_closed_by_the_others():
 
 
 def test_rates_belong_to_generators_only():
-    """A rate for `H = x` would be a second rate for x, which `model` does not see: 1 = D(x) = 0."""
+    """A rate for `H = x` would be a second rate for x, hidden from `model`: 1 = D(x) = 0."""
 
     def forge():
         ledger = Ledger()

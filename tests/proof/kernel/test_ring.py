@@ -1,4 +1,4 @@
-"""The differential ring against sympy's calculus, and what the kernel is made of."""
+"""The differential ring against SymPy's calculus, and the kernel's size and imports."""
 
 import ast
 import re
@@ -47,7 +47,7 @@ def by_sympy(text: str) -> sympy.Expr:
 
 
 def same(element, expression) -> bool:
-    """Whether both are one rational function, decided by sympy's polynomials."""
+    """Return whether an element and an expression are one rational function, by SymPy."""
     return sympy.cancel(by_sympy(spelled(element)) - expression) == 0
 
 
@@ -109,12 +109,12 @@ def test_the_kernel_imports_only_polynomials_and_the_standard_library(path):
 
 
 def own(path):
-    """Return the name of a module of the kernel without the underscore of private ones."""
+    """Return the name of a kernel module without its underscore."""
     return path.stem if path.stem == "__init__" else path.stem.removeprefix("_")
 
 
 def test_each_module_rests_on_those_that_are_read_before_it():
-    """Imports that are there for types alone count as well: no circles."""
+    """Imports for type checkers count as well."""
     order = re.findall(r"`(\w+)`", rigidsym.proof.kernel.__doc__.split("in this order:")[1])
     assert {*order, "__init__"} == {own(path) for path in FILES}
     for path in FILES:

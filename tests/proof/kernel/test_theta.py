@@ -1,4 +1,4 @@
-"""The rules `theta` and `start`, and attempts to get false things past them, in both checkers."""
+"""The rules `theta` and `start` in both checkers, and attempts to prove false facts by them."""
 
 from dataclasses import replace
 
@@ -82,7 +82,7 @@ def test_what_is_false_or_cannot_be_read_is_refused_by_both(text):
 
 
 def value(text: str, **names: complex) -> complex:
-    """What an identity is in numbers, by mpmath's theta functions."""
+    """Return the numerical value of an identity by mpmath's theta functions."""
     functions = {
         f"{'d' * order}theta{index}": lambda z, q, i=index, d=order: mp.jtheta(i, z, q, d)
         for order in range(3)
@@ -141,7 +141,7 @@ def stated(rhs: str, identity: str = f"{SUM} - theta4(a, q)*theta3(c, q)", **for
 
 
 def verdicts(fact: Fact, *contexts: Context) -> tuple[bool, bool]:
-    """Whether each of the two accepts a fact; the second one reads what the first did not admit."""
+    """Return whether kernel and second checker accept a fact."""
     ledger = Ledger()
     for context in contexts:
         ledger.open(context)
@@ -187,7 +187,7 @@ def test_each_declaration_is_needed(name):
 
 
 def opens(context: Context) -> tuple[bool, bool]:
-    """Whether each of the two accepts a context."""
+    """Return whether kernel and second checker accept a context."""
     ledger = Ledger()
     try:
         context.open()
@@ -227,7 +227,7 @@ def test_what_theta_functions_do_not_do_is_refused(changed):
 
 
 def test_rational_points_refute_nothing_about_functions():
-    """At the witness a true identity fails: no point of names is one of the functions."""
+    """A true identity fails at the witness, which is no value of the functions."""
     fact = Fact("norm.f", "norm", "unequal", ("x*n",), ("0",), "counterexample")
     fact = replace(fact, certificate={"point": dict(NORM.witness)})
     assert verdicts(fact, NORM) == (False, False)
@@ -298,7 +298,7 @@ def test_a_model_starts_where_the_other_does():
 
 @pytest.fixture(scope="module")
 def laws() -> LedgerBuilder:
-    """A context of one family, with its laws."""
+    """Return a ledger with one family of theta functions and its laws."""
     names = ("v", "b", "nome_m", *CIRCULAR.declared())
     builder = LedgerBuilder()
     builder.open(Context("laws", names, dict.fromkeys(names, "1"), thetas=CIRCULAR.declared()))

@@ -1,4 +1,4 @@
-"""The paper's lines with one place changed: a coefficient, a sign, an index, an exponent."""
+"""Printed lines with one coefficient, sign, index, exponent or function changed."""
 
 import re
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ _CHANGES = (
 
 
 def misprints(latex: str) -> Iterator[tuple[str, str]]:
-    """Every line that differs from this one in one place, and the kind of change."""
+    """Yield every line that differs from a given one in one place, with the kind of change."""
     spared = [found.span() for found in _TEXT.finditer(latex) if "sn" not in found[0]]
     spared = [span for span in spared if not re.search(r"\{[scd]n\}", latex[slice(*span)])]
     for kind, pattern, change in _CHANGES:

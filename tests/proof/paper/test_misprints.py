@@ -1,4 +1,4 @@
-"""Every coefficient, sign, index and exponent counts: changed, it changes a verdict."""
+"""Every change of a coefficient, sign, index or exponent in print changes a verdict."""
 
 import json
 from dataclasses import asdict, replace
@@ -32,7 +32,7 @@ PLACES = ("latex", "repair")
 
 @pytest.fixture(scope="module")
 def forward():
-    """The sealed ledger as it is before the print is opened, and the same as data."""
+    """Return the sealed ledger before the chapter on the print, also as data."""
     data, ledger = json.loads(ledger_text()), Ledger()
     for entry in takewhile(lambda entry: "printed" not in entry["name"], data["contexts"]):
         ledger.open(Context(**_frozen(entry)))
@@ -48,7 +48,7 @@ def _data(ledger, before):
 
 
 def fate(equation, forward):
-    """What is decided about one line, the other lines being as they are printed."""
+    """Return the verdict on a changed line, with all other lines as printed."""
     before, data = forward
     builder = LedgerBuilder()
     builder.ledger.contexts, builder.ledger.facts = dict(before.contexts), dict(before.facts)
@@ -64,7 +64,7 @@ def fate(equation, forward):
 
 
 def survivors(equation, forward, changes):
-    """The changes that leave the verdict as it was."""
+    """Yield the changes that leave the verdict on a line unchanged."""
     as_printed = fate(equation, forward)
     for place, kind, text in changes:
         try:

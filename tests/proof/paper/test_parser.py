@@ -1,4 +1,4 @@
-"""The paper's LaTeX: all of it is read, and nothing else is."""
+"""The parser reads all LaTeX of the paper and refuses anything else."""
 
 import pytest
 
@@ -10,7 +10,7 @@ LINES = [(e.number, text) for e in EQUATIONS for text in (e.latex, e.repair) if 
 
 
 def shown(latex):
-    """The statements of a display as text."""
+    """Return the statements of a display as texts."""
     pieces = []
     for piece in parse(latex):
         if isinstance(piece, Words):

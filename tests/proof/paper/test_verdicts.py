@@ -1,3 +1,5 @@
+"""Verdicts on the printed equations: rulings, conditions, counterexamples and repairs."""
+
 import copy
 import json
 import re
@@ -228,7 +230,7 @@ def test_the_search_finds_the_repair_that_is_printed(verdict):
 
 
 def _repair(equation, left, place):
-    """What the printed repair has in the place where the search looked."""
+    """Return the context and text of the printed repair at the place that was searched."""
     asked = [question(equation.repair, sense, PRINT) for sense in equation.mended]
     if place in ("lhs", "rhs"):
         (whole,) = (q for q in asked if left in q.lhs)
@@ -338,7 +340,7 @@ def test_details_show_flaws_causes_readings_and_repairs():
 
 
 def test_nothing_is_left_of_the_latex():
-    """Every print, repair and symbol has a form in plain text."""
+    """Every line, repair and symbol has a form in plain text."""
     for verdict in RULED.values():
         for _, text in details(verdict):
             assert not set("\\{}$") & set(text)
@@ -365,7 +367,7 @@ REFUTED = [v for v in RULED.values() if v.counterexample]
 
 
 def _values(context, point):
-    """All names of a context at a point: definitions may stand in any order."""
+    """Return the values of all names of a context at a point."""
     values = {key: Fraction(value) for key, value in point.items()}
     waiting = {k: v for k, v in context["definitions"].items() if "D(" not in v}
     while waiting:

@@ -1,4 +1,4 @@
-"""Named matrices entry by entry, the two ways of a dictionary, and what a scope knows."""
+"""Named matrices, the dictionary of names and functions, and scopes."""
 
 import random
 

@@ -1,4 +1,4 @@
-"""The steps: what each finds, under which conditions, its fact, and what it refuses."""
+"""Derivation steps: their values, conditions and facts, and what they refuse."""
 
 import pytest
 import sympy
@@ -67,7 +67,7 @@ def turning(builder):
 
 
 def admitted(builder, step, kind="equal"):
-    """The fact of a step is in the ledger, proved, and its step in the builder."""
+    """Assert that a step's fact is proved in the ledger, and that the builder recorded the step."""
     assert builder.ledger.facts[step.fact.id] is step.fact
     assert (step.fact.grade, step.fact.kind) == (Grade.PROVED, kind)
     assert builder.steps[-1] is step
@@ -75,7 +75,7 @@ def admitted(builder, step, kind="equal"):
 
 
 def refused(builder, message, step, *arguments):
-    """A step fails in one line, and leaves neither a fact nor a line behind."""
+    """Assert that a step fails with one line and leaves neither fact nor step behind."""
     facts, lines = dict(builder.ledger.facts), list(builder.steps)
     with pytest.raises(StepError, match=message) as error:
         step(*arguments)
