@@ -97,7 +97,7 @@ EULER = {f"D(Omega_{x})": f"alpha_{x}*Omega_{y}*Omega_{z}" for x, (y, z) in OTHE
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Euler's equations, the functions, the integrals of the squares of the rates, the start."""
+    """Prove Euler's equations, the functions, the integrals of squared rates, and the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
     builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
     builder.claim("addition.euler", EULER, ["5", "10"])

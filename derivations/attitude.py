@@ -67,12 +67,12 @@ NAMES = "epsilon sigma K cos_half_psi sin_half_psi s_0 s_b s_d " + " ".join(
 
 
 def quaternion(name: str) -> tuple[Symbol, ...]:
-    """The components of a quaternion on the axes (a, b, d)."""
+    """Return the components of a quaternion on the axes (a, b, d)."""
     return tuple(Symbol(f"{name}_{x}") for x in "0abd")
 
 
 def components(name: str, sides: Iterable[Expr]) -> dict[str, str]:
-    """What the components of a quaternion are, as texts."""
+    """Return definitions of the components of a quaternion."""
     texts = (printed(side, NAMES) for side in sides)
     return {str(x): text for x, text in zip(quaternion(name), texts, strict=True)}
 
@@ -106,7 +106,7 @@ ATTITUDE = (
 
 
 def momentum() -> dict[str, str]:
-    """(24): the momentum in the body, R^-1 (K sigma e_a) R, on axes of either handedness."""
+    """Return the momentum in the body by (24), R^-1 (K sigma e_a) R, for either handedness."""
     along = Symbol("sigma") * Symbol("K")
     turned = rotated(conjugate(quaternion("qbar")), (along, 0, 0), EPSILON)
     reduced = (rem(side, EPSILON**2 - 1, EPSILON) for side in turned)
@@ -118,7 +118,7 @@ MOMENTUM = momentum()
 
 
 def kinematics(q: str) -> dict[str, str | Expr]:
-    """|q| = 1 and q' = (1/2) q (0, Omega) on the axes (a, b, d) of either handedness."""
+    """Prove |q| = 1 and q' = q (0, Omega)/2 on axes (a, b, d) of either handedness."""
     names, rates = " ".join(map(str, quaternion(q))), "Omega_a Omega_b Omega_d"
     return {
         " + ".join(f"{name}**2" for name in names.split()): "1",
@@ -127,7 +127,7 @@ def kinematics(q: str) -> dict[str, str | Expr]:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Invariants in the form without cancellation, the attitude, and the pull-back (37)."""
+    """Prove the invariants without cancellation, the attitude, and the pull-back (37)."""
     builder.open(join("attitude", *ATTITUDE))
     builder.claim("attitude.conserved", {"D(H)": "0", "D(K**2)": "0"}, ["6"])
     builder.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
@@ -146,7 +146,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder, inverse: dict[str, str]) -> None:
-    """With p by (37), q starts where it is told to, and p is a turn."""
+    """Prove that with p by (37) q starts at the given attitude, and that p is a unit quaternion."""
     units = {q: " + ".join(f"{x}**2" for x in quaternion(q)) for q in ("q", "qbar", "p")}
     given = Part(
         witness={f"{q}_{x}": str(int(x == "0")) for q in ("q", "qbar") for x in "0abd"},

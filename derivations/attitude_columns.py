@@ -17,7 +17,7 @@ CHANGES = tuple(f"{x}{k}" for x in ("Omega", "c") for k in AXES)
 
 
 def matrix(name: str, q: str) -> dict[str, str]:
-    """The rotation matrix of a unit quaternion, entry by entry."""
+    """Return the entries of the rotation matrix of a unit quaternion."""
     entries = {}
     for i in AXES:
         j, k = i % 3 + 1, (i + 1) % 3 + 1
@@ -82,7 +82,7 @@ RATES_AT_START = Part(
 
 
 def _euler(k: int) -> tuple[str, str, str]:
-    """The coefficient of Omega_k' in Euler's equations, and the other two rates."""
+    """Return the coefficient of Omega_k' in Euler's equations, and the other two rates."""
     i, j = k % 3 + 1, (k + 1) % 3 + 1
     return f"(c{i} - c{j})/c{k}", f"Omega{i}", f"Omega{j}"
 
@@ -107,7 +107,7 @@ BY_TIME = {
 
 
 def _energy(y: str) -> str:
-    """What a column of the rates changes the energy by: what the change itself did."""
+    """Return what vanishes when a column has the right change of the energy."""
     k = y[-1]
     seen = " + ".join(f"c{j}*Omega{j}*Omega{j}_by_{y}" for j in AXES)
     begun = f"c{k}*Omega{k}_0" if y.startswith("Omega") else f"(Omega{k}_0**2 - Omega{k}**2)/2"
@@ -115,7 +115,7 @@ def _energy(y: str) -> str:
 
 
 def _varied(k: int, y: str) -> str:
-    """The variation of Euler's equations for a column."""
+    """Return the variation of Euler's equations for a column."""
     _, one, other = _euler(k)
     i, j = one[-1], other[-1]
     products = f"{one}_by_{y}*{other} + {one}*{other}_by_{y}"
@@ -128,7 +128,7 @@ def _varied(k: int, y: str) -> str:
 
 
 def _witness(y: str) -> dict[str, str]:
-    """A column at t = 0 of the spin about axis 1."""
+    """Return the column at t = 0 of the spin about axis 1."""
     return {f"Omega{k}_by_{y}": str(int(y == f"Omega{k}")) for k in AXES}
 
 
@@ -171,7 +171,7 @@ ATTITUDE = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The columns satisfy the variation of (3), and start at zero; so does that by the time."""
+    """Prove that the columns, that of the time too, satisfy the variation of (3) and start at 0."""
     defined = {**matrix("R", "q"), **DIRECTION, **AT_TIME}
     parts = (BODY, RATES_AT_START, RATES, EXCESS, ARMS, VARIED, ATTITUDE)
     units = Part(definitions=defined, units=("K_squared",))
@@ -184,12 +184,12 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _turning(y: str) -> dict[str, str]:
-    """eta' is the change of the rates, seen in space."""
+    """Prove that eta' is the change of the rates, seen in space."""
     return {f"D(eta{i}_by_{y})": " + ".join(f"R{i}{k}*Omega{k}_by_{y}" for k in AXES) for i in AXES}
 
 
 def _by_time() -> dict[str, str]:
-    """R' = [eta_t] R, and the rates' own equations."""
+    """Prove R' = [eta_t] R, and Euler's equations for the rates."""
     turned = {
         f"D(R{i}{k})": f"eta{i % 3 + 1}_by_t*R{(i + 1) % 3 + 1}{k}"
         f" - eta{(i + 1) % 3 + 1}_by_t*R{i % 3 + 1}{k}"
@@ -200,7 +200,7 @@ def _by_time() -> dict[str, str]:
 
 
 def _start(builder: LedgerBuilder) -> None:
-    """At t = 0 no column has turned."""
+    """Prove that all columns of the attitude are zero at t = 0."""
     still = [Part(x.witness, x.units, reading=x.reading) for x in (BODY, RATES_AT_START, EXCESS)]
     attitude = Part(
         witness={f"p{k}": str(int(k == 0)) for k in range(4)},

@@ -26,7 +26,7 @@ Q = symbols("q0 q1 q2 q3")
 
 
 def varied(names: Iterable[sympy.Symbol]) -> Vector:
-    """The changes of quantities, by name."""
+    """Return the names of the changes of quantities."""
     return tuple(symbol(f"d{name}") for name in names)
 
 
@@ -39,7 +39,7 @@ def _cross(one: Iterable[sympy.Expr], other: Iterable[sympy.Expr]) -> list[sympy
 
 
 def _variations(rates: Mapping[str, str]) -> dict[str, str]:
-    """The change of what each rate is, by the changes of all in it."""
+    """Return the change of each rate by the chain rule."""
     return {f"d{name}": str(change_of(read(text))) for name, text in rates.items()}
 
 
@@ -99,7 +99,7 @@ ATTITUDE = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The small turn and the change of q satisfy the variation of (3); they start where told to."""
+    """Prove that small turn and change of q satisfy the variation of (3) from given values."""
     dynamics = builder.result(Dynamics)
     moving = Part(rates=_variations(dynamics.body.rates))
     parts = (
@@ -121,7 +121,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _rest(builder: LedgerBuilder) -> None:
-    """Without rates there is no momentum to turn about: what begins to turn goes on."""
+    """Prove the case of a body at rest, where the small turn grows linearly."""
     given = symbols("eta1 eta2 eta3")
     turned = [x + symbol("t") * dw for x, dw in zip(given, varied(OMEGA), strict=True)]
     begun = Part(
@@ -136,7 +136,7 @@ def _rest(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder, *body: Part) -> None:
-    """At t = 0 the small turn is the given one, with l and s_0 by it."""
+    """Prove that the small turn at t = 0 is the given one."""
     given = symbols("eta1 eta2 eta3")
     still = Part(INTEGRALS.witness, relations=tuple(INTEGRALS.witness), reading=INTEGRALS.reading)
     turned = [x + y for x, y in zip(_cross(given, M), varied(M), strict=True)]

@@ -36,7 +36,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _start_of_motion(builder: LedgerBuilder) -> None:
-    """R M R^-1 = M at the start says that R M = M R; it holds at R = e, and not everywhere."""
+    """Prove that R M R^-1 = M at the start means R M = M R, which holds at R = e only."""
     matrices = {"R": from_quaternion("q"), "M": combination("M1 M2 M3")}
     body = part_of(builder.ledger.contexts["moving_body"])
     matrices = {**builder.result(Algebra).basis, **matrices}
@@ -52,7 +52,7 @@ def _start_of_motion(builder: LedgerBuilder) -> None:
 
 
 def _degenerate(builder: LedgerBuilder) -> None:
-    """Where c_i equals another moment, alpha = 0; where the body spins about axis j, s = 0."""
+    """Prove alpha = 0 for c_i equal to another moment, and s = 0 for a spin about axis j."""
     lemma = builder.result(Lemma1)
     moving, quartic = lemma.moving, lemma.quartic
     for other, witness in (("j", {"c_j": "2"}), ("k", {"c_k": "2"})):
@@ -65,7 +65,7 @@ def _degenerate(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder) -> None:
-    """(12) has two real values a period, with opposite cn: Remark 1's sign makes up for either."""
+    """Prove that Remark 1's sign is right for both real values of (12) in a period."""
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
     other = Part(
         units=("zeta",),
@@ -92,7 +92,7 @@ def _start(builder: LedgerBuilder) -> None:
 
 
 def _poles(builder: LedgerBuilder) -> None:
-    """Where sin(phi2) or cos(phi3) vanish, so do the denominators of (29), (32) and (33)."""
+    """Prove that denominators of (29), (32), (33) vanish with sin(phi2) and cos(phi3)."""
     on_axis = Part(
         witness={"sin_phi2": "0", "cos_phi2": "1", "cos_phi3": "1", "sin_phi3": "0"},
         definitions=MOTION_RATES,
@@ -120,7 +120,7 @@ def _poles(builder: LedgerBuilder) -> None:
 
 
 def _poles_of_34(builder: LedgerBuilder) -> None:
-    """The denominators of (34) are zero where |c1 Omega1| = K."""
+    """Prove that the denominators of (34) vanish for |c1 Omega1| = K."""
     for name, side in (("plus", "K - c1*zeta*sn"), ("minus", "K + c1*zeta*sn")):
         pole = Part(
             witness={
@@ -140,7 +140,7 @@ def _poles_of_34(builder: LedgerBuilder) -> None:
 
 
 def _amplitude_at_rest(builder: LedgerBuilder) -> None:
-    """Where dn = 0, theta stands still, and cannot take the place of t in (36)."""
+    """Prove that theta' = 0 for dn = 0, so that (36) cannot replace t by theta there."""
     rest = Part({"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
     builder.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
     builder.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])

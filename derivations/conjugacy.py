@@ -39,7 +39,7 @@ E1, E2, E3 = map(matrix, ("E1", "E2", "E3"))
 
 @dataclass(frozen=True, slots=True)
 class Reduction:
-    """What this chapter found: M = K * direction, with the matrices and angles that it is of.
+    """Results of this chapter: M = K * direction, with its matrices and angles.
 
     `angles` has half of each angle, or what exp(phi A) has; `circles` the whole phi2 and phi3.
     """
@@ -52,7 +52,7 @@ class Reduction:
 
 
 def turns(setting: Setting) -> tuple[Part, ...]:
-    """The three angles, by the cosine and sine that exp(phi A) has."""
+    """Return the three angles by the cosine and sine in exp(phi A)."""
     angle = half_angle if setting.factor < 1 else double_angle
     plain = [angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3)]
     tilted = [dict(zip(part.witness, ("4/5", "3/5"), strict=True)) for part in plain]
@@ -60,14 +60,14 @@ def turns(setting: Setting) -> tuple[Part, ...]:
 
 
 def exponential(setting: Setting, axis: int, angle: sympy.Symbol) -> ImmutableMatrix:
-    """exp(angle A) = cos(w angle) + sin(w angle)/w A, for A^2 = -w^2."""
+    """Return exp(angle A) = cos(w angle) + sin(w angle)/w A, for A^2 = -w^2."""
     w = setting.factor
     A = setting.basis()[axis - 1]
     return ImmutableMatrix.eye(2) * sympy.cos(w * angle) + A * sympy.sin(w * angle) / w
 
 
 def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
-    """(25): three turns, and before them the constant one that takes the outer axis to another."""
+    """Return the rotation (25): three turns after a constant one onto the outer axis."""
     pairs = zip(setting.sequence, PHI, strict=True)
     factors = {f"E{k}": exponential(setting, *pair) for k, pair in enumerate(pairs, 1)}
     front = _front(setting)
@@ -77,7 +77,7 @@ def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
 
 
 def _front(setting: Setting) -> ImmutableMatrix | None:
-    """(1 +- (i + j + k))/2, which turns the axes cyclically, from the outer one to the target."""
+    """Return the constant turn (1 +- (i + j + k))/2 of the outer axis to the target."""
     if setting.target == setting.sequence[0]:
         return None
     basis = setting.basis()
@@ -124,7 +124,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _reduced(builder: LedgerBuilder, reduction: Reduction) -> None:
-    """With M = K times that direction: R M R^-1 is K A."""
+    """Prove that R M R^-1 = K A for M = K times the direction."""
     setting, given = builder.result(Algebra).setting, builder.result(Dynamics).parameters
     parts = (given, MOMENTUM, *reduction.angles)
     body = by_angles(builder, reduction, *parts)
@@ -137,7 +137,7 @@ def _reduced(builder: LedgerBuilder, reduction: Reduction) -> None:
 
 
 def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Part:
-    """The body whose momentum is K times the direction, in the names that these parts give."""
+    """Return the body whose momentum is K times the direction."""
     dynamics = builder.result(Dynamics)
     text = Dictionary(join("by_angles", *parts, static=True)).text
     seen: Any = {m: K * x for m, x in zip(MOMENTA, reduction.direction, strict=True)}
@@ -147,7 +147,7 @@ def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Par
 
 
 def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
-    """(27) to (29): the components of M solved for the angles."""
+    """Solve the components of M for the angles: (27) to (29)."""
     setting = builder.result(Algebra).setting
     axes = [axis - 1 for axis in setting.axes]
     outer, middle, third = (reduction.direction[axis] for axis in axes)

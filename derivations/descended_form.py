@@ -102,7 +102,7 @@ MOTION = (
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The descent is a model of what came before; then each formula in its stable form."""
+    """Prove that the descent is a model of the regular form; then each stable formula."""
     builder.open(join("descended", *MOTION, half_angle("psi", "psi_rate")))
     for claim in (_descent, _argument, _secular):
         claim(builder)
@@ -113,7 +113,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _descent(builder: LedgerBuilder) -> None:
-    """The modulus, its complement, and Landen's dn, none with a difference."""
+    """Prove the modulus, its complement and Landen's dn, all without differences."""
     builder.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
     builder.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
     builder.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
@@ -123,7 +123,7 @@ def _descent(builder: LedgerBuilder) -> None:
 
 
 def _argument(builder: LedgerBuilder) -> None:
-    """u_1 and its rate."""
+    """Prove u_1 and its rate."""
     builder.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     builder.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     builder.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
@@ -131,7 +131,7 @@ def _argument(builder: LedgerBuilder) -> None:
 
 
 def _secular(builder: LedgerBuilder) -> None:
-    """psi by quadrature: its derivative is psi_rate of the attitude."""
+    """Prove that the derivative of psi is psi_rate of the attitude."""
     builder.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
     builder.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
     builder.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])

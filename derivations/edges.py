@@ -53,7 +53,7 @@ ELEMENTARY = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Both edges are models of the regular form; their rates and their psi in closed form."""
+    """Prove that both edges are models of the regular form, with closed forms of rates and psi."""
     builder.open(
         join("separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS)
     )

@@ -38,7 +38,7 @@ ABOUT_1 = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(25) with its angles is a model of the regular form, whose quaternion is that of (18)."""
+    """Prove that (25) with its angles is a model of the regular form, with (18) as quaternion."""
     angles = part_of(builder.ledger.contexts["three_angle_motion"])
     builder.open(join("both_forms", angles, ABOUT_1))
     builder.model("both_forms", "attitude")

@@ -48,7 +48,7 @@ INERTIA = Part(
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
-    """What this chapter found: the body's parameters, and a Part with its equations of motion.
+    """Results of this chapter: the body's parameters and its equations of motion.
 
     `momenta` are M1, M2, M3 of the rates, `velocities` the rates of the momenta.
     """
@@ -60,7 +60,7 @@ class Dynamics:
 
 
 def parameters(setting: Setting) -> Part:
-    """The moments of inertia, and the wheels' momenta where there are any."""
+    """Return the moments of inertia, and the wheels' momenta if there are any."""
     names = sorted({str(h) for linear in setting.wheel() for h in linear.free_symbols})
     return Part(
         witness={**INERTIA.witness, **dict.fromkeys(names, "1")},
@@ -98,7 +98,7 @@ def _body(
     momenta: tuple[sympy.Expr, ...],
     rates: Mapping[sympy.Symbol, sympy.Expr],
 ) -> Part:
-    """The rates with Euler's equations; H by Legendre's transform, K^2 from the spectrum of M."""
+    """Prove Euler's equations, H by Legendre's transform, and K^2 from the spectrum of M."""
     free = Part(
         witness=dict.fromkeys(map(str, MOMENTA), "1"),
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
@@ -123,7 +123,7 @@ def _body(
 
 
 def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
-    """M' = [M, B] solved for B; and what it conserves."""
+    """Solve M' = [M, B] for B, and prove what it conserves."""
     matrices = {
         **algebra.basis,
         "M": combination("M1 M2 M3"),
@@ -158,7 +158,7 @@ def _gradient(
     given: Part,
     velocities: Mapping[sympy.Symbol, sympy.Expr],
 ) -> None:
-    """(8): dH/dM_i = Omega_i, with d/dt read as the derivative along one momentum."""
+    """Prove (8): dH/dM_i = Omega_i, with D as the derivative along one momentum."""
     energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
     momenta = Part(
         witness={"M1": "1", "M2": "1", "M3": "1"},
@@ -172,7 +172,7 @@ def _gradient(
 
 
 def _conjugation(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
-    """(9), (22): R M R^-1 is constant."""
+    """Prove (9) and (22): R M R^-1 is constant."""
     matrices = {
         **algebra.basis,
         "M": combination("M1 M2 M3"),

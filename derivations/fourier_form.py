@@ -79,7 +79,7 @@ REST = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The coefficients, the terms of psi, and what their sum is to be."""
+    """Prove the coefficients, the terms of psi, and the rate of their sum."""
     builder.open(
         join("fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True)
     )

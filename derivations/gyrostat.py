@@ -18,7 +18,7 @@ H, K_SQUARED, X = symbols("H K_squared x")
 
 
 def gyrostat(builder: LedgerBuilder) -> None:
-    """The quartic of one wheel's axis where there is one wheel; the pencil's always."""
+    """Prove the quartic of the pencil, and for one wheel that of its axis."""
     dynamics, setting = builder.result(Dynamics), builder.result(Algebra).setting
     turning = [k for k, h in enumerate(setting.wheel()) if h != 0]
     if len(turning) == 1:
@@ -27,7 +27,7 @@ def gyrostat(builder: LedgerBuilder) -> None:
 
 
 def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
-    """2 H and K^2 by the rates."""
+    """Return 2 H and K^2 as quadrics in the rates."""
     return 2 * read(dynamics.body.definitions["H"]), sympy.Add(*(m**2 for m in dynamics.momenta))
 
 
@@ -58,7 +58,7 @@ def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
 
 
 def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:
-    """The symmetric matrix of quadric - value in (Omega1, Omega2, Omega3, 1)."""
+    """Return the symmetric matrix of quadric - value in (Omega1, Omega2, Omega3, 1)."""
     one = symbol("one")
     homogeneous = sympy.Poly(sympy.expand(quadric - value), *RATES).homogenize(one)
     return sympy.hessian(homogeneous.as_expr(), [*RATES, one]) / 2

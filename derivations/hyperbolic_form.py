@@ -31,7 +31,7 @@ READING = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """A model of the theta form, by other functions."""
+    """Prove that the form is a model of the theta form, by functions of the other nome."""
     builder.open(join("hyperbolic_form", *FORM, CLASSICAL, READING))
     builder.model("hyperbolic_form", "theta_form")
     carried = ("solution", "N_of_W", *COMPONENTS)

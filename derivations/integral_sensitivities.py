@@ -47,7 +47,7 @@ ELEMENTARY = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The changes along both directions, and the integrals of fourth powers, from 0."""
+    """Prove the changes along both directions, and the integrals of fourth powers."""
     parts = (MODULI, FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
     builder.open(join("varied_integrals", *parts, FOURTHS, DIRECTIONS))
     for way, grows in (("k", "-S_t*D_t - p"), ("r", "-p")):
@@ -66,7 +66,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder) -> None:
-    """At t = 0 nothing has changed."""
+    """Prove that all changes are zero at t = 0."""
     parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE, FOURTHS)
     still = [Part(part.witness, part.units, reading=part.reading) for part in parts]
     zero = Part(relations=(*START.relations, "F_t", *FOURTHS.witness))

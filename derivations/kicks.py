@@ -54,7 +54,7 @@ TURNING = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """What stays in space turns back in the body; the torque takes what the potential gives."""
+    """Prove how a fixed direction turns in the body, and that the torque conserves energy."""
     builder.open(join("kick", TURNING))
     back = {f"D(v{i})": f"v{j}*Omega{k} - v{k}*Omega{j}" for i, (j, k) in _NEXT.items()}
     builder.claim("kick.fixed", back, ["3"])

@@ -27,7 +27,7 @@ BODY_RATES = Part(
 
 @dataclass(frozen=True, slots=True)
 class Phi1:
-    """What this chapter found: phi1' by a rate, H and K; and by the angles, with its divisors."""
+    """Results of this chapter: phi1' by a rate, H and K, and by the angles, with divisors."""
 
     by_invariants: sympy.Expr
     by_angles: sympy.Expr
@@ -35,7 +35,7 @@ class Phi1:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """R^-1 R', (30), (31); (32); (33); and that it all is a motion."""
+    """Prove R^-1 R', (30) to (33), and that all together is a motion."""
     reduction = builder.result(Reduction)
     parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
     scope = Scope.open(builder, "turning", *parts, matrices=reduction.matrices)
@@ -56,7 +56,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi1:
-    """phi1' with the momentum put in, (32); with H and K, (33)."""
+    """Prove phi1' by the momentum, (32), and by H and K, (33)."""
     dynamics = builder.result(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.circles)
     base = Scope.open(
@@ -87,7 +87,7 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi
 
 
 def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
-    """Put the angles, solved for, into phi1'; sin(phi2)^2 by what it is of the momentum."""
+    """Substitute the angles, and sin(phi2)^2 by the momentum, into phi1'."""
     factor = builder.result(Algebra).setting.factor
     _, middle, third = (axis - 1 for axis in builder.result(Algebra).setting.axes)
     sine = sympy.sin(2 * factor * PHI[1])
@@ -102,7 +102,7 @@ def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr)
 def _motion(
     builder: LedgerBuilder, reduction: Reduction, found: Phi1, phi2: sympy.Expr, phi3: sympy.Expr
 ) -> None:
-    """The angles that move so carry a solution of (3) and (5)."""
+    """Prove that angles with these rates carry a solution of (3) and (5)."""
     dynamics = builder.result(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
     body = by_angles(builder, reduction, *parts)

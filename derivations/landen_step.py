@@ -115,21 +115,21 @@ FUNCTIONS = {
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The step; then the scale, where it is chosen and where it is used."""
+    """Prove the step, then the scale, where it is chosen and where it is used."""
     builder.open(join("landen", MODULUS, ARGUMENT, SHIFT, static=True))
     for claim in (_modulus, _argument, _shift, _scale):
         claim(builder)
 
 
 def _modulus(builder: LedgerBuilder) -> None:
-    """The new modulus and its complement, each from what does not cancel."""
+    """Prove the new modulus and its complement, each without cancellation."""
     builder.claim("landen.k_next", {"k_next": "(k/(1 + kc))**2"}, ["DLMF 22.7.1"])
     builder.root("landen.root_kc", "root_kc", "kc", ["DLMF 22.7.1"])
     builder.root("landen.complement", "kc_next", "1 - k_next**2", ["DLMF 22.7.1"])
 
 
 def _argument(builder: LedgerBuilder) -> None:
-    """The new functions by the old ones, which satisfy what Jacobi's do."""
+    """Prove that the new functions satisfy the equations of Jacobi's."""
     old = {"s**2 + c**2": "1", "d**2 + k**2*s**2": "1"}
     builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
     builder.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
@@ -141,14 +141,14 @@ def _argument(builder: LedgerBuilder) -> None:
 
 
 def _shift(builder: LedgerBuilder) -> None:
-    """The same for an imaginary argument, where the signs of squares are the other ones."""
+    """Prove the step for an imaginary argument, where squares have the other sign."""
     builder.claim("landen.r_next", {"r_next": "r*k/(1 + kc)**2"}, ["DLMF 22.7.1"])
     builder.root("landen.S", "S", "(1 + k_next)**2 + 4*r_next*Y**2", ["DLMF 22.7.2"])
     builder.claim("landen.Y_next", {"Y_next": "2*Y/(1 + k_next + S)"}, ["DLMF 22.7.2"])
 
 
 def _scale(builder: LedgerBuilder) -> None:
-    """The scale, its square and what is measured by it; k_1 = 0 is a regular point."""
+    """Prove the scale, its square and scaled quantities; k_1 = 0 is a regular point."""
     builder.open(join("scaling", SCALING, MOMENTUM, static=True))
     builder.root("scaling.root_r", "root_r", "r", ["27"])
     builder.claim("scaling.Q", {"Q": "k_1/r"}, ["27"])

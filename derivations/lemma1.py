@@ -58,7 +58,7 @@ SCALED = Part(
 
 @dataclass(frozen=True, slots=True)
 class Lemma1:
-    """What this chapter found: a body on axes i, j, k, the quadratic of a rate, and its roots."""
+    """Results of this chapter: a body on axes i, j, k, the quadratic of a rate, and its roots."""
 
     moving: Part
     quartic: Part
@@ -66,7 +66,7 @@ class Lemma1:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(17); (14) and (13); (10) and (11), (16), (12); footnote 1.  Or the quartic of a gyrostat."""
+    """Prove (17), (14), (13), (10), (11), (16), (12), footnote 1; or a gyrostat's quartic."""
     if any(h != 0 for h in builder.result(Algebra).setting.wheel()):
         gyrostat(builder)
         return
@@ -101,7 +101,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _on_axes(builder: LedgerBuilder) -> Part:
-    """The body of `euler_lax` with its axes called i, j, k."""
+    """Open the body of `euler_lax` with its axes called i, j, k."""
     body = builder.result(Dynamics).body
 
     def text(source: str) -> str:
@@ -122,13 +122,13 @@ def _on_axes(builder: LedgerBuilder) -> Part:
 
 
 def _invariants(moving: Part) -> list[sympy.Expr]:
-    """2 H and K^2 less what they are of the rates."""
+    """Return 2 H and K^2 less their expressions in the rates."""
     known = {name: read(moving.definitions[name]) for name in ("H", "K_squared")}
     return [2 * (H - known["H"]), K_SQUARED - known["K_squared"]]
 
 
 def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
-    """(13): both roots in Omega_i^2, each of one of the other moments."""
+    """Prove (13): both roots in Omega_i^2, each with one of the other moments."""
     why = "its roots, where no other moment is that of the axis"
     found = roots(scope, "factored.roots", polynomial, RATE**2, why, ["13"])
     named = {
@@ -143,7 +143,7 @@ def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
 
 
 def _distinct(builder: LedgerBuilder) -> None:
-    """The discriminant under the root of (13) is a square."""
+    """Prove that the discriminant under the root of (13) is a square."""
     lemma = builder.result(Lemma1)
     scope = Scope.open(builder, "distinct_axis", INERTIA, lemma.moving, lemma.quartic, lemma.roots)
     alpha, beta, chi, one, two = symbols("alpha beta chi root_j root_k")
@@ -155,7 +155,7 @@ def _distinct(builder: LedgerBuilder) -> None:
 
 
 def _matched(builder: LedgerBuilder) -> None:
-    """zeta sn(xi t + C | mu) for either root in the place of zeta^2; then (10), (16) and (12)."""
+    """Prove zeta sn(xi t + C | mu) for either root as zeta^2; then (10), (16) and (12)."""
     gap = Part(
         witness={"alpha": "1", "s_i": "2", "s_j": "3", "v": "0"},
         units=("s_i", "s_j"),
@@ -187,7 +187,7 @@ def _matched(builder: LedgerBuilder) -> None:
 
 
 def _reciprocal(builder: LedgerBuilder) -> None:
-    """sqrt(mu) sn(u | mu), dn and cn satisfy what defines sn, cn and dn of (sqrt(mu) u | 1/mu)."""
+    """Prove the reciprocal modulus: sqrt(mu) sn, dn, cn are sn, cn, dn of (sqrt(mu) u | 1/mu)."""
     modulus = Part(
         witness={"sqrt_mu": "2", "nu": "1"},
         units=("sqrt_mu",),

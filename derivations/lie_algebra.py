@@ -48,7 +48,7 @@ R, M, Omega = map(matrix, ("R", "M", "Omega"))
 
 @dataclass(frozen=True, slots=True)
 class Algebra:
-    """What this chapter found: [A_i, A_j] = sum f_ijk A_k, and the rates of a quaternion."""
+    """Results of this chapter: [A_i, A_j] = sum f_ijk A_k, and the rates of a quaternion."""
 
     setting: Setting
     constants: tuple[tuple[tuple[sympy.Expr, ...], ...], ...]
@@ -56,36 +56,36 @@ class Algebra:
 
     @property
     def basis(self) -> dict[str, ImmutableMatrix]:
-        """A1, A2, A3 by their names."""
+        """The basis A1, A2, A3 by name."""
         return dict(zip(("A1", "A2", "A3"), self.setting.basis(), strict=True))
 
     @property
     def attitude(self) -> Part:
-        """The unit quaternion of an attitude that moves by (3)."""
+        """The rates of an attitude that moves by (3)."""
         rates = {f"q{k}": str(rate) for k, rate in enumerate(self.kinematics)}
         return Part(rates=rates)
 
 
 def from_quaternion(name: str) -> ImmutableMatrix:
-    """F of (1) and (2): q0 + q1 i + q2 j + q3 k -> ((z1, z2), (-z2*, z1*))"""
+    """Return F of (1) and (2): q0 + q1 i + q2 j + q3 k -> ((z1, z2), (-z2*, z1*))."""
     q0, q1, q2, q3 = symbols(f"{name}0 {name}1 {name}2 {name}3")
     z1, z2 = q0 + sympy.I * q1, q2 + sympy.I * q3
     return ImmutableMatrix(((z1, z2), (-z2.conjugate(), z1.conjugate())))
 
 
 def combination(names: str) -> MatrixExpr:
-    """x1 A1 + x2 A2 + x3 A3, the paper's (8)."""
+    """Return x1 A1 + x2 A2 + x3 A3, the paper's (8)."""
     x1, x2, x3 = symbols(names)
     return x1 * A[0] + x2 * A[1] + x3 * A[2]
 
 
 def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
-    """[x, y] = x y - y x"""
+    """Return the commutator [x, y] = x y - y x."""
     return MatAdd(x * y, -y * x, evaluate=False)
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(1), (2), (4) and (3)."""
+    """Prove (1), (2), (4) and (3)."""
     setting = builder.result(Setting) if Setting in builder else Setting()
     scope = Scope.open(
         builder, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
@@ -113,7 +113,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _brackets(scope: Scope) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
-    """The structure constants: three brackets decided, the others by their signs."""
+    """Return the structure constants: three brackets are decided, the others follow by signs."""
     found = {}
     for i, j in ((0, 1), (1, 2), (0, 2)):
         fact = f"quaternions.bracket_{i + 1}{j + 1}"

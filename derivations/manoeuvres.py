@@ -27,12 +27,12 @@ ACROSS = [(j, k) for j, k in PAIRS if j != k]
 
 
 def total(term: str) -> str:
-    """The sum of a term over the three axes; ? stands for their numbers."""
+    """Return the sum of a term over the three axes; ? stands for their numbers."""
     return " + ".join(term.replace("?", k) for k in "123")
 
 
 def matrix(name: str, q: str) -> dict[str, str]:
-    """The entries of the rotation matrix of a unit quaternion: its columns are q e_k q^-1."""
+    """Return the entries of the rotation matrix of q: its columns are q e_k q^-1."""
     columns = (rotated(symbols(f"{q}:4"), [int(j == k) for j in (1, 2, 3)]) for k in (1, 2, 3))
     return {
         f"{name}{j}{k}": str(entry)
@@ -42,7 +42,7 @@ def matrix(name: str, q: str) -> dict[str, str]:
 
 
 def components(name: str, quaternion: Iterable[Expr]) -> dict[str, str]:
-    """What the components of a quaternion are, as texts."""
+    """Return definitions of the components of a quaternion."""
     return {f"{name}{k}": str(component) for k, component in enumerate(quaternion)}
 
 
@@ -125,7 +125,7 @@ SYMMETRY = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Time; the cone, the bursts; what is left of the attitude; planes, peaks, rings, a bound."""
+    """Prove scaling of time, the cone, the bursts, planes, peaks, rings and a bound."""
     _faster(builder)
     _cone(builder)
     _left(builder)
@@ -136,7 +136,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _faster(builder: LedgerBuilder) -> None:
-    """q(s t) and s Omega(s t) are a motion; momentum goes with s, energy with s^2."""
+    """Prove that q(s t) and s Omega(s t) are a motion, with momentum s M and energy s^2 H."""
     body, attitude = builder.result(Dynamics).body, builder.result(Algebra).attitude
     rates = {name: f"s*({rate})" for name, rate in {**body.rates, **attitude.rates}.items()}
     faster = Part(rates=rates)
@@ -156,7 +156,7 @@ def _faster(builder: LedgerBuilder) -> None:
 
 
 def _cone(builder: LedgerBuilder) -> None:
-    """Energies at both ends differ by the form A of M: no trace, zero on the axis of the turn."""
+    """Prove that energies at both ends differ by a traceless form, zero on the turn's axis."""
     builder.open(join("manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True))
     form = " + ".join(f"A{j}{k}*M{j}*M{k}" for j, k in PAIRS)
     builder.claim("manoeuvre.cone", {f"{total('N?**2/c?')} - ({total('M?**2/c?')})": form}, ["6"])
@@ -172,7 +172,7 @@ def _cone(builder: LedgerBuilder) -> None:
 
 
 def _left(builder: LedgerBuilder) -> None:
-    """q = z p takes N to L, which is M where z is a turn about M, and only there."""
+    """Prove that q = z p takes N to M exactly for z a turn about M."""
     builder.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
     builder.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
     builder.claim("arrival.left", components("q", product(symbols("z:4"), symbols("p:4"))))
@@ -182,7 +182,7 @@ def _left(builder: LedgerBuilder) -> None:
 
 
 def _planes(builder: LedgerBuilder) -> None:
-    """K^2 - 2 H c_b vanishes on the two planes across M_a = +-along M_d."""
+    """Prove that K^2 - 2 H c_b vanishes on two planes through axis b."""
     builder.open(join("separatrix_planes", PLANES, static=True))
     builder.root("separatrix_planes.across", "across", "(c_a - c_b)/(c_a*c_b)")
     builder.root("separatrix_planes.along", "along", "(c_b - c_d)/(c_b*c_d)")
@@ -199,7 +199,7 @@ def _planes(builder: LedgerBuilder) -> None:
 
 
 def _peaks(builder: LedgerBuilder) -> None:
-    """|Omega|^2 is linear in sn^2, and stands still where sn, cn or dn is zero."""
+    """Prove that |Omega|^2 is linear in sn^2, so stationary where sn, cn or dn vanishes."""
     square = "Omega_a**2 + Omega_b**2 + Omega_d**2"
     slope = "(A_b**2 - A_d**2 - m*A_a**2)"
     builder.claim("regular.speed", {square: f"A_a**2 + A_d**2 + {slope}*sn**2"}, ["10"])
@@ -207,7 +207,7 @@ def _peaks(builder: LedgerBuilder) -> None:
 
 
 def _ring(builder: LedgerBuilder) -> None:
-    """Where the turn leaves J as it is, x = q p and W = R^T Omega are a motion, too.
+    """Prove that x = q p and W = R^T Omega are a motion if the turn preserves J.
 
     A motion from q = 1 that is at p at the time T has the rates W there: it goes on as x and W do,
     so that q(T + t) = q(t) p, and from whatever q(t) it is at, it turns by p in the time T.
@@ -223,6 +223,6 @@ def _ring(builder: LedgerBuilder) -> None:
 
 
 def _bound(builder: LedgerBuilder) -> None:
-    """K^2 <= 2 H c for the largest moment c."""
+    """Prove K^2 <= 2 H c for the largest moment c."""
     forms = {"2*H*c_1 - K_squared": "c_2*c_12*Omega_2**2 + c_3*c_13*Omega_3**2"}
     builder.sign("sorted_body.most_momentum", forms, ["6", "15"])

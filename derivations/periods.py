@@ -80,7 +80,7 @@ POINTS = [
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The rates, psi and its mean; then the same for the functions; then the solid angle."""
+    """Prove the periods of rates and psi, its mean rate, and the solid angle."""
     motion = (*MOTION, half_angle("psi", "psi_rate"), COMPLETE)
     builder.open(join("period", *motion, AMPLITUDE, LATER))
     builder.model("period", "descended")
@@ -104,7 +104,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _functions(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
-    """Half a period later the functions, which start there, are what is meant."""
+    """Prove the functions half a period later."""
     builder.open(join("period_functions", *motion, FUNCTIONS))
     builder.start("period_functions.later", LATER.definitions, ["DLMF 22.4(iii)"])
     builder.model("period_functions", "period", ["period_functions.later"])
@@ -112,7 +112,7 @@ def _functions(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
 
 
 def _mean_rate(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
-    """2 Lambda is the mean rate, if J_c is what the interchange of argument and parameter says."""
+    """Prove that 2 Lambda is the mean rate, by the interchange of argument and parameter."""
     reference = "Legendre's reduction; Byrd and Friedman 1971, formulas from 400 on"
     builder.assume("period_functions.complete", {"J_c": INTERCHANGE}, reference, POINTS)
     complete = Part(definitions={"J_c": INTERCHANGE})
@@ -121,7 +121,7 @@ def _mean_rate(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
 
 
 def _solid_angle(builder: LedgerBuilder) -> None:
-    """psi' = 2 H/K - (1 - cos(theta)) phi', theta and phi being the momentum's polar angles.
+    """Prove psi' = 2 H/K - (1 - cos(theta)) phi' for the momentum's polar angles.
 
     cos(theta) = sigma M_a/K, and (M_b^2 + M_d^2) phi' = +-(M_b M_d' - M_d M_b').
     """

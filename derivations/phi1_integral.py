@@ -30,7 +30,7 @@ AMPLITUDE = Part(
 
 
 def constants(axis: int) -> Part:
-    """A moment of inertia, the invariants, and what zeta sn(xi t + gamma | mu) has."""
+    """Return a moment of inertia, the invariants, and constants of zeta sn(xi t + gamma | mu)."""
     return Part(
         witness={f"c{axis}": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
         units=(f"c{axis}", "K"),
@@ -45,7 +45,7 @@ def constants(axis: int) -> Part:
 
 
 def sine(axis: int) -> Part:
-    """A rate that is zeta sn, and never so large that K^2 - (c Omega)^2 is zero."""
+    """Return a rate that is zeta sn, with K^2 - (c Omega)^2 never zero."""
     return Part(
         units=(f"K - c{axis}*zeta*sn", f"K + c{axis}*zeta*sn"),
         definitions={f"Omega{axis}": "zeta*sn"},
@@ -54,7 +54,7 @@ def sine(axis: int) -> Part:
 
 @dataclass(frozen=True, slots=True)
 class ThirdKind:
-    """What this chapter found: the parts with which phi1 = K/c t + kappa Pi, and phi1' split."""
+    """Results of this chapter: phi1 = K/c t + kappa Pi, and phi1' in partial fractions."""
 
     axis: int
     parts: tuple[Part, ...]
@@ -62,7 +62,7 @@ class ThirdKind:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(34), its integral (36), and (35)."""
+    """Prove (34), its integral (36), and (35)."""
     axis = builder.result(Algebra).setting.axes[0]
     integrand = builder.result(Phi1).by_invariants
     if integrand.free_symbols & {*RATES} != {RATES[axis - 1]}:
@@ -116,6 +116,6 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _parameter(term: Any) -> sympy.Expr:
-    """n of c/(1 - n sn^2)"""
+    """Return n of c/(1 - n sn^2)."""
     (below,) = (1 / factor for factor in sympy.Mul.make_args(term) if factor.has(SN))
     return -sympy.expand(below).coeff(SN**2)

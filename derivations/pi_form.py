@@ -122,7 +122,7 @@ FAR = Part(
 
 
 def turning(rate: str) -> Part:
-    """X turns at a rate."""
+    """Return a point X on the unit circle that turns at a rate."""
     return Part(
         witness={"X_re": "1", "X_im": "0"},
         relations=("X_im**2 + X_re**2 - 1",),
@@ -131,7 +131,7 @@ def turning(rate: str) -> Part:
 
 
 def half_turned(real: str, imaginary: str) -> Part:
-    """What cos and sin of psi/2 are, and H/K for the rate on the saddle."""
+    """Return definitions of cos and sin of psi/2, and the rate H/K on the saddle."""
     return Part(
         definitions={
             "Lambda": "H/K",
@@ -144,7 +144,7 @@ def half_turned(real: str, imaginary: str) -> Part:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The rest; then psi from the saddle, and from both ends of a quarter period."""
+    """Prove the rest, then psi from the saddle and from both ends of a quarter period."""
     builder.open(join("pi_form", *MOTION, half_angle("psi", "psi_rate"), MEAN))
     builder.model("pi_form", "descended")
     builder.claim("pi_form.psi", {"psi/2": "Lambda*t + rest - rest_0"}, ["33", "34", "36"])
@@ -153,7 +153,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _abstract(builder: LedgerBuilder) -> None:
-    """Everything about the rate of psi, in few names."""
+    """Open a context on the rate of psi with few names."""
     builder.open(join("arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT))
     saddle = "Lambda - rho*g*(mu - (k_1 - n)*mu*s**2/(1 - n*s**2))"
     builder.claim("arctangent.saddle", {"psi_rate/2": saddle}, ["33", "34", "36"])
@@ -171,7 +171,7 @@ def _abstract(builder: LedgerBuilder) -> None:
 
 
 def _near(builder: LedgerBuilder) -> None:
-    """The motion with psi/2 by an angle X and the arctangent."""
+    """Prove the motion with psi/2 by an angle X and the arctangent."""
     product = times("X", "T")
     half = half_turned(product["re"], product["im"])
     turn = turning("psi_rate/2 - T_rate")
@@ -190,7 +190,7 @@ def _near(builder: LedgerBuilder) -> None:
 
 
 def _far(builder: LedgerBuilder) -> None:
-    """The motion with psi/2 by an angle X alone."""
+    """Prove the motion with psi/2 by an angle X alone."""
     half = half_turned("X_re", "X_im")
     builder.open(join("pi_far", *MOTION, SHIFT, SADDLE, FAR, turning("psi_rate/2"), half))
     builder.model("pi_far", "other_end")

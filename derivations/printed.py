@@ -175,7 +175,7 @@ POINTS: dict[str, list[dict[str, str]]] = {
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Ask everything that the verdicts rest on, once."""
+    """Decide every question that the verdicts rest on, once."""
     printed = {equation.number: equation for equation in EQUATIONS}
     for equation in EQUATIONS:
         for latex, sense in asked(equation):
@@ -183,7 +183,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def ask(builder: LedgerBuilder, number: str, whole: Question) -> None:
-    """Let the kernel decide what is not decided yet, in a context that is opened for it."""
+    """Let the kernel decide a question in a context of its own, unless it is decided."""
     if whole.context not in builder.ledger.contexts:
         builder.open(_context(builder, whole))
     context = builder.ledger.contexts[whole.context]
@@ -204,7 +204,7 @@ def _context(builder: LedgerBuilder, whole: Question) -> Context:
 
 
 def _new_id(builder: LedgerBuilder, context: str, number: str) -> str:
-    """A name by the line's number; letters tell several apart."""
+    """Return a fact's name by the line's number, with a letter if there are several."""
     line = re.sub(r"\W+", "_", number).lower()
     names = (f"{context}.print_{line}{letter}" for letter in ("", *ascii_lowercase))
     return next(name for name in names if name not in builder.ledger.facts)

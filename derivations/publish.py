@@ -57,7 +57,7 @@ LAMBDA = definitions("theta_form", "Lambda", "33", "34")
 
 
 def _by_functions(context: str) -> list[Entry]:
-    """A state by the functions that the readings of a context name."""
+    """Return a state by the functions that a context reads."""
     return [
         *ARGUMENT,
         *readings(context, "T4_re T4_im T1_re T1_im X_re X_im", "18"),
@@ -70,7 +70,7 @@ def _by_functions(context: str) -> list[Entry]:
 
 
 def _all(context: str, names: Iterable[str], *source: str) -> list[Entry]:
-    """Everything that a chapter defines, in its order."""
+    """Return the definitions of some names in their order."""
     return definitions(context, " ".join(names), *source)
 
 
@@ -266,7 +266,7 @@ FORMS: dict[str, list[Entry]] = {
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Publish the sequences; an entry that is neither proved nor said by a context is refused."""
+    """Publish the sequences; refuse an entry that is neither proved nor in a context."""
     for group, sequences in {"sequences": SEQUENCES, "forms": FORMS}.items():
         for name, entries in sequences.items():
             builder.publish(name, entries, group)

@@ -60,7 +60,7 @@ REGULAR = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The changes of the rates, and of the functions that they are made of."""
+    """Prove the changes of the rates, and of the functions in them."""
     changes = _changes({**GIVEN.definitions, **RATES.definitions})
     _perturbed(builder, changes)
     _moving(builder, changes)
@@ -68,26 +68,26 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _changes(definitions: Mapping[str, str]) -> Texts:
-    """The change of each definition by those of the names in it: the chain rule."""
+    """Return the change of each definition by the chain rule."""
     texts = Dictionary(join("changes", GIVEN, static=True)).text
     return {f"d{name}": texts(_change(name, text)) for name, text in definitions.items()}
 
 
 def _change(name: str, text: str) -> sympy.Expr:
-    """Of N/d it is (dN - (N/d) dd)/d, with the quotient by its name."""
+    """Return the change of an expression; that of N/d is (dN - (N/d) dd)/d."""
     above, below = sympy.fraction(read(text))
     found = change_of(above)
     return found if below == 1 else (found - symbol(name) * change_of(below)) / below
 
 
 def change_of(expression: sympy.Expr) -> sympy.Expr:
-    """By the changes of all in it: the chain rule.  The handedness of the axes does not change."""
+    """Return the change of an expression by the chain rule; the handedness is constant."""
     names = sorted(expression.free_symbols - {symbol("epsilon")}, key=str)
     return sympy.Add(*(sympy.diff(expression, x) * symbol(f"d{x}") for x in names))
 
 
 def _perturbed(builder: LedgerBuilder, changes: Texts) -> None:
-    """D is the derivative by a parameter: what is called a change is one."""
+    """Prove that the changes are derivatives by a parameter D."""
     small = Part(
         witness={f"d{name}": "1" for name in MOVED},
         rates={name: f"d{name}" for name in MOVED},
@@ -108,7 +108,7 @@ def _perturbed(builder: LedgerBuilder, changes: Texts) -> None:
 
 
 def _moving(builder: LedgerBuilder, changes: Texts) -> None:
-    """D is the time derivative: the changes satisfy the variation of Euler's equations."""
+    """Prove that the changes satisfy the variation of Euler's equations in time."""
     constant = Part(
         witness={f"d{name}": "1" for name in (*GIVEN.witness, *FORCES)}, definitions=changes
     )
@@ -129,7 +129,7 @@ def _moving(builder: LedgerBuilder, changes: Texts) -> None:
 
 
 def _functions(builder: LedgerBuilder) -> None:
-    """The changes of S_t, C_t, D_t satisfy the varied equations, from 0."""
+    """Prove that changes of S_t, C_t, D_t satisfy the varied equations and start at 0."""
     varied = {f"D({name})": rate for name, rate in VARIED_FUNCTIONS.rates.items()}
     relations = dict.fromkeys(VARIED_FUNCTIONS.relations, "0")
     parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)

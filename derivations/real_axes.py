@@ -24,7 +24,7 @@ NAMED = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The roots of the three axes, and the choice between (10) and (11) where one is negative."""
+    """Prove the signs of both roots for each axis, and when to choose (10) or (11)."""
     _circulating(builder)
     _middle(builder)
     _third(builder)
@@ -32,7 +32,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _circulating(builder: LedgerBuilder) -> None:
-    """On the circulation axis, alpha s is minus a square for both roots: xi is imaginary."""
+    """Prove that xi is imaginary on the circulation axis: alpha s is minus a square."""
     roots = Part(
         definitions={
             "alpha_a": "-(c_a - c_b)*(c_a - c_d)/(c_b*c_d)",
@@ -62,7 +62,7 @@ def _circulating(builder: LedgerBuilder) -> None:
 
 
 def _middle(builder: LedgerBuilder) -> None:
-    """On the middle axis both roots are squares, and so is alpha times either."""
+    """Prove that on the middle axis both roots, and alpha times either, are squares."""
     forms = {
         "alpha_b": "-(c_b - c_a)*(c_b - c_d)/(c_a*c_d)",
         "root_a": "E_a/(c_b*(c_a - c_b))",
@@ -74,7 +74,7 @@ def _middle(builder: LedgerBuilder) -> None:
 
 
 def _third(builder: LedgerBuilder) -> None:
-    """On the third axis one root is minus a square; alpha times it is a square."""
+    """Prove that on the third axis one root is minus a square, and alpha times it a square."""
     forms = {
         "alpha_d": "-(c_d - c_a)*(c_d - c_b)/(c_a*c_b)",
         "root_a": "E_a/(c_d*(c_a - c_d))",
@@ -92,14 +92,14 @@ def _state(
     roots: dict[str, str],
     rates: dict[str, str],
 ) -> None:
-    """What the roots of (13) on an axis are, and alpha times them."""
+    """State the roots of (13) on an axis, and alpha times them."""
     builder.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
     builder.claim(f"{axis}.roots", roots, ["10", "13"])
     builder.claim(f"{axis}.rates", rates, ["10", "16"])
 
 
 def _choice(builder: LedgerBuilder) -> None:
-    """Motions in which (10) and (16) choose differently, and in which (10) chooses sqrt(s_i < 0).
+    """Find motions where (10) and (16) choose differently, or (10) takes the root of s_i < 0.
 
     A point of such a context has the declared signs; that both sides differ there makes one strict.
     """

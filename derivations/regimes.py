@@ -101,7 +101,7 @@ EDGES = {
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Open the tree from its root, state what holds in the leaves, and close it again."""
+    """Split all motions into leaves, and state what holds in each leaf."""
     builder.open(join("sorted_body", BODY, static=True))
     square = {"E_1": "2*H*c_1 - K_squared", "E_2": "K_squared - 2*H*c_2"}
     builder.claim("sorted_body.differences", square | {"E_3": "K_squared - 2*H*c_3"}, ["6", "15"])
@@ -117,7 +117,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _steady(builder: LedgerBuilder) -> None:
-    """(c_i - c) Omega_i = 0: minus a nonnegative quantity is shown nonnegative."""
+    """Prove (c_i - c) Omega_i = 0, by a quantity that is both >= 0 and <= 0."""
     builder.sign(
         "rest.rates", {f"-Omega_{k}**2": f"Omega_{i}**2 + Omega_{j}**2" for k, i, j in CYCLES}
     )
@@ -138,7 +138,7 @@ def _steady(builder: LedgerBuilder) -> None:
 
 
 def _moving(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
-    """The squares, m and 1 - m of the regular form about an axis, each with its visible sign."""
+    """Prove that squares, m and 1 - m of the regular form are nonnegative."""
     edge = EDGES.get(leaf, {})
     forms = {key: form for key, form in VISIBLY[axes["a"]].items() if key not in edge}
     signs = {_named(SQUARES[key], axes): form for key, form in forms.items()}
@@ -149,7 +149,7 @@ def _moving(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
 
 
 def _named(text: str, axes: dict[str, str]) -> str:
-    """A formula of the regular form with the axes a, b, d called by their numbers."""
+    """Return a formula of the regular form with axes a, b, d replaced by numbers."""
     text = re.sub(r"c_([abd])([abd])", r"(c_\1 - c_\2)", text)
     text = re.sub(r"E_[abd]", lambda found: axes[found[0]], text)
     return re.sub(r"(?<=c_)[abd]", lambda found: axes[found[0]], text)

@@ -82,7 +82,7 @@ EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
 
 
 def differences() -> dict[str, str]:
-    """2 H c_a - K^2, K^2 - 2 H c_b and K^2 - 2 H c_d by rates and differences of moments.
+    """Return 2 H c_a - K^2, K^2 - 2 H c_b and K^2 - 2 H c_d without cancellation.
 
     No cancellation but the one in E_b, whose sign tells the circulations apart.
     """
@@ -120,7 +120,7 @@ START = {"sn": "chi*Omega_b/A_b", "cn": "chi*tau*Omega_d/A_d", "dn": "sigma*Omeg
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
+    """Prove Euler's equations, and the amplitudes, lambda and m by inertia and invariants."""
     builder.open(join("regular", *REGULAR))
     builder.claim("regular.euler", EULER, ["5", "10"])
     for name, form in BY_RATES.items():
@@ -147,7 +147,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _every_motion(builder: LedgerBuilder) -> None:
-    """Conversely, inertia and rates give m and squares of amplitudes that meet the relations above.
+    """Prove that m and squared amplitudes by any inertia and rates meet the relations.
 
     That the squares are nonnegative and 0 <= m <= 1 is the choice of the axis a, in the chapter
     on regimes; where E_a or E_d vanish the rates are constant.
@@ -190,7 +190,7 @@ def _every_motion(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder) -> None:
-    """At t = 0 the rates are those given, u_1 is the phase, and psi is 0.
+    """Prove that the rates at t = 0 are those given, with u_1 = phase and psi = 0.
 
     That sn, cn and dn are on the curve of Jacobi's functions is `any_motion.start`.
     """
@@ -229,7 +229,7 @@ def _start(builder: LedgerBuilder) -> None:
 
 
 def _signs(builder: LedgerBuilder) -> None:
-    """Of the start, dn >= 0 and cn >= 0, and Delta = |1/c_d - 1/c_a|, by what the signs are of."""
+    """Prove dn >= 0, cn >= 0 and Delta >= 0 at the start, by the definitions of the signs."""
     given = Part(
         witness={"i_a": "1", "Delta": "1", "A_a": "1", "A_d": "1", "dn": "1", "cn": "1"},
         units=("i_a", "i_a + rho*Delta", "A_a", "A_d"),

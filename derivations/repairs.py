@@ -27,7 +27,7 @@ PRINTED = (
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Search, and list what is found."""
+    """Search for repairs of refuted lines, and list them."""
     builder.ledger.published["repairs"] = [
         {"line": number, "fact": fact, "lhs": lhs, "rhs": rhs}
         for number, left, place in PRINTED
@@ -37,7 +37,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _refuted(builder: LedgerBuilder, number: str, left: str) -> list[tuple[str, int]]:
-    """The facts that refute a line, with the place of the equation that has this left side."""
+    """Return the facts that refute a line, with the place of the equation in each."""
     printed = {equation.number: equation for equation in EQUATIONS}
     asked = [question(printed[number].latex, sense, printed) for sense in printed[number].senses]
     told = [

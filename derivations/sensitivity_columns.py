@@ -85,7 +85,7 @@ BY_RATES = {
 
 
 def _by_moments() -> Iterator[tuple[str, str]]:
-    """What p, p - r and kappa_a change by with each moment, and the rates where functions stay."""
+    """Yield the changes of p, p - r, kappa_a and rates with each moment, functions fixed."""
     for y in AXES:
         a, b, d = (f"alpha_{x}_by_c_{y}" for x in AXES)
         yield f"kappa_by_c_{y}", f"-({b}*alpha_d + alpha_b*{d})*Omega_a0**2"
@@ -152,7 +152,7 @@ WITH = {"a": "S_t*C_t", "b": "S_t", "d": "S_t*D_t"}
 
 
 def _columns() -> Iterator[tuple[str, str]]:
-    """By each rate at t = 0 and each moment."""
+    """Yield the columns by each rate at t = 0 and each moment."""
     for x in AXES:
         stays = f"{STAYING['a'][x]} - Omega_{x}*p_by_Omega_a*{'k*S_t**4' if x == 'a' else 'S_t**2'}"
         yield (
@@ -233,14 +233,14 @@ GIVEN = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The columns vary Euler's equations and start right; E_t and F_t follow from each other."""
+    """Prove the variation of Euler's equations, the start, and E_t by F_t."""
     _moments(builder)
     _columns_vary(builder)
     _elapsed(builder)
 
 
 def _moments(builder: LedgerBuilder) -> None:
-    """The coefficients, and their changes, by the moments of inertia."""
+    """Prove the coefficients and their changes by the moments of inertia."""
     changes = Part(
         {f"h{n}": "1" for n in (1, 2, 3)},
         definitions={
@@ -265,7 +265,7 @@ def _moments(builder: LedgerBuilder) -> None:
 
 
 def _columns_vary(builder: LedgerBuilder) -> None:
-    """At all times, and at the start."""
+    """Prove the columns at all times and at the start."""
     defined = Part(
         definitions={**TILT, **TILT_BY, **CONSTANTS, **AT_TIME},
         units=("below",),
@@ -291,7 +291,7 @@ def _columns_vary(builder: LedgerBuilder) -> None:
 
 
 def _variation(y: str) -> dict[str, str]:
-    """The variation of Euler's equations by one of the changes."""
+    """Return the variation of Euler's equations for one change."""
 
     def change(x: str, others: tuple[str, str]) -> str:
         v, w = others
@@ -303,7 +303,7 @@ def _variation(y: str) -> dict[str, str]:
 
 
 def _excesses(builder: LedgerBuilder, *parts: Part) -> None:
-    """Of the integrals of the other squares: b is no axis of symmetry."""
+    """Prove the integrals of the other squares where b is no axis of symmetry."""
     defined = {f"excess_{x}": f"alpha_{x}/alpha_b*excess_b" for x in "ad"}
     builder.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
     squares = {f"D({name})": f"Omega_{name[-1]}**2 - Omega_{name[-1]}0**2" for name in defined}
@@ -311,7 +311,7 @@ def _excesses(builder: LedgerBuilder, *parts: Part) -> None:
 
 
 def _middle(builder: LedgerBuilder, *parts: Part) -> None:
-    """Columns of the middle rate as products: alpha_x Omega_b^2 - alpha_b Omega_x^2 stays."""
+    """Prove the columns of the middle rate, by alpha_x Omega_b^2 - alpha_b Omega_x^2 constant."""
     defined = Part(definitions=MIDDLE, units=("alpha_a", "alpha_d", "Omega_b"))
     builder.open(join("middle_columns", *parts, defined))
     same = {name: name.replace("middle", "Omega_b") for name in MIDDLE}
@@ -319,7 +319,7 @@ def _middle(builder: LedgerBuilder, *parts: Part) -> None:
 
 
 def _passing(builder: LedgerBuilder, *parts: Part) -> None:
-    """Where p grows alone, with no difference of what grows with the elapsed time and then not."""
+    """Prove the columns for growing p without differences of growing terms."""
     _, text, _, _ = ELAPSED["E_t"]
     # p is alpha_d g_a.
     units = ("alpha_b", "alpha_d", "Omega_a", "Omega_a0", "g_a")
@@ -333,7 +333,7 @@ def _passing(builder: LedgerBuilder, *parts: Part) -> None:
 
 
 def _spun(builder: LedgerBuilder, *parts: Part) -> None:
-    """Near a spin about b, the change of its rate and the integral of its square without t."""
+    """Prove the change and the integral of the middle rate near a spin about b."""
     _, text, _, _ = ELAPSED["E_t"]
     defined = Part(definitions={"E_t": text, **SPUN}, units=("p", "C_t + D_t"))
     builder.open(join("spun", *(x for x in parts if x is not SQUARED), defined))
@@ -341,7 +341,7 @@ def _spun(builder: LedgerBuilder, *parts: Part) -> None:
 
 
 def _elapsed(builder: LedgerBuilder) -> None:
-    """Of E_t and F_t one by the other."""
+    """Prove E_t by F_t, and F_t by E_t."""
     for name, (other, text, divisor, changing) in ELAPSED.items():
         integral = {"E_t": SQUARED, "F_t": OVER_SQUARE}[other]
         defined = Part(definitions={name: text}, units=("D_t", divisor))

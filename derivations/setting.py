@@ -21,7 +21,7 @@ AXES = (1, 2, 3)
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """The choices of a derivation; raises InputError for one that is no choice.
+    """Choices of a derivation; raises InputError for an invalid one.
 
     `sequence` are the axes of three turns, the outer two alike, and `axis` is the one that the
     momentum is turned onto.  The basis is sign * factor times the quaternions i, j, k in the order
@@ -59,7 +59,7 @@ class Setting:
 
     @property
     def paper(self) -> bool:
-        """Whether everything is as in the paper."""
+        """True for the paper's choices."""
         return self == Setting() or self == Setting(axis=1)
 
     @property
@@ -69,21 +69,21 @@ class Setting:
         return outer, middle, 6 - outer - middle
 
     def basis(self) -> tuple[sympy.ImmutableMatrix, ...]:
-        """A1, A2, A3."""
+        """Return the basis A1, A2, A3."""
         i = sympy.I
         units = (((i, 0), (0, -i)), ((0, 1), (-1, 0)), ((0, i), (i, 0)))
         scale = self.sign * self.factor
         return tuple(sympy.ImmutableMatrix(units[k - 1]) * scale for k in self.order)
 
     def energy(self) -> sympy.Expr:
-        """The Lagrangian as an expression."""
+        """Return the Lagrangian as an expression."""
         try:
             return read(self.lagrangian)
         except (ValueError, SyntaxError, TypeError):  # TypeError: neg(x, y)
             raise InputError("lagrangian", self.lagrangian, "must be an expression") from None
 
     def wheel(self) -> tuple[sympy.Expr, ...]:
-        """The linear coefficients h1, h2, h3 of the Lagrangian."""
+        """Return the linear coefficients h1, h2, h3 of the Lagrangian."""
         rates = symbols("Omega1 Omega2 Omega3")
         rule = "must be (c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2 plus a linear part"
         try:
@@ -101,7 +101,7 @@ class Setting:
 
 
 def setting_of(texts: Mapping[str, str]) -> Setting:
-    """A setting from what a user typed, by names of fields; raises InputError for what is wrong."""
+    """Return a setting from texts by field names; raise InputError for an invalid one."""
     readers: dict[str, Callable[[str, str], Any]] = {
         "sequence": _axes,
         "order": _axes,
@@ -113,7 +113,7 @@ def setting_of(texts: Mapping[str, str]) -> Setting:
 
 
 def _axes(name: str, text: str) -> tuple[int, ...]:
-    """ "3-1-3" or "313" as three axes."""
+    """Parse "3-1-3" or "313" as three axes."""
     if not re.fullmatch(r"[1-3](-?)[1-3]\1[1-3]", text):
         raise InputError(name, text, "must be three axes such as 3-1-3")
     return tuple(map(int, text.replace("-", "")))

@@ -42,7 +42,7 @@ PULL_BACK = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
+    """Prove Euler's equations, |q| = 1 and q' = q (0, Omega)/2 for q = p exp(t Omega)."""
     turn = replace(half_angle("theta", "omega"), definitions={})
     body = builder.result(Dynamics).body
     builder.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
@@ -57,7 +57,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _start(builder: LedgerBuilder) -> None:
-    """At t = 0 it is at the attitude p, whatever that is."""
+    """Prove that q = p at t = 0."""
     rates = Part(witness=CONSTANT.witness)
     attitude = Part(witness=AXIS.witness, definitions=AXIS.definitions)
     turn = half_angle("theta")

@@ -93,7 +93,7 @@ PLACES = Part(
 
 
 def _moved(point: str, x: str, one: str, turn: str) -> Part:
-    """The point after the time of X, or of -X before, and half of psi's rate there."""
+    """Return the point after a time, or before it, and half of psi's rate there."""
     n_a, n_b, n_d = (f"{point}_{axis}" for axis in "abd")
     return Part(
         units=(one,),
@@ -311,13 +311,13 @@ DIRECTION = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Doubling; the turn; the second half of a time; and the motion of a body by these."""
+    """Prove the doubling, the turn, the second half of a time, and the motion by these."""
     for claims in (_doubling, _turn, _halves, _psi, _body):
         claims(builder)
 
 
 def _doubling(builder: LedgerBuilder) -> None:
-    """X and Y at 2 t are what the functions of 2 t are: by the rates, and by the start."""
+    """Prove that X and Y at 2 t are the functions of 2 t, by their rates and their start."""
     free = Part(
         witness={"e_1": "1", "e_2": "0", **ELAPSED.witness},
         units=("1 - e_2*X**4",),
@@ -337,7 +337,7 @@ def _doubling(builder: LedgerBuilder) -> None:
 
 
 def _turn(builder: LedgerBuilder) -> None:
-    """The point moves by Euler's equations, its projection is a quotient, and so is psi's rate."""
+    """Prove Euler's equations for the point, its projection, and psi's rate."""
     builder.open(join("turn", *STEP, QUOTIENT))
     others = {"a": "bd", "b": "da", "d": "ab"}
     euler = {f"D(n_{x})": f"h_{x}*n_{y}*n_{z}" for x, (y, z) in others.items()}
@@ -355,7 +355,7 @@ def _turn(builder: LedgerBuilder) -> None:
 
 
 def _shared(builder: LedgerBuilder, name: str, share: Part, context: str) -> None:
-    """Rates as shares: by the energy, and by what 1 + n_a at t and at -t are together."""
+    """Prove the rates as shares of the energy, and by 1 + n_a at t and -t."""
     times = {"after": "one*(even - odd)", "before": "other*(even + odd)"}
     shares = {"after": PARTS.definitions["after"], **BACK.definitions}
     builder.open(join(name, share, static=True))
@@ -369,7 +369,7 @@ def _shared(builder: LedgerBuilder, name: str, share: Part, context: str) -> Non
 
 
 def _halves(builder: LedgerBuilder) -> None:
-    """Of a time from -t to t the second half turns as the first does, times the conjugate of G."""
+    """Prove that the second half of a time turns as the first, times the conjugate of G."""
     builder.open(join("halves", *STEP, BEFORE, HALVES))
     _shared(builder, "shares", part_of(join("shares", SHARE, EARLIER, static=True)), "halves")
     builder.open(join("difference", PARTS, BACK, static=True))
@@ -386,7 +386,7 @@ def _halves(builder: LedgerBuilder) -> None:
 
 
 def _psi(builder: LedgerBuilder) -> None:
-    """psi/2 is the angle of a product of three turns."""
+    """Prove that psi/2 is the angle of a product of three turns."""
     builder.open(join("thirds", THIRD, THIRDS))
     builder.root("thirds.R", "R", "G_re**2 + G_im**2", ["36"])
     builder.root("thirds.N", "N", "2*R*(R + G_re)", ["36"])
@@ -399,7 +399,7 @@ def _psi(builder: LedgerBuilder) -> None:
 
 
 def _body(builder: LedgerBuilder) -> None:
-    """The rates of a body move by Euler's equations, and psi as `attitude` has it."""
+    """Prove Euler's equations for the rates of a body, and psi' as in `attitude`."""
     signs = (HANDEDNESS, SENSE)
     builder.open(join("direction", *signs, DIRECTION, TURNING, static=True))
     builder.claim("direction.psi_rate_of_point", {"psi_rate": "K*i_a + 2*after"}, ["33", "34"])
@@ -421,7 +421,7 @@ def _body(builder: LedgerBuilder) -> None:
 
 
 def _numbers(builder: LedgerBuilder) -> None:
-    """The same by moments and rates, all that decides regimes as sums of positives."""
+    """Prove the step by moments and rates, with sums of nonnegative terms where signs decide."""
     builder.claim("step.h", {"h": "(l_b*Omega_b0**2 + l_d*Omega_d0**2)/4"}, ["10"])
     first = {"e_1": "l_a*Omega_a0**2 + (l_b*Omega_b0**2 - l_d*Omega_d0**2)/2"}
     builder.claim("step.e_1", first, ["10"])

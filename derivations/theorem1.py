@@ -18,7 +18,7 @@ Y, TAU, ROOT = symbols("y tau root")
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(18); (19); (20), (21) and (36)."""
+    """Prove (18), (19), (20), (21) and (36)."""
     algebra, reduction = builder.result(Algebra), builder.result(Reduction)
     matrices = {**reduction.matrices, **UNITS}
     parts = turns(algebra.setting)
@@ -32,7 +32,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _outer_halves(scope: Scope, algebra: Algebra) -> None:
-    """cos^2 and sin^2 of half of phi2, by the cosine of the whole."""
+    """Prove cos^2 and sin^2 of phi2/2 by cos(phi2)."""
     angle = algebra.setting.factor * PHI[1]
     cosine, sine, whole = sympy.cos(angle), sympy.sin(angle), sympy.cos(2 * angle)
     double = [cosine**2 + sine**2 - 1, cosine**2 - sine**2 - whole]
@@ -43,7 +43,7 @@ def _outer_halves(scope: Scope, algebra: Algebra) -> None:
 
 
 def _inner_half(builder: LedgerBuilder) -> None:
-    """tan of half an angle from its tangent: two roots, and cos(phi3) tells which."""
+    """Prove tan(phi3/2) by tan(phi3): cos(phi3) decides between two roots."""
     free = Part(
         witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
         units=("y",),
@@ -61,7 +61,7 @@ def _inner_half(builder: LedgerBuilder) -> None:
 
 
 def _third_kind(builder: LedgerBuilder) -> None:
-    """(36): the integrand with the amplitude as variable."""
+    """Prove (36): the integrand with the amplitude as variable."""
     third = builder.result(ThirdKind)
     scope = Scope.open(builder, "theorem1_amplitude", *third.parts, AMPLITUDE, Part(units=("dn",)))
     slope, theta = third.rate, rate_of(symbol("theta"))

@@ -62,7 +62,7 @@ SIDE = sign("side", "the sign of Omega3")
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """A rate by Lemma 1; the angles; the quaternion."""
+    """Prove a rate by Lemma 1, the angles, and the quaternion."""
     lemma = builder.result(Lemma1)
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
     builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, SINE))
@@ -82,7 +82,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _without_matrices(builder: LedgerBuilder) -> Part:
-    """The motion by its three angles, no entries of the matrices that it was found by."""
+    """Return the motion by its three angles, without entries of matrices."""
     motion = part_of(builder.ledger.contexts["three_angle_motion"])
     entries = ("_re", "_im")
     kept = {name: x for name, x in motion.definitions.items() if not name.endswith(entries)}
@@ -90,7 +90,7 @@ def _without_matrices(builder: LedgerBuilder) -> Part:
 
 
 def _halves(builder: LedgerBuilder) -> None:
-    """F1 to F4 by x and y."""
+    """Prove F1 to F4 by x and y."""
     builder.root("theorem1_motion.K", "K", "M1**2 + M2**2 + M3**2", ["6", "15"])
     builder.root("theorem1_motion.F1", "F1", "(1 + x)/2", ["19"])
     builder.root("theorem1_motion.F2", "F2", "(1 - x)/2", ["19"])

@@ -67,7 +67,7 @@ FACTORS = (
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """(19) on both sides of Omega3 = 0 and its signs; Remarks 2 and 3."""
+    """Prove (19) on both sides of Omega3 = 0, its signs, and Remarks 2 and 3."""
     _inner_halves(builder)
     _signs(builder)
     _crossing(builder)
@@ -75,7 +75,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _inner_halves(builder: LedgerBuilder) -> None:
-    """y* = tan(phi3/2) where c3 Omega3 > 0, and -cot(phi3/2) where it is negative."""
+    """Prove y* = tan(phi3/2) for c3 Omega3 > 0, and y* = -cot(phi3/2) for c3 Omega3 < 0."""
     builder.open(join("half_angle_step", TANGENT, Part(units=("cos_half",)), static=True))
     tangent = {"y_star*cos_half": "sin_half"}
     mended = "y/(1 + side/rho)"
@@ -119,7 +119,7 @@ def _inner_halves(builder: LedgerBuilder) -> None:
 
 
 def _signs(builder: LedgerBuilder) -> None:
-    """(18) with (19) has the momentum M where S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
+    """Prove that (18) has the momentum M if S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
     matrices = {
         **builder.result(Algebra).basis,
         "R": from_quaternion("q"),
@@ -141,7 +141,7 @@ def _signs(builder: LedgerBuilder) -> None:
 
 
 def _crossing(builder: LedgerBuilder) -> None:
-    """Where Omega3 passes zero y* jumps from 1 to -1: with S2 turned, phi1 has to jump by pi."""
+    """Prove that at zeros of Omega3, where y* changes its sign, phi1 has to jump by pi."""
     jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
     builder.open(join("crossing", *ANGLES[:2], jump, static=True))
     c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
@@ -151,7 +151,7 @@ def _crossing(builder: LedgerBuilder) -> None:
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
-    """(18) from the cosine and sine of phi1/2 and F1 to F4."""
+    """Return (18) by the cosine and sine of phi1/2 and F1 to F4."""
     return (
         f"{F1}*({c}*{F3} - {s}*{F4})",
         f"{F1}*({s}*{F3} + {c}*{F4})",
@@ -161,7 +161,7 @@ def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...
 
 
 def _pull_back(builder: LedgerBuilder) -> None:
-    """(37): at t = 0 it is R_int, so R_int is R(0); with R_int = e only motions from e are left."""
+    """Prove that (37) is R_int at t = 0, so that R_int = R(0)."""
     three = {"p": "R_int", "r": "Rbar(0)"}
     quaternions = [
         Part(

@@ -70,7 +70,7 @@ SYMMETRIC = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Both edges solve (3)."""
+    """Prove that both edges solve (3)."""
     divisors = Part(units=("c", "root"))
     parts = given((*FORM, CLASSICAL), SEPARATRIX.definitions, SHOWN)
     builder.open(join("separatrix_form", divisors, *parts, SEPARATRIX))
@@ -89,7 +89,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def given(parts: Iterable[Part], values: Iterable[str], shown: Iterable[str]) -> list[Part]:
-    """Parts without generators that are given values, and without the relations that these meet."""
+    """Return parts with values for some generators, without the relations that these satisfy."""
 
     def rest(column: Mapping[str, str]) -> dict[str, str]:
         return {name: text for name, text in column.items() if name not in {*values}}

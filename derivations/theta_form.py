@@ -87,7 +87,7 @@ TURNING = Part(
 
 
 def times(x: str, y: str) -> dict[str, str]:
-    """Real and imaginary part of x y, by those of complex x and y."""
+    """Return real and imaginary part of a product x y."""
     names = f"{x}_re {x}_im {y}_re {y}_im"
     a, b, c, d = symbols(names, real=True)
     parts = expand((a + I * b) * (c + I * d)).as_real_imag()
@@ -130,7 +130,7 @@ FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """The form solves (3), whatever functions have these rates."""
+    """Prove that the form solves (3) for all functions with these rates."""
     builder.open(join("theta_form", *FORM, CLASSICAL))
     _shift(builder)
     _form(builder)
@@ -138,7 +138,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _shift(builder: LedgerBuilder) -> None:
-    """i beta is where dn of (u | m) is K/B_a; it lies below K'/2, where sc is 1/sqrt(k_1)."""
+    """Prove dn = K/B_a at i beta, and that beta is below K'/2."""
     shift = {"y**2": "1 + x**2", "z**2": "1 + k_1**2*x**2", "n": "-(k_1*x)**2"}
     builder.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
     dn = {"B_a*(1 + k_1*x**2)": "K*(1 - k_1*x**2)"}
@@ -159,7 +159,7 @@ def _shift(builder: LedgerBuilder) -> None:
 
 
 def _form(builder: LedgerBuilder) -> None:
-    """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
+    """Prove that phase and psi/2 have equal rates, and the quotient of the components."""
     builder.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
     builder.model("theta_form", "descended")
     builder.carry("theta_form", ["descended.solution"])
@@ -168,7 +168,7 @@ def _form(builder: LedgerBuilder) -> None:
 
 
 def _assemble(builder: LedgerBuilder) -> None:
-    """The components as thetas, given the quotient alone: what T4 and SN are does not matter."""
+    """Prove the components as theta functions, given their quotient alone."""
     given = Part(
         witness={"s_0": "1", "root_k": "1", "SN_re": "0", "SN_im": "0"},
         units=("s_0", "N"),
@@ -194,7 +194,7 @@ def _assemble(builder: LedgerBuilder) -> None:
 
 
 def _truncation(builder: LedgerBuilder) -> None:
-    """What is left out of a theta series is at most 2 t/(1 - r): the step of the induction.
+    """Prove that the rest of a theta series is at most 2 t/(1 - r), by induction.
 
     The terms q^(2 n^2) e^(2 i n z), n whole for theta_4 and half odd for theta_1, are bounded by t,
     the first one left out, times ratios that start with r and fall by p = q^4 each time; two terms

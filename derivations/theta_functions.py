@@ -79,7 +79,7 @@ READINGS = {"K_factor": "K/(b_n**2 + b_s**2)", "b": "g*beta", "v": "the argument
 
 @dataclass(frozen=True, slots=True)
 class Norm:
-    """W as a product of two thetas, and as the sum of squares that it is for all a and c."""
+    """W as a product of two thetas, and as a sum of squares for all a and c."""
 
     family: Family
     declared: Mapping[str, str]
@@ -88,7 +88,7 @@ class Norm:
     arguments: Mapping[str, str]
 
     def identity(self) -> str:
-        """Watson's identity, DLMF 20.7.13 and 20.7.14."""
+        """Prove Watson's identity, DLMF 20.7.13 and 20.7.14."""
         squares = (f"{self.family.of(x, 'a + c')}*{self.family.of(x, 'a - c')}" for x in "ns")
         return " + ".join(squares) + f" - {self.product}"
 
@@ -112,7 +112,7 @@ NORMS = {
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """In the nome of m, squared, and in the complementary nome."""
+    """Prove the norm in the squared nome of m, and in the complementary nome."""
     for context, norm in NORMS.items():
         _motion(builder, context, norm)
         prove(builder, context, norm.family)
@@ -125,7 +125,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
-    """The theta form's context, where functions are declared and the rest is made of them."""
+    """Open the theta form's context with declared functions."""
     nome = norm.family.nome.partition("*")[0]
     values = {*JACOBI, *BODY, *SHIFTED_TIME}
     functions = Part(

@@ -59,7 +59,7 @@ PLACES = {
 
 @dataclass(frozen=True, slots=True)
 class Family:
-    """Which theta functions s, c, d, n are, v and b as arguments of theirs, and the nome."""
+    """The theta functions for s, c, d, n, the arguments v and b, and the nome."""
 
     column: int
     functions: Mapping[str, int]
@@ -68,11 +68,11 @@ class Family:
     nome: str
 
     def of(self, role: str, argument: object, order: int = 0) -> str:
-        """A function, or a derivative of it."""
+        """Return a function or its derivative."""
         return f"{'d' * order}theta{self.functions[role]}({argument}, {self.nome})"
 
     def declared(self) -> dict[str, str]:
-        """What the names are."""
+        """Return the declarations of the names."""
         at = {name: parts[self.column] for name, parts in PLACES.items()}
 
         def part(name: str, role: str, order: int = 0) -> str:
@@ -93,7 +93,7 @@ class Family:
         }
 
     def riemann(self, top: str, *along: Symbol) -> str:
-        """Riemann's relation that starts with this product, or its derivative along arguments."""
+        """Return Riemann's relation for a product, or its derivative along arguments."""
         terms = self._product(Rational(1), top, HALF_SUMS, along)
         for roles, sign in RIEMANN[top].items():
             turns = (roles.count("s") - top.count("s")) // 2 if self.column else 0
@@ -104,7 +104,7 @@ class Family:
     def _product(
         self, weight: Expr, roles: str, forms: Iterable[Expr], along: tuple[Symbol, ...]
     ) -> list[str]:
-        """A product times a weight, or the terms of its derivative."""
+        """Return a product times a weight, or the terms of its derivative."""
         pairs = [*zip(roles, forms, strict=True)]
         speeds = [sum(form.coeff(x) for x in along) for _, form in pairs]
         terms = []
@@ -157,7 +157,7 @@ JACOBI = {
 
 
 def prove(builder: LedgerBuilder, context: str, family: Family) -> None:
-    """The laws, in a context that declares the functions of a family."""
+    """Prove the laws in a context that declares the functions of a family."""
     a, _, c, d = ARGUMENTS
     v, b = family.v, family.b
     at_v = {"a": v, "b": v, "c": "0", "d": "0"}

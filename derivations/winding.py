@@ -44,7 +44,7 @@ INTEGRAL = Part(
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """What the rule leaves out does not change with theta; its denominator is never negative."""
+    """Prove that the rest of the rule is constant in theta, with a nonnegative denominator."""
     scope = Scope.open(builder, "windings", TURNING, INTEGRAL)
     later, Pi, complete, n, theta = symbols("Pi_later Pi Pi_c n theta")
     why = "what half turns add grows no further"

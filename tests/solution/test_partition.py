@@ -1,25 +1,22 @@
 """The partition of motions: read from the ledger, decided by formulas, or refused."""
 
-import copy
 import json
 from dataclasses import replace
 from fractions import Fraction
 from itertools import permutations, product
 
 import pytest
+from ledgers import FACTS, TEXT
 
 from rigidsym._codegen.seal import is_equal
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_text, specification_text
+from rigidsym.io.ledger import specification_text
 from rigidsym.language._expression import names, parse, put
 from rigidsym.language._sequence import FormulaSequence
 from rigidsym.language._specification import read
 from rigidsym.solution import _polhode as polhode
 from rigidsym.solution import load, sealed
 from rigidsym.solution._partition import GIVEN, ONES, ROOT, decisions, handedness
-
-LEDGER = json.loads(ledger_text())
-
 
 PARTITION = sealed().partition
 
@@ -32,7 +29,7 @@ def test_every_leaf_has_a_regime():
 @pytest.mark.parametrize("leaf", PARTITION.leaves.values(), ids=str)
 def test_the_side_of_a_leaf_is_that_of_its_squares(leaf):
     """Find the side in the first statement, A_a^2 = E_d/(c_a c_ad), about that axis."""
-    (fact,) = (fact for fact in LEDGER["facts"] if fact["id"] == leaf.fact)
+    fact = FACTS[leaf.fact]
     assert (fact["context"], fact["grade"]) == (leaf.name, "PROVED")
     assert polhode._REGIMES[leaf.name].steady == (leaf.side == 0)
     ends = {1: "/(c_1*(c_1 - c_3))", -1: "/(c_3*(c_3 - c_1))"}
@@ -92,16 +89,23 @@ def test_epsilon_makes_the_equations_of_axes_a_b_d_those_of_axes_1_2_3(axes):
         assert is_equal(put(parse(rhs), meaning), parse(steady[f"D({name})"])), lhs
 
 
-def test_signs_of_differences_decide():
-    decide = sealed().partition.leaf
-    half = Fraction(1, 2)
-    assert decide((3, 2, 1), (0, 0, 0)).name == "rest"
-    assert decide((2, 2, 2), (1, 0, 0)).name == "spherical"
-    assert decide((3, 2, 1), (1, half, 0)).name == "largest"
-    assert decide((3, 2, 1), (0, half, 1)).name == "smallest"
-    assert decide((3, 2, 1), (1, 0, 1)).name == "largest"
-    assert decide((Fraction(9, 4), 2, 1), (4, 1, Fraction(3, 2))).name == "largest"
-    assert decide((Fraction(9, 4), 2, 1), (4, 1, 3)).name == "separatrix_motion"
+HALF, C_1 = Fraction(1, 2), Fraction(9, 4)
+
+
+@pytest.mark.parametrize(
+    ("moments", "rates", "leaf"),
+    [
+        ((3, 2, 1), (0, 0, 0), "rest"),
+        ((2, 2, 2), (1, 0, 0), "spherical"),
+        ((3, 2, 1), (1, HALF, 0), "largest"),
+        ((3, 2, 1), (0, HALF, 1), "smallest"),
+        ((3, 2, 1), (1, 0, 1), "largest"),
+        ((C_1, 2, 1), (4, 1, Fraction(3, 2)), "largest"),
+        ((C_1, 2, 1), (4, 1, 3), "separatrix_motion"),
+    ],
+)
+def test_signs_of_differences_decide(moments, rates, leaf):
+    assert PARTITION.leaf(moments, rates).name == leaf
 
 
 def redefined(contexts, name, more):
@@ -144,7 +148,7 @@ PROVED = "sorted_body .*exactly one of"
     ],
 )
 def test_a_ledger_that_does_not_tell_motions_apart_is_refused(change, message):
-    data = copy.deepcopy(LEDGER)
+    data = json.loads(TEXT)
     facts = {fact["id"]: fact for fact in data["facts"]}
     change(facts, {context["name"]: context for context in data["contexts"]})
     with pytest.raises(LedgerError, match=f"^ledger: .*{message}"):

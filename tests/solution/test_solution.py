@@ -2,31 +2,18 @@
 
 import json
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from ledgers import CONTEXTS, FACTS, LEDGER, TEXT
 from values import value_of
 
-import rigidsym
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_text
-from rigidsym.language._expression import (
-    Call,
-    Name,
-    Number,
-    Operation,
-    complement,
-    parse,
-    to_text,
-)
+from rigidsym.language._expression import Call, Name, Number, Operation, complement, parse, to_text
 from rigidsym.language._sequence import FormulaSequence
 from rigidsym.language._specification import sequences
 from rigidsym.solution import load, sealed
-
-PACKAGE = Path(rigidsym.__path__[0])
-LEDGER = json.loads(ledger_text())
 
 leaves = st.one_of(st.integers(0, 9).map(Number), st.sampled_from("abc").map(Name))
 expressions = st.recursive(
@@ -70,8 +57,6 @@ def test_complements_are_taken_off_not_computed():
 
 
 def test_every_formula_is_a_proved_fact_a_definition_a_reading_or_a_choice():
-    facts = {fact["id"]: fact for fact in LEDGER["facts"]}
-    contexts = {context["name"]: context for context in LEDGER["contexts"]}
     kinds = set()
     for sequence, formula in ((n, f) for n, every in sealed().sequences.items() for f in every):
         kind, _, place = formula.fact.rpartition(" ")
@@ -81,26 +66,23 @@ def test_every_formula_is_a_proved_fact_a_definition_a_reading_or_a_choice():
         assert formula.source or sequence == "decisions"
         if kind == "definition":
             assert formula.name == name
-            assert formula.expression == parse(contexts[context]["definitions"][name])
+            assert formula.expression == parse(CONTEXTS[context]["definitions"][name])
         elif kind == "reading":
-            assert name in contexts[context]["reading"]
+            assert name in CONTEXTS[context]["reading"]
         elif kind == "choice":
-            assert any(text.startswith(f"{name}*") for text in contexts[context]["nonnegative"])
+            assert any(text.startswith(f"{name}*") for text in CONTEXTS[context]["nonnegative"])
         else:
-            assert facts[place]["grade"] == "PROVED"
-            assert facts[place]["context"] == context
+            assert FACTS[place]["grade"] == "PROVED"
+            assert FACTS[place]["context"] == context
     assert kinds == {"", "definition", "reading", "choice"}
 
 
 def test_no_published_fact_restates_a_definition():
     """Check that definitions of contexts are published as definitions, not as facts."""
-    contexts = {context["name"]: context for context in LEDGER["contexts"]}
-    facts = {fact["id"]: fact for fact in LEDGER["facts"]}
-    for entry in (e for entries in sequences(LEDGER).values() for e in entries):
-        if "fact" in entry:
-            fact = facts[entry["fact"]]
-            (name,), (text,) = fact["lhs"], fact["rhs"]
-            assert contexts[fact["context"]]["definitions"].get(name) != text, fact["id"]
+    for entry in (e for entries in sequences(LEDGER).values() for e in entries if "fact" in e):
+        fact = FACTS[entry["fact"]]
+        (name,), (text,) = fact["lhs"], fact["rhs"]
+        assert CONTEXTS[fact["context"]]["definitions"].get(name) != text, fact["id"]
 
 
 def defined(context, name):
@@ -125,40 +107,42 @@ def unmodelled(context):
     return json.dumps({**LEDGER, "facts": told})
 
 
+EMPTY = '{"facts": [], "contexts": [], "published": %s}'
+UNREADABLE = ["{", "[]", '{"facts": []}', changed(state=["no.such"])]
+UNREADABLE += [
+    changed(state=[entry])
+    for entry in (
+        defined("descended", "no_such"),
+        defined("nowhere", "u_1"),
+        {"context": "descended", "definition": "u_1"},
+    )
+]
+UNPROVED = [changed(state=[fact]) for fact in ("regular.euler", "start.principal_value")]
+UNPROVED.append(TEXT.replace('"PROVED"', '"ASSUMED"'))
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("{", "not readable"),
-        ("[]", "not readable"),
-        ('{"facts": []}', "not readable"),
-        (changed(state=["no.such"]), "not readable"),
-        (
-            '{"facts": [], "contexts": [], "published": {}}',
-            "does not publish the formula sequence constants",
+        *((text, "not readable") for text in UNREADABLE),
+        *((text, "not one proved formula") for text in UNPROVED),
+        *(
+            (EMPTY % published, "does not publish the formula sequence constants")
+            for published in ("{}", '{"sequences": {}}')
         ),
+        (TEXT.replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
         (
-            '{"facts": [], "contexts": [], "published": {"sequences": {}}}',
-            "does not publish the formula sequence constants",
-        ),
-        (ledger_text().replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
-        (
-            ledger_text().replace("-gc*dtheta2(gc*beta", "g*dtheta2(gc*beta"),
+            TEXT.replace("-gc*dtheta2(gc*beta", "g*dtheta2(gc*beta"),
             "hyperbolic_form:zeta: its reading is not the one",
         ),
         (unmodelled("regular"), "constants: no context is a model of all"),
         (unmodelled("theta_form"), "hyperbolic: no context is a model of all"),
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
-        (changed(state=["regular.euler"]), "not one proved formula"),
-        (changed(state=["start.principal_value"]), "not one proved formula"),
-        (changed(state=[defined("descended", "no_such")]), "not readable"),
-        (changed(state=[defined("nowhere", "u_1")]), "not readable"),
-        (changed(state=[{"context": "descended", "definition": "u_1"}]), "not readable"),
         (changed(state=[defined("descended", "sn")]), "state: sn needs s"),
         (
             changed(state=[defined("descended", "u_1"), defined("any_motion", "c_ab")]),
             "state: no context is a model of all",
         ),
-        (ledger_text().replace('"PROVED"', '"ASSUMED"'), "not one proved formula"),
     ],
 )
 def test_a_ledger_that_proves_less_is_refused(text, message):
