@@ -29,7 +29,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 CLAUSES = {
     *("under", "names", "zero", "nonzero", "nonnegative", "positive", "moving", "let", "with"),
@@ -38,7 +38,23 @@ CLAUSES = {
 _NAME = re.compile(r"[A-Za-z_]\w*")
 # A proved equation, root or sign: "=", "sqrt" or ">=", and both sides.
 Statement: TypeAlias = tuple[str, str, str]
-Formula: TypeAlias = tuple[str, Statement]  # "fact" or "reading", and the statement
+
+
+class Published(NamedTuple):
+    """A published formula name = text: a definition, a reading, a fact, or a proved root.
+
+    A root is the square root of its text.
+    """
+
+    how: str
+    context: str
+    name: str
+    text: str
+
+    @property
+    def said(self) -> Statement:
+        """The formula as a statement, without spaces."""
+        return "sqrt" if self.how == "root" else "=", self.name, _spaceless(self.text)
 
 
 class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
@@ -62,12 +78,6 @@ class Theorem:
     then: list[Statement] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
 
-    def hypotheses(self) -> dict[str, set[str]]:
-        """Return the hypotheses by clause."""
-        moving = {f"{name}' = {text}" for name, text in (self.moving or {}).items()}
-        parts = {"names": self.names, "zero": self.zero, "nonzero": self.nonzero}
-        return parts | {"nonnegative": self.nonnegative, "moving": moving}
-
 
 def read(text: str) -> dict[str, Theorem]:
     """Parse the blocks of a specification; raise ValueError for a malformed one."""
@@ -87,18 +97,13 @@ def read(text: str) -> dict[str, Theorem]:
 def _blocks(text: str) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Yield the first line and the clauses with their contents, for each block."""
     lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
-    for paragraph in "\n".join(lines).strip().split("\n\n"):
-        for block in re.split(r"\n(?=\S)", paragraph.strip("\n")):
-            if block.strip():
-                head, *clauses = re.split(r" \| |\n {4}(?=\S)", block)
-                yield head.strip(), [_clause(clause) for clause in clauses]
-
-
-def _clause(text: str) -> tuple[str, str]:
-    clause, _, content = " ".join(text.split()).partition(" ")
-    if clause not in CLAUSES:
-        raise ValueError(f"specification: {clause!r} is no clause")
-    return clause, content
+    for block in filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip())):
+        head, *clauses = re.split(r" \| |\n {4}(?=\S)", block)
+        pairs = [" ".join(clause.split()).partition(" ")[::2] for clause in clauses]
+        for clause, _ in pairs:
+            if clause not in CLAUSES:
+                raise ValueError(f"specification: {clause!r} is no clause")
+        yield head.strip(), pairs
 
 
 def _fill(block: Theorem, clause: str, content: str, blocks: Mapping[str, Theorem]) -> None:
@@ -170,10 +175,10 @@ def sequences(ledger: Mapping[str, Any]) -> dict[str, list[Any]]:
     return {**published.get("sequences", {}), **published.get("forms", {})}
 
 
-def require(specification: str, ledger: Mapping[str, Any]) -> None:
+def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
     """Raise Unproved for the first theorem that a ledger does not prove."""
     try:
-        proved = Proved(ledger)
+        proved = ledger if isinstance(ledger, Proved) else Proved(ledger)
         for theorem in theorems(specification).values():
             if lack := next(proved.lacks(theorem), ""):
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
@@ -186,27 +191,24 @@ class Proved:
 
     def __init__(self, ledger: Mapping[str, Any]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
-        facts = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
-        self.facts = {fact["id"]: fact for fact in facts}
+        self.facts = {fact["id"]: fact for fact in ledger["facts"]}
+        self.proved = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
         self.sequences = sequences(ledger)
         self._models: dict[str, list[str]] = {}
         self._stated: dict[str, set[Statement]] = {}
         self._partitions: set[tuple[str, ...]] = set()
-        for fact in facts:
-            self._note(fact)
-
-    def _note(self, fact: Mapping[str, Any]) -> None:
-        place, kind = fact["context"], fact["kind"]
-        relation = {"equal": "=", "root": "sqrt", "nonnegative": ">="}.get(kind)
-        if kind == "model":
-            self._models.setdefault(place, []).extend(fact["rhs"])
-        elif kind == "partition":
-            self._partitions.add((place, *fact["rhs"]))
-        elif relation:
-            self._stated.setdefault(place, set()).update(
-                (relation, _spaceless(lhs), "0" if relation == ">=" else _spaceless(rhs))
-                for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
-            )
+        for fact in self.proved:
+            place, kind = fact["context"], fact["kind"]
+            relation = {"equal": "=", "root": "sqrt", "nonnegative": ">="}.get(kind)
+            if kind == "model":
+                self._models.setdefault(place, []).extend(fact["rhs"])
+            elif kind == "partition":
+                self._partitions.add((place, *fact["rhs"]))
+            elif relation:
+                self._stated.setdefault(place, set()).update(
+                    (relation, _spaceless(lhs), "0" if relation == ">=" else _spaceless(rhs))
+                    for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
+                )
 
     def lacks(self, theorem: Theorem) -> Iterator[str]:
         """Yield a sentence for each part of a theorem that the ledger does not prove."""
@@ -215,17 +217,21 @@ class Proved:
             yield "its hypotheses are not in the ledger"
             return
         yield from _unlike(theorem, context)
-        places = self._places(theorem.name)
+        places = self.modelled(theorem.name)
         facts = set().union(*(self._stated.get(place, set()) for place in places))
-        known = {
-            "fact": facts | self._said("definitions", places),
-            "reading": self._said("reading", places),
-        }
+        definitions, readings = (
+            {
+                ("=", name, _spaceless(text))
+                for place in places
+                for name, text in self.contexts[place][column].items()
+            }
+            for column in ("definitions", "reading")
+        )
         formulas = [f for part in theorem.formulas for f in self._formulas(*part)]
-        yield from _unsaid(theorem, context, {said[1] for how, said in formulas if how == "fact"})
-        for how, said in formulas:
-            if said not in known[how]:
-                yield f"its formula {written(said)} is not proved under its hypotheses"
+        yield from _unsaid(theorem, context, {f.name for f in formulas if f.how != "reading"})
+        for formula in formulas:
+            if formula.said not in (readings if formula.how == "reading" else facts | definitions):
+                yield f"its formula {written(formula.said)} is not proved under its hypotheses"
         for said in theorem.then:
             relation, lhs, rhs = said
             reversed_ = (relation, rhs, lhs) if relation == "=" else said
@@ -234,41 +240,35 @@ class Proved:
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
-    def _places(self, name: str) -> list[str]:
+    def modelled(self, name: str) -> list[str]:
         """Return a context and all contexts that it is a model of, directly or not."""
         places = [name]
         for place in places:
             places += (other for other in self._models.get(place, ()) if other not in places)
         return places
 
-    def _said(self, column: str, places: Iterable[str]) -> set[Statement]:
-        """Return the definitions or readings of contexts."""
-        return {
-            ("=", name, _spaceless(text))
-            for place in places
-            for name, text in self.contexts[place][column].items()
-        }
+    def formula(self, entry: Mapping[str, Any]) -> Published:
+        """Return a published formula; raise Unproved for a fact that is not one proved formula."""
+        for how, column in (("definition", "definitions"), ("reading", "reading")):
+            if how in entry:
+                context, name = self.contexts[entry["context"]], entry[how]
+                return Published(how, context["name"], name, context[column][name])
+        fact = self.facts.get(entry["fact"])
+        proved = fact is not None and fact["grade"] == "PROVED" and len(fact["lhs"]) == 1
+        if not proved or fact["kind"] not in ("equal", "root"):
+            raise Unproved(f"{entry['fact']} is published but is not one proved formula")
+        how = "root" if fact["kind"] == "root" else "fact"
+        return Published(how, fact["context"], fact["lhs"][0], fact["rhs"][0])
 
-    def _formulas(self, sequence: str, names: Iterable[str]) -> Iterator[Formula]:
-        """Yield the formulas of a published sequence; if `names` are given, only those."""
+    def _formulas(self, sequence: str, names: Iterable[str]) -> list[Published]:
+        """Return the formulas of a published sequence; if `names` are given, only those."""
         wanted = {*names}
         if sequence not in self.sequences:
             raise Unproved(f"the formula sequence {sequence} is not published")
-        found = [self._formula(entry) for entry in self.sequences[sequence]]
-        if missing := wanted - {statement[1] for _, statement in found}:
+        found = [self.formula(entry) for entry in self.sequences[sequence]]
+        if missing := wanted - {formula.name for formula in found}:
             raise Unproved(f"the formula sequence {sequence} has no formula for {min(missing)}")
-        yield from (f for f in found if not wanted or f[1][1] in wanted)
-
-    def _formula(self, entry: Mapping[str, str]) -> Formula:
-        for how, column in (("definition", "definitions"), ("reading", "reading")):
-            if how in entry:
-                text = self.contexts[entry["context"]][column][entry[how]]
-                return how if how == "reading" else "fact", ("=", entry[how], _spaceless(text))
-        fact = self.facts.get(entry["fact"])
-        if fact is None or len(fact["lhs"]) != 1 or fact["kind"] not in ("equal", "root"):
-            raise Unproved(f"{entry['fact']} is published but is not one proved formula")
-        relation = "sqrt" if fact["kind"] == "root" else "="
-        return "fact", (relation, _spaceless(fact["lhs"][0]), _spaceless(fact["rhs"][0]))
+        return [formula for formula in found if not wanted or formula.name in wanted]
 
 
 def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
@@ -278,17 +278,18 @@ def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
         yield "it is about one instant, or about a motion, where the ledger has the other"
     for text in (*context["start"], *context["thetas"].values()):
         yield f"{text}: the ledger declares this beyond it"
-    there = {
-        "names": {*context["generators"]},
-        "zero": {*map(_spaceless, context["relations"])},
-        "nonzero": {*map(_spaceless, context["units"])},
-        "nonnegative": {*map(_spaceless, context["nonnegative"])},
-        "moving": {f"{name}' = {_spaceless(text)}" for name, text in (rates or {}).items()},
-    }
-    for clause, here in theorem.hypotheses().items():
-        for text in sorted(there[clause] - here):
+    columns = {"zero": "relations", "nonzero": "units", "nonnegative": "nonnegative"}
+    here = {clause: getattr(theorem, clause) for clause in ("names", *columns)}
+    there = {clause: {*map(_spaceless, context[name])} for clause, name in columns.items()}
+    there["names"] = {*context["generators"]}
+    here["moving"], there["moving"] = (
+        {f"{name}' = {_spaceless(text)}" for name, text in (moving or {}).items()}
+        for moving in (theorem.moving, rates)
+    )
+    for clause, texts in here.items():
+        for text in sorted(there[clause] - texts):
             yield f"{clause} {text}: the ledger assumes this beyond it"
-        for text in sorted(here - there[clause]):
+        for text in sorted(texts - there[clause]):
             yield f"{clause} {text}: this is not assumed in the ledger"
 
 

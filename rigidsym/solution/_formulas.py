@@ -10,10 +10,10 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from typing import Any
 
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_data, ledger_text, sealed_text, specification_text
-from rigidsym.language import _specification as specification
 from rigidsym.language._expression import (
     Call,
     Expression,
@@ -24,11 +24,10 @@ from rigidsym.language._expression import (
     to_text,
 )
 from rigidsym.language._sequence import CONSTANTS, Formula, FormulaSequence
-from rigidsym.language._specification import Unproved, read, require
+from rigidsym.language._specification import Proved, Theorem, Unproved, read, require
 from rigidsym.solution._partition import (
     SIGNS_OF,
     Partition,
-    Record,
     check_order,
     decisions,
     partition_of,
@@ -36,7 +35,6 @@ from rigidsym.solution._partition import (
 )
 
 AXES = ("a", "b", "d")
-Records = Mapping[str, Record]
 # The sequences that numbers need, in the order in which the digest has them.
 SEQUENCES = (
     *("constants", "state", "theta", "pull_back", "theta_state", "shift", "scaling", "landen"),
@@ -133,22 +131,25 @@ def sequence(name: str) -> FormulaSequence:
 
 def load(text: str) -> Solution:
     """Load the solution from a ledger; raise LedgerError if the ledger proves less."""
-    data = ledger_data(text)
-    facts, contexts, sequences = _published(data)
+    ledger, sequences = _published(text)
     evaluated = {name: _evaluated(formulas) for name, formulas in sequences.items()}
     for name in SEQUENCES:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         check_order(name, evaluated[name].formulas, {*CONSTANTS, *_inputs()[name]})
-        _check_contexts(name, {formula.context for formula in sequences[name]}, facts)
+        # All formulas hold at once: one context is a model of all others.
+        contexts = {formula.context for formula in sequences[name]}
+        if not any(contexts <= {*ledger.modelled(context)} for context in contexts):
+            rule = f"no context is a model of all: {sorted(contexts)}"
+            raise LedgerError(f"ledger: {name}: {rule}")
     try:  # That the proofs hold is for the checkers to decide.
-        require(specification_text(), data)
+        require(specification_text(), ledger)
     except Unproved as error:
         raise LedgerError(f"ledger: {error}") from None
     specified = read(specification_text())
-    partition = partition_of(facts.values(), contexts, specified)
+    partition = partition_of(ledger, specified)
     sequences["decisions"] = decisions(partition)
-    sequences["signs"] = _signs(specified[SIGNS_OF].nonnegative, sequences["constants"], facts)
+    sequences["signs"] = _signs(specified[SIGNS_OF], sequences["constants"], ledger)
     evaluated |= {name: _evaluated(sequences[name]) for name in ("decisions", "signs")}
     lines = (
         f"{name}: {formula.fact}: {formula.name} = {to_text(formula.expression)}"
@@ -159,26 +160,25 @@ def load(text: str) -> Solution:
     return Solution(sequences, digest, evaluated, partition)
 
 
-def _published(data: Record) -> tuple[Records, Records, dict[str, tuple[Formula, ...]]]:
-    """Return facts by id, contexts by name, and the sequences for numbers."""
+def _published(text: str) -> tuple[Proved, dict[str, tuple[Formula, ...]]]:
+    """Return what a ledger proves, and the sequences for numbers that it publishes."""
     try:
-        facts = {fact["id"]: fact for fact in data["facts"]}
-        contexts = {context["name"]: context for context in data["contexts"]}
-        published = specification.sequences(data)
-        sequences = {
-            name: tuple(_formula(entry, facts, contexts) for entry in published[name])
+        ledger = Proved(ledger_data(text))
+        return ledger, {
+            name: tuple(_formula(entry, ledger) for entry in ledger.sequences[name])
             for name in SEQUENCES
-            if name in published
+            if name in ledger.sequences
         }
+    except Unproved as error:
+        raise LedgerError(f"ledger: {error}") from None
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
-    return facts, contexts, sequences
 
 
 @cache
 def _inputs() -> dict[str, frozenset[str]]:
     """Return the inputs of each sequence in the installed ledger."""
-    *_, sequences = _published(ledger_data(ledger_text()))
+    _, sequences = _published(ledger_text())
     return {name: _evaluated(formulas).inputs for name, formulas in sequences.items()}
 
 
@@ -186,40 +186,29 @@ def _evaluated(formulas: Iterable[Formula]) -> FormulaSequence:
     return FormulaSequence((formula.name, formula.expression) for formula in formulas)
 
 
-def _signs(
-    nonnegative: Iterable[str], constants: Iterable[Formula], facts: Records
-) -> tuple[Formula, ...]:
+def _signs(theorem: Theorem, constants: Iterable[Formula], ledger: Proved) -> tuple[Formula, ...]:
     """Return the formulas of the signs, and of tau, on which chi depends."""
-    (source,) = (tuple(x["source"]) for x in facts.values() if x["context"] == SIGNS_OF)
+    (source,) = (tuple(x["source"]) for x in ledger.facts.values() if x["context"] == SIGNS_OF)
     *first, last = (
         Formula(name, expression, f"choice {SIGNS_OF}.{name}", SIGNS_OF, source)
-        for name, expression in sign_rules(nonnegative).items()
+        for name, expression in sign_rules(theorem.nonnegative).items()
     )
     (tau,) = (formula for formula in constants if formula.name == "tau")
     return (*first, tau, last)
 
 
-def _formula(entry: Record, facts: Records, contexts: Records) -> Formula:
-    """Return a published formula: a definition or a reading of a context, or a proved fact."""
-    for how, column in (("definition", "definitions"), ("reading", "reading")):
-        if how in entry:
-            context, name = contexts[entry["context"]], entry[how]
-            place, text = context["name"], context[column][name]
-            expression = parse(text)
-            if how == "reading":
-                expression = _by_complement(expression)
-                if READINGS.get(f"{place}:{name}", READINGS.get(name)) != text:
-                    rule = "its reading is not the one that numbers know"
-                    raise LedgerError(f"ledger: {place}:{name}: {rule}")
-            source = tuple(entry["source"])
-            return Formula(name, expression, f"{how} {place}.{name}", place, source)
-    fact = facts[entry["fact"]]
-    proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
-    if not proved or len(fact["lhs"]) != 1:
-        raise LedgerError(f"ledger: {fact['id']} is published but is not one proved formula")
-    (name,), (text,) = fact["lhs"], fact["rhs"]
-    expression = parse(f"sqrt({text})" if fact["kind"] == "root" else text)
-    return Formula(name, expression, fact["id"], fact["context"], tuple(fact["source"]))
+def _formula(entry: Mapping[str, Any], ledger: Proved) -> Formula:
+    """Return a published formula with its origin; refuse an unknown reading."""
+    stated = ledger.facts[entry["fact"]] if "fact" in entry else entry
+    how, context, name, text = ledger.formula(entry)
+    expression = parse(f"sqrt({text})" if how == "root" else text)
+    if how == "reading":
+        expression = _by_complement(expression)
+        if READINGS.get(f"{context}:{name}", READINGS.get(name)) != text:
+            rule = "its reading is not the one that numbers know"
+            raise LedgerError(f"ledger: {context}:{name}: {rule}")
+    origin = f"{how} {context}.{name}" if stated is entry else stated["id"]
+    return Formula(name, expression, origin, context, tuple(stated["source"]))
 
 
 def _by_complement(expression: Expression) -> Expression:
@@ -227,19 +216,3 @@ def _by_complement(expression: Expression) -> Expression:
         case Call(function, (*arguments, parameter)) if function in _OF_PARAMETER:
             return Call(function, (*arguments, complement(parameter)))
     return rebuild(expression, tuple(map(_by_complement, children(expression))))
-
-
-def _check_contexts(sequence: str, contexts: set[str], facts: Records) -> None:
-    """Check that all formulas hold at once: one context is a model of all others."""
-    models = [
-        (fact["context"], fact["rhs"][0])
-        for fact in facts.values()
-        if (fact["kind"], fact["grade"]) == ("model", "PROVED")
-    ]
-    for context in contexts:
-        modelled = [context]
-        for name in modelled:
-            modelled += [other for model, other in models if model == name]
-        if contexts <= {*modelled}:
-            return
-    raise LedgerError(f"ledger: {sequence}: no context is a model of all: {sorted(contexts)}")

@@ -29,7 +29,7 @@ from rigidsym.language._expression import (
     to_text,
 )
 from rigidsym.language._sequence import Formula, FormulaSequence
-from rigidsym.language._specification import Theorem
+from rigidsym.language._specification import Proved, Theorem
 
 # The context that all splits begin with: moments c_1 >= c_2 >= c_3 > 0, and rates.
 ROOT = "sorted_body"
@@ -116,19 +116,13 @@ class Partition:
         return ()
 
 
-def partition_of(
-    facts: Collection[Record], contexts: Mapping[str, Record], specified: Mapping[str, Theorem]
-) -> Partition:
+def partition_of(ledger: Proved, specified: Mapping[str, Theorem]) -> Partition:
     """Read the partition from a ledger; raise LedgerError if the ledger proves none.
 
     specified: the blocks of the specification, all of which the ledger proves.
     """
     try:
-        proved = {
-            fact["context"]: fact
-            for fact in facts
-            if (fact["kind"], fact["grade"]) == ("partition", "PROVED")
-        }
+        proved = {x["context"]: x for x in ledger.proved if x["kind"] == "partition"}
         if ROOT not in proved:
             raise LedgerError(f"ledger: it does not prove the partition {ROOT}.cases")
         leaves = proved[ROOT]["rhs"]
@@ -136,8 +130,8 @@ def partition_of(
         if sorted(reached) != sorted(leaves):
             raise LedgerError(f"ledger: {ROOT}.cases: its leaves are not {', '.join(reached)}")
         decided = frozenset(split.quantity for split in splits.values())
-        quantities = _quantities(splits, contexts).up_to(decided)
-        return Partition(splits, {x: _leaf(x, facts, specified) for x in leaves}, quantities)
+        quantities = _quantities(splits, ledger.contexts).up_to(decided)
+        return Partition(splits, {x: _leaf(x, ledger, specified) for x in leaves}, quantities)
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: its partition is not readable: {error!r}") from None
 
@@ -183,14 +177,14 @@ def check_order(
         known.add(name)
 
 
-def _leaf(name: str, facts: Iterable[Record], specified: Mapping[str, Theorem]) -> Leaf:
+def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
     """Return a leaf by name, with its fact and its side."""
-    theorem, wanted = specified[name], (name, "nonnegative", "PROVED")
+    theorem = specified[name]
     required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
     stating = [
         fact
-        for fact in facts
-        if (fact["context"], fact["kind"], fact["grade"]) == wanted
+        for fact in ledger.proved
+        if (fact["context"], fact["kind"]) == (name, "nonnegative")
         and required <= {lhs.replace(" ", "") for lhs in fact["lhs"]}
     ]
     if not required or not stating:
