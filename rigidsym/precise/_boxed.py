@@ -9,8 +9,7 @@ from flint import arb
 
 from rigidsym._inputs import is_uncertain
 from rigidsym.errors import InputError, PrecisionError, written
-from rigidsym.precise._adaptive import AdaptivePrecision, TooUncertainError
-from rigidsym.precise._balls import is_within, working
+from rigidsym.precise._balls import AdaptivePrecision, TooUncertainError, is_within, working
 from rigidsym.precise._evaluation import State
 from rigidsym.precise._lohner import MOST_STEPS, FlowEnclosure, bits_for
 from rigidsym.precise._motion import PreciseMotion

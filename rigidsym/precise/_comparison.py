@@ -1,4 +1,4 @@
-"""Cost and accuracy of the methods, against digits and against the distance from the separatrix.
+"""Comparison of the methods' cost and accuracy by digits and by distance from the separatrix.
 
 Seconds are medians: of a motion's set-up with its first state, and of one more state.  The error
 is an upper bound for the seven midpoints, by balls of a reference method to more digits.  The
@@ -37,14 +37,12 @@ SECOND_TIME = Fraction(5, 7)
 QUADRATURE_DIGITS = 1000
 TAYLOR_WORK = 50_000  # digits^2 times radians
 
-UNITS = "units of 10^-digits"
-
 Numbers = list[arb]
 
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """The time that one method took for a state, and its error; None where it was not run."""
+    """The time that a method took for a state, and its error; None where it was not run."""
 
     method: str
     digits: int
@@ -54,17 +52,27 @@ class Measurement:
     error: str | None = None
     radius: str | None = None
 
+    @property
+    def cost(self) -> float | None:
+        """Return the seconds of one more state."""
+        return self.seconds_more or self.seconds
+
+    @property
+    def units(self) -> float | None:
+        """Return the error in units of the last digit; None for no error."""
+        return float(mp.mpf(self.error or 0) * mp.mpf(10) ** self.digits) or None
+
     def row(self, place: str) -> tuple[str, ...]:
         """Return the cells of a table row that begins with `place`."""
         if self.seconds is None:
             return place, self.method, "not run", "", "", ""
-        first, more = map(_milliseconds, (self.seconds, self.seconds_more or self.seconds))
+        first, more = (f"{1000 * (x or 0):.2f} ms" for x in (self.seconds, self.cost))
         return place, self.method, first, more, self.error or "", self.radius or "none"
 
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The measurements; none by distance for a body without a separatrix."""
+    """All measurements; those by distance are empty for a body without a separatrix."""
 
     motion: dict[str, list[str]]
     neighbour: dict[str, list[str]] | None
@@ -75,12 +83,11 @@ class Comparison:
     @property
     def conclusion(self) -> str:
         """A sentence that names the quickest method at each number of digits."""
-        found: dict[int, Measurement] = {}
-        for one in self.by_digits:
-            before = found.get(one.digits)
-            if one.seconds is not None and (not before or _cost(one) < _cost(before)):
-                found[one.digits] = one
-        each = (f"{m.method} at {n} ({_milliseconds(_cost(m))})" for n, m in found.items())
+        measured = [m for m in self.by_digits if m.seconds is not None]
+        each = []
+        for digits in dict.fromkeys(m.digits for m in measured):
+            best = min((m for m in measured if m.digits == digits), key=lambda m: m.cost or 0.0)
+            each.append(f"{best.method} at {digits} ({1000 * (best.cost or 0):.2f} ms)")
         return f"The cheapest for one more state, by digits: {', '.join(each)}."
 
     def to_json(self) -> str:
@@ -90,21 +97,25 @@ class Comparison:
     def to_svg(self) -> str:
         """Return plots of seconds and errors against digits and distances from the separatrix."""
         near = [m for m in self.by_distance if m.distance != "0"]
-        halves = [
+        where = f"near the separatrix, {DISTANCE_DIGITS} digits"
+        panels = []
+        for part, x_label, measured in (
             ("by digits", "digits", self.by_digits),
-            (
-                f"near the separatrix, {DISTANCE_DIGITS} digits",
-                "distance from the separatrix",
-                near,
-            ),
-        ]
-        drawn = [("Cost of one more state", "seconds", _seconds), ("Error", UNITS, _units)]
-        panels = [
-            _panel(f"{title}, {where}", x_label, y_label, measured, value)
-            for where, x_label, measured in halves
-            for title, y_label, value in drawn
-        ]
-        return panels_svg([panel for panel in panels if any(map(any, panel.lines.values()))])
+            (where, "distance from the separatrix", near),
+        ):
+            xs = sorted({float(m.distance or m.digits) for m in measured})
+            for title, y_label, name in (
+                ("Cost of one more state", "seconds", "cost"),
+                ("Error", "units of 10^-digits", "units"),
+            ):
+                found = {
+                    (m.method, float(m.distance or m.digits)): getattr(m, name) for m in measured
+                }
+                lines = {method: [found[method, x] for x in xs] for method in NAMES}
+                if any(map(any, lines.values())):
+                    head = f"{title}, {part}"
+                    panels.append(Panel(head, x_label, y_label, xs, lines, log=True, marked=True))
+        return panels_svg(panels)
 
 
 def compare(
@@ -142,7 +153,9 @@ def _measure(
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
     for method in NAMES:
-        if not (_is_quick(method, motion, time, digits) and _serves(method, motion)):
+        work = digits**2 * abs(time) * max(map(abs, motion[1]))
+        quick = {"taylor": work <= TAYLOR_WORK, "quadrature": digits <= QUADRATURE_DIGITS}
+        if not (quick.get(method, True) and _serves(method, motion)):
             yield Measurement(method, digits, distance)
             continue
         seconds, more, found = _timed(lambda m=method: _states(m, motion, times, digits))
@@ -155,7 +168,7 @@ def _measure(
 def _states(
     method: str, motion: ExactInputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Yield seven balls for each time; those of mpmath and of the series have no radius.
+    """Yield seven balls for each time, which have no radius by mpmath and the series.
 
     The series have no set-up, so they are summed for the first time only.
     """
@@ -170,13 +183,6 @@ def _states(
     yield from ([*q, *w] for q, w in precise.enclosures(times, digits))
 
 
-def _is_quick(method: str, motion: ExactInputs, time: Fraction, digits: int) -> bool:
-    if method == "taylor":
-        radians = abs(time) * max(map(abs, motion[1]))
-        return digits**2 * radians <= TAYLOR_WORK
-    return method != "quadrature" or digits <= QUADRATURE_DIGITS
-
-
 def _serves(method: str, motion: ExactInputs) -> bool:
     """Return True if the method serves the motion's regime."""
     try:
@@ -188,7 +194,7 @@ def _serves(method: str, motion: ExactInputs) -> bool:
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:
-    """Return medians of the seconds of some repetitions, fewer of long ones, and the numbers."""
+    """Return the median seconds of the first and the next state, and the numbers of the first."""
     first: list[float] = []
     more: list[float] = []
     while True:
@@ -205,7 +211,9 @@ def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None
 def _family(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> list[tuple[str, ExactInputs]]:
-    """Return motions whose rate about one axis is off the separatrix by parts of itself.
+    """Return motions at several distances from the separatrix, by distance.
+
+    A distance is the relative change of the rate about one axis.
 
     The separatrix is c_a (c_a - c_b) Omega_a^2 = c_d (c_b - c_d) Omega_d^2, and seldom has
     rational points; it has them once the middle moment c_b is moved in its twelfth digit or so.
@@ -232,44 +240,13 @@ def _root(value: Fraction) -> Fraction:
     return Fraction(context.sqrt(Decimal(inputs.decimal(value, 15))))
 
 
-def _panel(
-    title: str,
-    x_label: str,
-    y_label: str,
-    measured: Sequence[Measurement],
-    value: Callable[[Measurement], float | None],
-) -> Panel:
-    found = {(m.method, float(m.distance or m.digits)): value(m) for m in measured}
-    xs = sorted({x for _, x in found})
-    lines = {name: [found[name, x] for x in xs] for name in NAMES}
-    return Panel(title, x_label, y_label, xs, lines, log=True, marked=True)
-
-
-def _milliseconds(seconds: float) -> str:
-    return f"{1000 * seconds:.2f} ms"
-
-
-def _seconds(measurement: Measurement) -> float | None:
-    return measurement.seconds_more or measurement.seconds
-
-
-def _cost(measurement: Measurement) -> float:
-    return _seconds(measurement) or 0.0
-
-
-def _units(measurement: Measurement) -> float | None:
-    if measurement.error is None:
-        return None
-    return float(mp.mpf(measurement.error) * mp.mpf(10) ** measurement.digits) or None
-
-
 def _shown(motion: Sequence[Sequence[Fraction]]) -> dict[str, list[str]]:
     names = ("inertia", "omega0", "attitude0")
     return {name: [_exactly(x) for x in values] for name, values in zip(names, motion, strict=True)}
 
 
 def _exactly(value: Fraction) -> str:
-    """Return a decimal where that is exact and short, else a fraction."""
+    """Return a number as text: a decimal where that is exact and short, else a fraction."""
     text = inputs.decimal(value, 17)
     if Fraction(text) == value:
         return text

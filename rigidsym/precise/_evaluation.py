@@ -1,4 +1,4 @@
-"""The formulas of the solution with the constants of one motion at one precision.
+"""Evaluation of the solution's formulas for one motion at one precision.
 
 Numbers are balls, or any other kind that the functions and `number` compute with.
 """
@@ -46,7 +46,7 @@ def exactly(
     functions: Mapping[str, Any],
     number: Callable[[Any], Any],
 ) -> dict[str, Any]:
-    """Return every quantity, rational as long as all that its formula uses is."""
+    """Evaluate formulas with rational values wherever all inputs of a formula are rational."""
 
     def of(function: Callable[..., Any]) -> Callable[..., Any]:
         return lambda *arguments: function(*map(number, arguments))
@@ -60,7 +60,7 @@ def exactly(
 
 
 class Evaluation(Generic[Value]):
-    """A motion evaluated at the working precision with the functions of one method.
+    """One motion at the working precision, with the functions of one method.
 
     With theta_4 among the functions it is computed by the theta form, wherever that exists: neither
     on the separatrix nor for symmetric bodies.  `number` converts any number to their kind.
@@ -77,7 +77,7 @@ class Evaluation(Generic[Value]):
         self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
 
     def numbers(self, request: Request) -> list[Value]:
-        """Return the seven numbers of a state, the sensitivities after them, or constants."""
+        """Return the numbers of a request: a state with or without sensitivities, or constants."""
         if isinstance(request, tuple):
             return [self.constant(name) for name in request]
         if isinstance(request, Sensitive):
@@ -86,14 +86,17 @@ class Evaluation(Generic[Value]):
         return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Value], list[Value]]:
-        """Return (q, omega) at one time; at t = 0 the given state itself."""
+        """Return (q, omega) at one time, which is the given state itself at t = 0."""
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
         return self._steady(time) if regime.steady else self._moving(self.number(time))
 
     def constant(self, name: str) -> Value:
-        """Return a constant of the motion, or of its periods where the rates change and m_c < 1."""
+        """Return a constant of the motion by name.
+
+        Those of periods exist where the rates change and m_c < 1.
+        """
         if name in _OF_PERIODS:
             return self._periods[name]
         return self.number(self._computed(frozenset([name]))[name])

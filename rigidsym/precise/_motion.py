@@ -1,4 +1,4 @@
-"""States of one motion to any number of digits, each of them certain.
+"""States of one motion to any number of certain digits.
 
 Invariants, the parameter m and the regime of exact inputs are computed exactly.  All further
 numbers are Arb's balls, at a working precision that rises until the balls are small enough.
@@ -16,8 +16,16 @@ from mpmath import mp, mpf
 
 from rigidsym.errors import written
 from rigidsym.precise import _worker as worker
-from rigidsym.precise._adaptive import GUARD_BITS, AdaptivePrecision
-from rigidsym.precise._balls import ball, bits_of, has_digits, is_within, to_mpf, working
+from rigidsym.precise._balls import (
+    GUARD_BITS,
+    AdaptivePrecision,
+    ball,
+    bits_of,
+    has_digits,
+    is_within,
+    to_mpf,
+    working,
+)
 from rigidsym.precise._evaluation import Evaluation, Request, Sensitive, State
 from rigidsym.precise._floating import Estimates, theta_form, third_kind_form
 from rigidsym.precise._functions import METHODS
@@ -36,14 +44,14 @@ DecimalState = tuple[list[mpf], list[mpf]]
 
 @dataclass(frozen=True)
 class PreciseMotion(MotionInputs):
-    """A motion whose states are computed by one of the methods."""
+    """A motion with states to any number of digits, by one of the methods."""
 
     method: str = "theta"
 
     def states(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[DecimalState]:
-        """Yield (q, omega) at each time as mpf numbers, with `digits` certain digits of each.
+        """Yield (q, omega) at each time as mpf numbers with `digits` certain digits each.
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
@@ -61,7 +69,7 @@ class PreciseMotion(MotionInputs):
             yield self.read(precision, time)
 
     def read(self, precision: AdaptivePrecision, time: Fraction) -> State:
-        """Return (q, omega) at one time as balls that are small enough."""
+        """Return (q, omega) at one time as balls small enough for the requested digits."""
         read = precision.read_uncertain if self.is_uncertain else precision.read
         found = read(partial(self.numbers, time), f"t = {written(time)}")
         return found[:4], found[4:]
@@ -73,7 +81,7 @@ class PreciseMotion(MotionInputs):
         max_seconds: float | None = None,
         enough: Callable[[arb, int], bool] = is_within,
     ) -> Iterator[list[arb]]:
-        """Yield (q, omega) and the numbers of `sensitivity.columns.listed` at each time.
+        """Yield (q, omega) and their sensitivities, see `columns.listed`, at each time as balls.
 
         Raises InputError where inputs are uncertain, and PrecisionError where `max_seconds` for all
         times are over.
@@ -86,7 +94,7 @@ class PreciseMotion(MotionInputs):
     def decimal_sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[list[mpf]]:
-        """Yield states with sensitivities as mpf numbers, with `digits` certain digits of each."""
+        """Yield states with sensitivities as mpf numbers with `digits` certain digits each."""
         for row in self.sensitivities(times, digits, max_seconds, has_digits):
             yield list(map(_settled, row))
 
@@ -97,15 +105,15 @@ class PreciseMotion(MotionInputs):
             return [float(x) for x in self._at(bits).start[0]]
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, mpf]:
-        """Return constants of the motion by name, `digits` digits each; the rates must change."""
+        """Return constants of a motion of changing rates by name, with `digits` digits each."""
         precision = AdaptivePrecision(digits, has_digits, None)
         found = precision.read(partial(self.numbers, tuple(names)), "constants")
         return dict(zip(names, map(_settled, found), strict=True))
 
     def numbers(self, request: Request, bits: int, end: float | None) -> list[arb]:
-        """Return balls at a precision of so many bits; TimeoutError where the clock passes `end`.
+        """Return the balls of a request at a working precision.
 
-        A worker process computes what may take long.
+        Long evaluations run in a worker process.  Raises TimeoutError where the clock passes `end`.
         """
         kind = Estimates if self.method in ESTIMATED else METHODS[self.method]
         if bits <= kind.quick_bits:
@@ -118,7 +126,7 @@ class PreciseMotion(MotionInputs):
             return self._at(bits).numbers(request)
 
     def _at(self, bits: int) -> Evaluation[arb] | Estimates:
-        """Return the formulas at the working precision of so many bits; the last few are kept."""
+        """Return the evaluation at a working precision; the last few are kept."""
         kept = self._kept
         if bits not in kept:
             while len(kept) >= KEPT:
@@ -134,7 +142,7 @@ class PreciseMotion(MotionInputs):
         return {}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the inputs; a process that reads equal ones again keeps their constants."""
+        """Pickle the inputs, so that a process that gets equal ones again keeps their constants."""
         return _unpickled, (self.inertia, self.omega0, self.attitude0, self.method)
 
 

@@ -1,4 +1,4 @@
-"""Balls as pairs of decimal strings that contain them, and mpmath numbers with certain digits."""
+"""Decimal strings that contain a ball, and mpmath numbers that print their certain digits."""
 
 from collections.abc import Iterable
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, ROUND_CEILING, Context, Decimal
@@ -17,7 +17,7 @@ _ROOM = 2
 
 
 def printed_ball(value: arb) -> dict[str, str]:
-    """Return `mid` and `rad` of a ball: the middle rounded, the radius rounded up.
+    """Return decimal strings `mid` and `rad` that contain a ball.
 
     The rounding error of the middle is added to the radius.  The middle of a ball of radius 0 is
     exact.
@@ -30,7 +30,7 @@ def printed_ball(value: arb) -> dict[str, str]:
 
 
 def printed_rational(value: Fraction, digits: int) -> dict[str, str]:
-    """Return `mid` and `rad` of a rational number rounded to so many digits."""
+    """Return decimal strings `mid` and `rad` that contain a rational, rounded to some digits."""
     return _pair(inputs.decimal(value, digits), value, Fraction(0))
 
 
@@ -62,7 +62,7 @@ class CertainNumber(mpf):
 
 
 def certain(values: Iterable[mpf], digits: int) -> list[CertainNumber]:
-    """Return the numbers, unrounded, as numbers with so many certain digits."""
+    """Mark numbers as having some certain digits, without rounding them."""
     return [_made(value.__getstate__(), digits) for value in values]
 
 

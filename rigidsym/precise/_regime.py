@@ -1,4 +1,4 @@
-"""The inputs of a motion, and its regime, which uncertain inputs must not leave open."""
+"""Inputs of a motion, exact or uncertain, and the regime that they determine."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ ExactInputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, 
 
 @dataclass(frozen=True)
 class MotionInputs:
-    """Principal moments (3), body rates (3) and attitude (4) at t = 0: rational or uncertain.
+    """Principal moments (3), body rates (3) and attitude (4) at t = 0, rational or uncertain.
 
     The attitude has any length but zero.
     """
@@ -36,12 +36,12 @@ class MotionInputs:
 
     @cached_property
     def polhode(self) -> Polhode:
-        """Regime and axes, decided exactly; InputError where uncertainty leaves them open."""
+        """Regime and axes of the motion; InputError where uncertain inputs do not decide them."""
         return classify_uncertain(self.inertia, self.omega0)
 
     @property
     def exact(self) -> ExactInputs:
-        """Inertia, omega0 and attitude0; InputError where one is uncertain."""
+        """Inertia, omega0 and attitude0 as rationals; InputError for uncertain ones."""
         given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
         inertia, omega0, attitude0 = (inputs.certain(*named) for named in given.items())
         return inertia, omega0, attitude0
@@ -53,7 +53,7 @@ class MotionInputs:
 
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
-    """Return the polhode of all numbers within the radii; InputError where there are several."""
+    """Return the polhode of all motions within the radii; raise InputError if they differ."""
     polhode = classify(*([inputs.middle(x) for x in values] for values in (inertia, omega)))
     if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):
@@ -65,10 +65,10 @@ def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Po
 def _deciding(
     polhode: Polhode, inertia: Sequence[Number], omega: Sequence[Number]
 ) -> Iterator[tuple[str, arb]]:
-    """Yield the quantities that must be exactly zero or keep their sign, with their names.
+    """Yield the quantities that decide the polhode, with their names.
 
-    These are the differences of the moments, those that lead to this leaf of the ledger's
-    partition, and the rate whose sign is sigma.
+    They must be exactly zero or keep their sign.  They are the differences of the moments, those
+    that lead to this leaf of the ledger's partition, and the rate whose sign is sigma.
     """
     w = list(map(ball, omega))
     gaps = {(j, k): difference(inertia[j], inertia[k]) for j, k in combinations(range(3), 2)}
@@ -91,7 +91,7 @@ def _deciding(
 
 
 def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
-    """Return E_b by the ledger's formula, with differences exactly zero where moments agree."""
+    """Return K^2 - 2 H c_b by the ledger's formula, with exact zeros for equal moments."""
     known = {}
     for x, k in zip("abd", axes, strict=True):
         known |= {f"c_{x}": ball(inertia[k]), f"Omega_{x}": w[k]}
@@ -104,12 +104,12 @@ def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[in
 
 
 def _surest(*values: arb) -> arb:
-    """Return the value that is farthest from zero, relative to its radius."""
+    """Return the nonzero value that is farthest from zero, relative to its radius."""
     return min((value for value in values if not value.is_zero()), key=_ratio)
 
 
 def _ratio(value: arb) -> float:
-    """Return radius over size: 1 or more where the value may be zero."""
+    """Return the ratio of radius and size, which is at least 1 if the value may be zero."""
     return float(value.rad() / abs(value.mid())) if value.mid() != 0 else inf
 
 

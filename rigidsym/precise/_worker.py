@@ -1,4 +1,4 @@
-"""Evaluations of many digits in a worker process, which can be ended.
+"""Evaluations of many digits in a worker process that can be ended at any time.
 
 A call of Arb's may take seconds, and cannot be interrupted by a time limit or Ctrl-C.  So a second
 Python computes what takes long.  It starts at the first such evaluation and ends with this process;
@@ -36,9 +36,10 @@ Reply = list[BallData] | Exception
 def numbers(
     compute: Callable[..., list[arb]], *arguments: Any, end: float | None = None
 ) -> list[arb]:
-    """Return `compute(*arguments)`; raises TimeoutError where the clock reaches `end` first.
+    """Return `compute(*arguments)`, computed by the worker process.
 
-    It is computed in this process where no other can be started.
+    Raises TimeoutError where the clock reaches `end` first.  Where no process can be started, this
+    one computes.
     """
     while not _turn.acquire(timeout=POLL):
         _check(end)
@@ -68,7 +69,7 @@ def _started() -> "_Worker | None":
 
 
 class _Worker:
-    """A Python process that answers requests by its standard input and output."""
+    """A Python process that reads requests from its input and writes replies to its output."""
 
     def __init__(self) -> None:
         code = _CODE.format(path=[os.path.abspath(place) for place in sys.path])
@@ -118,7 +119,7 @@ def _check(end: float | None) -> None:
 
 
 def stop() -> None:
-    """End the worker process, if there is one; the next evaluation starts another."""
+    """End the worker process if there is one; the next evaluation starts a new one."""
     global _worker
     worker, _worker = _worker, None
     if worker:
@@ -126,7 +127,7 @@ def stop() -> None:
 
 
 def _forget() -> None:
-    """Forget the worker in a child of fork: it belongs to the parent, which cleans it up."""
+    """Forget the worker in a forked child, as it belongs to the parent."""
     global _worker, _turn, _inherited
     _worker, _turn, _inherited = None, Lock(), _worker
 
@@ -140,7 +141,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def serve() -> None:
-    """Answer requests in the worker process, until its input ends."""
+    """Answer requests in the worker process until its input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     requests, answers = sys.stdin.buffer, sys.stdout.buffer
     while True:

@@ -16,8 +16,7 @@ from flint import arb
 
 from rigidsym import _inputs as inputs
 from rigidsym.precise import PreciseMotion
-from rigidsym.precise._adaptive import GUARD_BITS
-from rigidsym.precise._balls import ball, bits_of, power, working
+from rigidsym.precise._balls import GUARD_BITS, ball, bits_of, power, working
 from rigidsym.precise._taylor import integrate
 from rigidsym.solution._polhode import Regime, discriminant
 from rigidsym.validate.strata._sample import Numbers, Sample

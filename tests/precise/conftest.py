@@ -5,7 +5,7 @@ import time
 
 import pytest
 
-from rigidsym.precise import _adaptive as adaptive
+from rigidsym.precise import _balls as balls
 from rigidsym.precise import _worker as worker
 
 
@@ -21,6 +21,6 @@ def _spent():
 @pytest.fixture
 def processor_time(monkeypatch):
     """Return the clock by which `max_seconds` counts here: the time of processors."""
-    for module in (adaptive, worker):
+    for module in (balls, worker):
         monkeypatch.setattr(module, "perf_counter", _spent)
     return _spent

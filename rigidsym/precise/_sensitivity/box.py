@@ -1,4 +1,4 @@
-"""A box of bodies and rates, or a part of it: its middle, exactly, and its numbers with slopes.
+"""Boxes of bodies and rates, and parts of boxes: their middles, exactly, and numbers with slopes.
 
 A part is cut out by slabs: low <= g . (x - middle of the box) <= high for some directions g.  With
 V the matrix of these directions and any W, the deviation of inputs from the part's middle is
@@ -35,9 +35,9 @@ _PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
 
 @dataclass(frozen=True)
 class Slab:
-    """low <= direction . (inputs - middles of the whole box) <= high, by the open inputs (n).
+    """A slab low <= direction . d <= high, exactly in doubles.
 
-    All numbers are doubles, exactly.
+    d: the open inputs (n) less their middles in the whole box.
     """
 
     direction: tuple[float, ...]
@@ -59,7 +59,7 @@ class Box:
 
     @cached_property
     def open(self) -> list[int]:
-        """The indices of the uncertain `INPUTS`; the first one if all are exact."""
+        """The indices of the uncertain `INPUTS`, or of the first one if all are exact."""
         return [k for k, x in enumerate(self._given) if radius(x)] or [0]
 
     @property
@@ -94,7 +94,7 @@ class Box:
         if self.limits is None or not self.slabs:
             return [Fraction(0)] * len(self.open)
         found = self.limits.mean(axis=1)
-        scaled = np.array(self._directions) * self.radii
+        scaled = np.array([slab.direction for slab in self.slabs]) * self.radii
         wanted = np.array([(slab.low + slab.high) / 2 for slab in self.slabs])
         inverse = np.linalg.pinv(scaled)
         for _ in range(_PROJECTIONS):
@@ -116,20 +116,22 @@ class Box:
     @cached_property
     def radii(self) -> np.ndarray:
         """The radii of the open inputs (n,) in doubles; infinite beyond their range."""
-        return np.array([_double(radius(self._given[k])) for k in self.open])
+        return np.array(list(map(_double, self._radii)))
+
+    @cached_property
+    def _radii(self) -> list[Fraction]:
+        return [radius(self._given[k]) for k in self.open]
 
     @cached_property
     def _left(self) -> list[arb]:
         """The open inputs of the part, less the middles of the box."""
-        radii = [radius(self._given[k]) for k in self.open]
         if self.limits is None or not self.slabs:
-            return [arb(0, ball(r).upper()) for r in radii]
-        ends = zip(self.limits.tolist(), radii, strict=True)
-        return [ball(Fraction(x) * r).union(ball(Fraction(y) * r)) for (x, y), r in ends]
+            return [arb(0, ball(r).upper()) for r in self._radii]
+        low, high = map(self._unscaled, self.limits.T)
+        return [ball(x).union(ball(y)) for x, y in zip(low, high, strict=True)]
 
     def _unscaled(self, values: np.ndarray) -> list[Fraction]:
-        given = zip(values.tolist(), self.open, strict=True)
-        return [Fraction(x) * radius(self._given[k]) for x, k in given]
+        return [Fraction(x) * r for x, r in zip(values.tolist(), self._radii, strict=True)]
 
     @cached_property
     def along(self) -> arb_mat:
@@ -144,7 +146,7 @@ class Box:
 
     @cached_property
     def sides(self) -> arb_mat:
-        """The variables of slopes (s + n, 1): along the slabs' directions, and the inputs."""
+        """The variables of slopes (s + n, 1): the inputs along the slabs' directions, and all."""
         return arb_mat([*self.along.tolist(), *self.inputs.tolist()])
 
     @cached_property
@@ -159,16 +161,14 @@ class Box:
     def _across(self) -> arb_mat:
         """1 - W V (n, n)."""
         unit = arb_mat(len(self.open), len(self.open), 1)
-        return unit - self._back * arb_mat(self._directions) if self.slabs else unit
+        return unit - self._back * self._directions if self.slabs else unit
 
     @cached_property
     def _back(self) -> arb_mat:
         """W (n, s), the pseudoinverse of the slabs' directions, inputs in units of their radii."""
-        directions = arb_mat(self._directions)
-        squares = [ball(radius(self._given[k])) ** 2 for k in self.open]
-        rows = zip(directions.transpose().tolist(), squares, strict=True)
-        weighted = arb_mat([[x * square for x in row] for row, square in rows])
-        return weighted * (directions * weighted).inv()
+        rows = zip(self._directions.transpose().tolist(), self._radii, strict=True)
+        weighted = arb_mat([[x * ball(r) ** 2 for x in row] for row, r in rows])
+        return weighted * (self._directions * weighted).inv()
 
     @cached_property
     def directions(self) -> dict[str, list[arb]]:
@@ -202,7 +202,7 @@ class Box:
 
     @cached_property
     def _offsets(self) -> list[arb]:
-        """The excess of `inputs` over `along`, along each slab."""
+        """The difference of `inputs` and `along` along each slab."""
         if self.limits is None:
             return []
         center = self._unscaled(self.limits.mean(axis=1))
@@ -211,17 +211,14 @@ class Box:
         return [sum((g * x for g, x in zip(row, excess, strict=True)), arb(0)) for row in rows]
 
     @property
-    def _directions(self) -> list[list[float]]:
-        return [list(slab.direction) for slab in self.slabs]
+    def _directions(self) -> arb_mat:
+        """V (s, n), the slabs' directions."""
+        return arb_mat([list(slab.direction) for slab in self.slabs])
 
     @property
     def is_sphere(self) -> bool:
         """True if all moments are one exact number."""
         return self._is_sphere_amid and not is_uncertain(*self.inertia)
-
-    @property
-    def _holds_sphere(self) -> bool:
-        return all(x.overlaps(y) for x, y in combinations(self._wholes[3:], 2))
 
     @property
     def _is_sphere_amid(self) -> bool:
@@ -234,29 +231,26 @@ class Box:
 
     @cached_property
     def point(self) -> Columns:
-        """The formulas for the middle."""
+        """The formulas of sensitivities for the middle."""
         inertia, omega0 = (list(map(ball, values)) for values in self.middles)
         functions = {"power": balls.power}
         return Columns(inertia, omega0, STILL, self._axes, functions, self._is_sphere_amid)
 
     @cached_property
     def whole(self) -> Columns:
-        """The formulas for all of the box."""
+        """The formulas of sensitivities for all motions of the part."""
         omega0, inertia = (list(map(self._sloped, places)) for places in (range(3), range(3, 6)))
         functions = {"power": power}
-        product = self._product() if self._holds_sphere else None
+        product, rates, moments = None, self._wholes[:3], self._wholes[3:]
+        if all(x.overlaps(y) for x, y in combinations(moments, 2)):  # they may be a sphere's
+            # The product of all rates is at most (|omega|^2/3)^(3/2) at any time, as the geometric
+            # mean of the squares is at most their mean; and |omega|^2 is at most twice the energy
+            # over the least moment.
+            squares = zip(moments, (balls.power(w, 2) for w in rates), strict=True)
+            energy = sum((c * square for c, square in squares), arb(0))
+            mean = energy / reduce(arb.min, moments) / 3
+            product = arb(0, (mean.sqrt() ** 3).upper())
         return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere, product)
-
-    def _product(self) -> arb:
-        """Return a bound of the product of all rates at any time.
-
-        It is at most (|omega|^2/3)^(3/2), as the geometric mean of the squares is at most their
-        mean; and |omega|^2 is at most twice the energy over the least moment.
-        """
-        omega, moments = self._wholes[:3], self._wholes[3:]
-        least = reduce(arb.min, moments)
-        energy = sum((c * balls.power(w, 2) for c, w in zip(moments, omega, strict=True)), arb(0))
-        return arb(0, ((energy / least / 3).sqrt() ** 3).upper())
 
     def _sloped(self, k: int) -> Sloped:
         whole = self._wholes[k]
@@ -268,7 +262,7 @@ class Box:
 
     @cached_property
     def _wholes(self) -> list[arb]:
-        """Rates and moments of the part."""
+        """The balls of the rates and moments of the part."""
         wholes = [ball(middle(x)) for x in self._given]
         for k, left in zip(self.open, self._left, strict=True):
             wholes[k] += left
@@ -303,9 +297,9 @@ def _share(
     along: arb,
     side: arb,
 ) -> float:
-    """Return the multiple of a direction to count along the slab instead of in the slopes.
+    """Return the multiple of a slab's direction to count along the slab instead of in the slopes.
 
-    It makes the range least, at one of the corners of this piecewise linear function.
+    It makes the range of the number least, at one of the corners of this piecewise linear function.
     """
     have, half = float(along.mid()), float(side.rad())
     corners = [0.0, *(x / g for x, g in zip(slopes, direction, strict=True) if g)]

@@ -1,4 +1,4 @@
-"""Derivatives of rates and attitude by the rates at t = 0 and moments, by the ledger's formulas.
+"""Derivatives of rates and attitude by initial rates and moments, by the ledger's formulas.
 
 Numbers are of any kind that mixes with integers.  Columns have the names of the inputs: Omega1 to
 Omega3, c1 to c3.
@@ -36,8 +36,10 @@ _WAYS = tuple(f"Omega_{x}_{way}" for x in AXES for way in "kr")
 
 @dataclass(frozen=True)
 class Columns:
-    """A motion: moments (3), rates (3) and unit attitude (4) at t = 0, and which axes are a, b, d.
+    """Formulas of the sensitivities of a motion: the columns of derivatives by the inputs.
 
+    inertia, omega0, start: moments (3), rates (3) and unit attitude (4) at t = 0. axes: the indices
+    of the axes a, b, d.
     is_sphere: the rates are constant.
     product: the product of all rates at any time, given where moments may be equal.
     """
@@ -52,13 +54,14 @@ class Columns:
 
     @cached_property
     def constants(self) -> Mapping[str, Any]:
-        """The constants of the rates, among them p, r and `apart`, which is p - r."""
+        """The constants of the rates, which include p, r and `apart` = p - r."""
         known = _lettered(self.inertia, self.omega0, self.axes)
         return self._of("columns", self._of("moments", known))
 
     def rates(self, t: Any, elapsed: Mapping[str, Any]) -> Named:
-        """Return rates, their columns and excesses, with the functions of elapsed time.
+        """Return the rates at a time with their columns and excesses.
 
+        elapsed: the functions of elapsed time.
         Names have the numbers of the axes.  An excess is the integral of the square of a rate, less
         that of its value at t = 0.  A column is
 
@@ -105,12 +108,12 @@ class Columns:
         return {f"excess_{x}": self.constants[f"alpha_{x}"] * (t * t * self.product) for x in AXES}
 
     def turned(self, t: Any, rates: Mapping[str, Any], attitude: Sequence[Any]) -> Named:
-        """Return columns of small turns in space, also by the time, and the attitude's matrix R."""
+        """Return the columns of small turns in space, also by the time, and the rotation matrix."""
         known = {**self.begun, **rates, **{f"q{k}": x for k, x in enumerate(attitude)}}
         return self._of("turn", {**known, "t": t})
 
     def rotation(self, attitude: Sequence[Any]) -> Named:
-        """Return the matrix of an attitude, R11 to R33, from the body to space."""
+        """Return the rotation matrix R11 to R33 of an attitude, from the body to space."""
         known = {f"q{k}": x for k, x in enumerate(attitude)}
         return sequence("turn").up_to(_ROTATION).evaluate(known, self.functions)
 
@@ -132,7 +135,7 @@ class Columns:
 
 @cache
 def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
-    """Return the formulas of changes with p and r alone, and all others; f = D_t F_t is given."""
+    """Return the formulas of changes with p and r alone, and all other formulas but f = D_t F_t."""
     formulas = [x for x in sequence("sensitivity").formulas if x[0] != "f"]
     ways = FormulaSequence(formulas).up_to(frozenset([*_WAYS, *(f"Omega_{x}" for x in AXES)]))
     names = {name for name, _ in ways.formulas}
@@ -148,7 +151,7 @@ def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[in
 def parameters(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], axes: Sequence[int]
 ) -> list[Fraction]:
-    """Return p, r and p - r, exactly."""
+    """Return p, r and p - r of a motion, exactly."""
     known: Named = _lettered(inertia, omega0, axes)
     for name, wanted in (("moments", _COEFFICIENTS), ("columns", _PARAMETERS)):
         formulas = sequence(name).up_to(frozenset(wanted))
@@ -157,7 +160,7 @@ def parameters(
 
 
 def _lettered(inertia: Sequence[Any], omega0: Sequence[Any], axes: Sequence[int]) -> Named:
-    """Return moments and rates by the names of formulas."""
+    """Return moments and rates by the names that formulas use."""
     known: Named = {"epsilon": handedness(*axes)}
     for x, k in zip(AXES, axes, strict=True):
         known |= {f"c_{x}": inertia[k], f"Omega_{x}0": omega0[k]}
@@ -170,7 +173,7 @@ RATES = [f"Omega{k}" for k in NUMBERS]
 
 @dataclass(frozen=True)
 class TurnColumns:
-    """Changes of the turn since t = 0, seen in the body, along some directions of the inputs.
+    """Changes of the turn since t = 0 along directions of the inputs, in the axes of the body.
 
     In the body no wide number is multiplied by another; in the columns of `Columns.turned`, seen
     in space, the attitude turns all uncertainty of the rates.
@@ -184,7 +187,7 @@ class TurnColumns:
     directions: Mapping[str, Sequence[arb]]
 
     def of(self, turn: Sequence[Any]) -> list[list[Any]]:
-        """Return rows (4, m) for a turn, which is a quaternion (4)."""
+        """Return the changes (4, m) of a turn, which is a quaternion (4)."""
         rotation = self.columns.rotation(turn)
         known = {**rotation, **self._given}
         found = []
@@ -217,7 +220,7 @@ class TurnColumns:
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
     def _change(self, parts: Sequence[arb]) -> tuple[Named, list[Any]]:
-        """Return the changes along one direction: inputs about an axis change momentum along it."""
+        """Return the changes along one direction of the inputs, and those of the momentum."""
         share = dict(zip(self.directions, parts, strict=True))
         change: Named = {}
         ways = {
@@ -253,14 +256,14 @@ def combined(parts: Sequence[Any], values: Sequence[Any]) -> Any:
 
 @dataclass(frozen=True)
 class Point:
-    """Sensitivities of one motion: exact moments (3) and rates (3), unit attitude (4) at t = 0."""
+    """Sensitivities of one motion of exact moments (3) and rates (3) and unit attitude (4)."""
 
     inertia: Sequence[Fraction]
     omega0: Sequence[Fraction]
     start: Sequence[arb]
 
     def at(self, time: Fraction, attitude: Sequence[arb]) -> list[arb]:
-        """Return the numbers of `listed` at a time, for the attitude at that time."""
+        """Return the numbers of `listed` at a time, from the attitude at that time."""
         t = ball(time)
         if not any(self.omega0):
             return listed(self._at_rest(t, attitude))
@@ -268,10 +271,10 @@ class Point:
         rates = self._columns.rates(t, functions._asdict())
         return listed({**rates, **self._columns.turned(t, rates, attitude)})
 
-    def _at_rest(self, t: arb, attitude: Sequence[arb]) -> Mapping[str, Any]:
-        """Return the derivatives for a body at rest: a small rate turns it steadily."""
+    def _at_rest(self, t: arb, attitude: Sequence[arb]) -> Named:
+        """Return the derivatives for a body at rest, which a small rate turns steadily."""
         rotation = self._columns.rotation(attitude)
-        known: dict[str, Any] = dict.fromkeys(NAMES, 0)
+        known: Named = dict.fromkeys(NAMES, 0)
         for i in NUMBERS:
             known[f"Omega{i}_by_Omega{i}"] = 1
             known |= {f"eta{i}_by_Omega{k}": t * rotation[f"R{i}{k}"] for k in NUMBERS}
@@ -307,7 +310,7 @@ STAYS = {f"{x}{i}_by_eta{k}": int(x == "eta" and i == k)
 
 
 def listed(found: Mapping[str, Any]) -> list[arb]:
-    """Return the derivatives of the small turn in space (3, 9) and of the rates (3, 9).
+    """List the derivatives of the small turn in space (3, 9) and of the rates (3, 9).
 
     These are by the small turn, rates and moments at t = 0; those by the time (3 each) follow.
     """

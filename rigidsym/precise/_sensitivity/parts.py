@@ -18,8 +18,16 @@ import numpy as np
 from flint import arb, arb_mat
 
 from rigidsym._inputs import middle, radius
-from rigidsym.precise._adaptive import TOO_UNCERTAIN, AdaptivePrecision
-from rigidsym.precise._balls import BITS_PER_DIGIT, ball, intersection, is_within, unit, working
+from rigidsym.precise._balls import (
+    BITS_PER_DIGIT,
+    TOO_UNCERTAIN,
+    AdaptivePrecision,
+    ball,
+    intersection,
+    is_within,
+    unit,
+    working,
+)
 from rigidsym.precise._evaluation import State
 from rigidsym.precise._flow import euler_factor, rate_bounds
 from rigidsym.precise._motion import PreciseMotion

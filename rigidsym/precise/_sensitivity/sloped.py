@@ -1,4 +1,4 @@
-"""Numbers over a box of inputs, with slopes: the mean value form, carried through arithmetic.
+"""Arithmetic of the mean value form: numbers over a box of inputs with slopes.
 
 A quantity f has its value at the middle of the box, the ball of its values, and slopes s with
 
@@ -21,7 +21,11 @@ Operand = Union["Sloped", arb, int]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sloped:
-    """A number over a box (n, 1) of inputs less their middles: middle, slopes (1, n) and whole."""
+    """A number over a box of inputs.
+
+    middle: its value at the middle of the box. slopes (1, n): by the inputs. whole: the ball of all
+    values. box (n, 1): the inputs less their middles.
+    """
 
     middle: arb
     slopes: arb_mat
@@ -30,7 +34,7 @@ class Sloped:
 
     @classmethod
     def of(cls, middle: arb, slopes: arb_mat, whole: arb, box: arb_mat) -> "Sloped":
-        """Return the number, its values restricted to those that the slopes allow."""
+        """Return the number with its values restricted to those that the slopes allow."""
         return cls(middle, slopes, intersection(middle + (slopes * box)[0, 0], whole), box)
 
     def deviation(self) -> arb:
@@ -75,7 +79,7 @@ class Sloped:
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Sloped":
-        """Return the square root; no number where the radicand may be negative."""
+        """Return the square root, which is NaN where the radicand may be negative."""
         middle, whole = self.middle.sqrt(), self.whole.sqrt()
         return self.of(middle, self.slopes / (middle + whole), whole, self.box)
 
@@ -89,11 +93,8 @@ def power(x: Operand, exponent: int) -> "Sloped | arb":
     """Return a power with a positive exponent, by squares and products."""
     if not isinstance(x, Sloped):
         return balls.power(arb(x), exponent)
-    return _power(x, exponent)
-
-
-def _power(x: Sloped, exponent: int) -> Sloped:
     if exponent == 1:
         return x
-    square = _power(x, exponent // 2).square()
-    return square * x if exponent % 2 else square
+    half = power(x, exponent // 2)
+    assert isinstance(half, Sloped)
+    return half.square() * x if exponent % 2 else half.square()
