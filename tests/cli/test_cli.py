@@ -19,7 +19,7 @@ import pytest
 import rigidsym
 from derivations import CHAPTERS
 from rigidsym._cli import main
-from rigidsym._codegen import Generated
+from rigidsym._codegen import TARGETS, Generated
 from rigidsym._codegen.lines import handwritten
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
@@ -81,6 +81,14 @@ def test_help_is_cheap():
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.rstrip().endswith("bad input") or found.stdout.endswith("\n\n")
     assert all(command in found.stdout for command in COMMANDS)
+
+
+def test_bad_observations_are_one_line(tmp_path, refused):
+    path = tmp_path / "none.csv"
+    path.write_text("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n")
+    assert refused("fit", path, "--sigma-attitudes", "0.1") == (
+        "rigidsym fit: attitudes.times[1] = 0.0: must be later than the time before it"
+    )
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -506,24 +514,23 @@ def test_uncertain_inputs_enclose_every_motion_they_allow(case, run):
     assert max(rad for _, rad in found[2]) > Fraction(1, 10**7)
 
 
-@pytest.mark.parametrize("arguments", [[], ["--digits", "20"], ["--format", "json"]])
-def test_only_enclose_takes_uncertain_inputs(arguments, case, refused):
-    case.write_text(UNCERTAIN)
-    error = refused("propagate", case, *arguments)
-    assert "inertia[0] = 0.0109 +/- 0.000001: is uncertain" in error
-
-
-@pytest.mark.parametrize("text", [CASE, UNCERTAIN])
-def test_a_time_that_is_over_exits_1(text, case, refused):
+@pytest.mark.parametrize(
+    ("text", "arguments", "status", "message"),
+    [
+        *((UNCERTAIN, x, 2, "inertia[0] = 0.0109 +/- 0.000001: is uncertain")
+          for x in ("", "--digits 20", "--format json")),
+        *((x, "--enclose --max-seconds 1e-9", 1, "t = 0: ") for x in (CASE, UNCERTAIN)),
+        (UNCERTAIN.replace("1e-6", "1e-3"), "--enclose --method carlson", 1, "too uncertain"),
+    ],
+)  # fmt: skip
+def test_what_is_uncertain_or_late_is_refused(text, arguments, status, message, case, refused):
+    """Only --enclose takes uncertain inputs; a time limit and wide inputs exit with 1."""
     case.write_text(text)
-    error = refused("propagate", case, "--enclose", "--max-seconds", "1e-9", status=1)
-    assert "t = 0: " in error
+    assert message in refused("propagate", case, *arguments.split(), status=status)
 
 
-def test_inputs_that_say_nothing_exit_1(case, run, refused):
+def test_wide_inputs_are_enclosed_by_default(case, run):
     case.write_text(UNCERTAIN.replace("1e-6", "1e-3"))
-    error = refused("propagate", case, "--enclose", "--method", "carlson", status=1)
-    assert "too uncertain" in error
     run("propagate", case, "--enclose")
 
 
@@ -703,6 +710,8 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, refused):
         ("methods --digits 100001", "digits = 100001: must be a whole number"),
         ("methods -o /dev/null/inside", "cannot be written"),
         ("trace", "takes either"),
+        *((f"codegen {target}", "output = missing: give -o DIR") for target in TARGETS),
+        (f"derive {CHAPTERS[0]} --in-place", "in-place = given: is for all chapters"),
         ("reproduce -o /dev/null/inside", "cannot be written"),
         ("validate -o /dev/null/inside", "cannot be written"),
         ("trace torque_free.py:x", "must be FILE:LINE or FILE"),
