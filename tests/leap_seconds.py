@@ -1,4 +1,4 @@
-"""Leap seconds as the IERS tells them."""
+"""Table of leap seconds by the IERS."""
 
 # TAI - UTC from 0 h UTC of that day on, s: tai-utc.dat.
 TAI_MINUS_UTC = {

@@ -112,7 +112,7 @@ def test_the_generated_module_sees_the_regime_that_exact_arithmetic_sees(stratum
 
 
 def test_exact_decision_survives_total_cancellation():
-    """One ulp on either side of an exact separatrix is circulation about different axes."""
+    """One ulp on either side of the separatrix changes the axis of circulation."""
     for omega, axis in ((1.0, 2), (math.nextafter(1.0, 2), 2), (math.nextafter(1.0, 0), 0)):
         prepared = torque_free.prepare((1.0, 2.0, 2.25), (0.75, 0.5, omega))
         assert prepared["axes"][0, 0] == axis
@@ -203,7 +203,7 @@ def test_numbers_of_every_kind(kind):
 @pytest.mark.parametrize("whole", [3, 2**53, 2**53 + 1, 2**62], ids=str)
 @pytest.mark.parametrize("given", [tuple, list, np.array, np.float64], ids=lambda x: x.__name__)
 def test_whole_numbers_and_arrays_are_what_they_say(given, whole):
-    """Those that no double is, too."""
+    """Whole numbers beyond 2^53 are exact, too."""
     numbers = [given(values) for values in ((whole, whole, 2), (1, -2, 0), (0, 3, 0, 4))]
     motion = TorqueFreeMotion(*numbers)
     exact = [[Fraction(int(x)) for x in values] for values in numbers]
@@ -337,7 +337,7 @@ def test_at_t_0_the_state_is_the_given_one_to_the_bit(t):
     ],
 )
 def test_decimals_on_the_separatrix_stay_on_it(inertia, omega):
-    """Their doubles are on another polhode, radians away after a thousand seconds."""
+    """Rounded to doubles, these motions would be wrong by radians after a thousand seconds."""
     motion = TorqueFreeMotion(inertia, omega)
     times = [1.0, 100.0, -1000.0, 3000.0]
     q, w = motion(times)

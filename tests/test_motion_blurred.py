@@ -38,7 +38,7 @@ CASES = {
 
 
 def shuffled(case, number):
-    """A case with its axes in some order and its rates of some signs."""
+    """Return a case with permuted axes and changed signs of rates."""
     inertia, omega = CASES[case]
     order, signs = ORDERS[number % len(ORDERS)], SIGNS[(5 * number + 3) % len(SIGNS)]
     return [inertia[k] for k in order], [signs[k] * omega[k] for k in order]
@@ -69,7 +69,7 @@ def test_states_are_right_up_to_the_time_that_is_told(case, number, engine):
 
 @pytest.mark.parametrize("case", ["the least tilts of a fast spin", "tilts of two sizes"])
 def test_the_time_is_not_much_too_short(case, engine):
-    """Soon after it the body has left its spin."""
+    """Soon after the last time, the body leaves its spin."""
     motion = TorqueFreeMotion(*CASES[case], engine=engine)
     last = last_time(motion)
     _, omega = motion.precise([last, 1.05 * last], 10)

@@ -87,7 +87,7 @@ def test_they_are_those_that_expressions_have(body, rates):
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
 @pytest.mark.parametrize(("body", "rates"), MOVING)
 def test_mean_rates_are_those_of_the_motion(body, rates, order):
-    """Means over a period, by sums that are exact for periodic functions."""
+    """Sums over a period are exact means of periodic functions."""
     motion = TorqueFreeMotion([body[k] for k in order], [rates[k] for k in order])
     t = np.arange(400) * (motion.period / 400)
     assert np.allclose(motion(t)[1].mean(axis=0), motion.mean_rates, rtol=0, atol=2e-14)
@@ -122,7 +122,7 @@ def test_constant_rates_have_no_period(rates, size):
 
 
 def test_quantities_of_extreme_sizes():
-    """Squares of which no double holds."""
+    """Squares of these quantities leave binary64."""
     motion = TorqueFreeMotion(("1e-100",) * 2 + ("1.5e-100",), ("1e-150", 0, "1e-150"))
     assert motion.momentum == pytest.approx(math.sqrt(3.25) * 1e-250, rel=1e-15, abs=0)
     assert motion.period == pytest.approx(2 * math.pi / 0.5e-150, rel=1e-14)

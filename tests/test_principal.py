@@ -1,4 +1,4 @@
-"""Principal axes: the tensor comes back, motions agree in both axes, bad tensors are refused."""
+"""Principal axes reproduce the tensor, convert motions, and refuse bad tensors."""
 
 import math
 from fractions import Fraction
@@ -159,7 +159,7 @@ RATES, ATTITUDE = np.array([0.1, 0.7, -0.3]), np.array([2.0, -1.0, 3.0, 1.0])
 
 
 def along_given_axes(tensor, rates, t):
-    """q and omega of the given axes, and the sensitivity of the same."""
+    """Return q, omega and the sensitivity along the given axes."""
     axes = principal_axes(tensor)
     motion = TorqueFreeMotion(axes.moments, *axes.to_principal(rates, ATTITUDE))
     q, omega, found = motion.sensitivity(t)

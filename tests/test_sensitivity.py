@@ -1,4 +1,4 @@
-"""Sensitivities of motions: shapes, frames, and strata against differences of many digits."""
+"""Sensitivities agree with differences of many digits in all strata; shapes and frames."""
 
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -43,7 +43,7 @@ SPINS = [(0.73, 1.21, 1.58), (1.58, 0.73, 1.21), (1.21, 1.58, 0.73)]
 @pytest.mark.parametrize("across", [1e-3, 4.6e-13, 1e-40, 1e-85])
 @pytest.mark.parametrize("inertia", SPINS)
 def test_columns_by_the_moments_keep_their_digits_near_a_spin(inertia, across, engine):
-    """They are as small as the rates across, and sums of numbers that are not."""
+    """These columns are small sums of larger numbers."""
     omega0 = (1.3, -1.3 * across, -1.4 * across)
     one, times = TorqueFreeMotion(inertia, omega0, (2, -1, 3, 1), engine=engine), (-3.0, 10.0, 40.0)
     _, _, found = one.sensitivity(times)
@@ -179,7 +179,7 @@ SOME = [names for count in range(1, 5) for names in combinations(COLUMNS, count)
 
 
 def _chosen(whole, names):
-    """What the whole has of some columns."""
+    """Return the chosen columns of a whole result."""
     wanted = [3 * COLUMNS.index(name) + k for name in names if name != "t" for k in range(3)]
     by_t = slice(None) if "t" in names else slice(0)
     q, omega, attitude, rates, attitude_t, rates_t = whole

@@ -98,7 +98,7 @@ def test_units_do_not_matter(engine, scale):
 @pytest.mark.parametrize("steps", [2000, pytest.param(10**6, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("kind", ["uniform", "separatrix", "near sphere", "rod", "flat"])
 def test_energy_and_momentum_drift_no_faster_than_a_random_walk(kind, steps):
-    """Near a sphere rates change by an ulp a step, and rounding to nearest erred one way."""
+    """Near a sphere rates change by an ulp per step, which once was rounded one way."""
     for drift in drifts(steps, bodies=16, kinds=(kind,)):
         assert drift.rms[steps] <= 3 * math.sqrt(steps)
 
@@ -127,7 +127,7 @@ def test_bad_input_is_one_line(engine, changes, message):
 
 
 def drawn(seed, cases=4):
-    """Rows of moments, attitude, rates and a time within a turn, of every stratum."""
+    """Return moments, attitude, rates and a time within a turn, for every stratum."""
     rows = []
     for stratum in STRATA:
         for index in range(cases):
@@ -139,12 +139,12 @@ def drawn(seed, cases=4):
 
 
 def bits(state):
-    """The bytes of q and omega, in which zeros have signs."""
+    """Return the bytes of q and omega, which include signs of zeros."""
     return [x.tobytes() for x in state]
 
 
 def outcome(*args, **options):
-    """What a step returns or raises, by kind and text."""
+    """Return the arrays and warnings of a step, or the type and text of its error."""
     try:
         with warnings.catch_warnings(record=True) as heard:
             warnings.simplefilter("always")
@@ -170,7 +170,7 @@ def test_one_body_has_the_bits_that_it_has_in_a_batch(engine):
 
 
 def test_most_bodies_go_the_short_way(engine):
-    """Not those that are flat but for rounding, or whose numbers overflow when they are added."""
+    """Flat bodies and numbers whose sums overflow take the long way."""
     found = [steps._one(*row, engine, None) for row in drawn(3)]
     assert sum(x is not None for x in found) > 0.9 * len(found)
     assert steps._one(BODY, START, RATES, 300.0, engine, None) is None
@@ -242,7 +242,7 @@ def test_an_unknown_engine_is_refused_last(monkeypatch):
 
 
 def outputs():
-    """Inputs and outputs of every kind, anew at each call."""
+    """Yield new inputs and outputs of every kind."""
     inertia, q, omega = map(np.array, (BODY, START, RATES))
     state, whole = np.array([*START, *RATES]), np.zeros(20)
     read_only = np.zeros(3)

@@ -1,4 +1,4 @@
-"""An asymmetric motion from inertia and rates: draws, axes, constants and quaternions by mpmath.
+"""Reference for asymmetric motions by mpmath: random bodies, constants, quaternions.
 
 Nothing here comes from the project, so that what it derives can be compared.
 """
@@ -19,7 +19,7 @@ FAMILIES = [(order, about) for order in ORDERS for about in CIRCULATIONS]
 
 
 def draw(order, about, signs, seed=0):
-    """(inertia, omega, attitude), exact, off every edge; axis k has the moment of rank order[k]."""
+    """Draw exact inertia, omega and attitude; axis k has the moment of rank order[k]."""
     random = Random(f"{seed}/{order}/{about}/{signs}")
     while True:
         moments = sorted(Fraction(random.randint(20, 99), 10) for _ in range(3))
@@ -34,7 +34,7 @@ def draw(order, about, signs, seed=0):
 
 @dataclass
 class Motion:
-    """The constants of Jacobi's solution after one descent, axes (a, b, d) by what they do."""
+    """Constants of Jacobi's solution after one descending Landen transformation."""
 
     inertia: tuple[Fraction, ...]
     omega: tuple[Fraction, ...]
@@ -76,13 +76,13 @@ def root(value: Fraction) -> Any:
 
 
 def exactly(value: Any) -> Fraction:
-    """The rational that an mpf is."""
+    """Convert an mpf to the equal rational."""
     sign, mantissa, exponent, _ = value._mpf_
     return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def multiply(p, q):
-    """The Hamilton product, scalar first."""
+    """Return the Hamilton product, scalar first."""
     (a, b, c, d), (e, f, g, h) = p, q
     return [
         a * e - b * f - c * g - d * h,

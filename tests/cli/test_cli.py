@@ -51,7 +51,7 @@ def shell(command):
 
 @pytest.fixture
 def sealed_once(monkeypatch):
-    """The kernel's decision on a form of a module, which each `codegen` asks for, is kept."""
+    """Let the kernel decide about each generated module once per test."""
     from rigidsym._codegen import seal
 
     for name in ("seal", "seal_text"):
@@ -97,7 +97,7 @@ def test_every_command_explains_itself(command, run):
 
 
 def test_reproduce_leaves_what_is_sealed_and_committed(reproduced):
-    """The main job, whole: what it derives and generates has the bytes that other runs left."""
+    """The main job derives and generates the same bytes as other runs."""
     files, package = reproduced / "files", Path(rigidsym.__path__[0])
     generated = ["c.map.json", "numpy.map.json", *(f"torque_free.{x}" for x in ("c", "h", "py"))]
     others = {name: package / "generated" / name for name in generated}
@@ -115,7 +115,7 @@ def test_reproduce_leaves_what_is_sealed_and_committed(reproduced):
 
 @pytest.mark.slow
 def test_reproduce_writes_the_same_bytes_twice(reproduced, tmp_path):
-    """Whole, under two hash seeds."""
+    """Run the whole main job under another hash seed."""
     found = process("reproduce", "-o", tmp_path, PYTHONHASHSEED="2")
     assert found.returncode == 0, found.stderr
     for path in (reproduced / "files").iterdir():
@@ -140,7 +140,7 @@ print(validation.to_json(), report(result), *(module.files for module in modules
 
 
 def test_what_reproduce_writes_does_not_depend_on_the_hash_seed():
-    """A small validation and one chapter; the whole ledger is compared with the sealed one."""
+    """Run a small validation and one chapter in two processes with different hash seeds."""
     begun = [
         subprocess.Popen(
             [sys.executable, "-c", WRITTEN], stdout=subprocess.PIPE, text=True,
@@ -305,7 +305,7 @@ def test_trace_of_a_file_counts_its_lines_as_the_head_does(file, run):
 
 
 def counted(file):
-    """Derived lines by what the comments say, and those of the runtime by the audit."""
+    """Count derived lines by their comments, and lines of the runtime by the audit."""
     lines = (Path(rigidsym.__path__[0]) / "generated" / file).read_text("utf-8").splitlines()
     for kind in ("fact", "classical", "arithmetic"):
         yield sum(bool(re.search(rf"(  # |; /\* ){kind}(:| \*/|$)", line)) for line in lines)
@@ -364,7 +364,7 @@ def test_one_case_is_printed_as_json_alone(run):
 
 
 def heeding():
-    """Jobs that a shell puts behind it ignore interrupts, and what they start does, too."""
+    """Handle interrupts, which background jobs of a shell and their children ignore."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
@@ -536,7 +536,7 @@ def test_wide_inputs_are_enclosed_by_default(case, run):
 
 @pytest.mark.parametrize("method", [(), ("--method", "flow")])
 def test_boxes_across_a_boundary_are_enclosed(method, case, run, refused):
-    """A spin with an uncertain tilt: no method that knows the regime takes it."""
+    """Methods that need the regime refuse a spin with an uncertain tilt."""
     spin = CASE.replace("[0.05, 0.03, -0.02]", '["{}", 0, "0.5"]')
     assert spin != CASE
     case.write_text(spin.format("0 +/- 1e-9"))

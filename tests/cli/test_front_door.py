@@ -121,7 +121,7 @@ def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, run, r
 
 @pytest.fixture
 def replayed(monkeypatch):
-    """The sealed ledger without replaying it, which other tests do."""
+    """Skip the replay of the sealed ledger, which other tests do."""
     monkeypatch.setattr("rigidsym._cli.proofs.replayed", ledger_text)
 
 
@@ -243,7 +243,7 @@ def test_methods_end_with_a_conclusion():
 
 
 def test_faults_end_with_a_conclusion():
-    """Who notices how many, and whether any is missed."""
+    """The conclusion counts the faults that strata notice and those that none does."""
     fault = all_faults()[0]
     seen = [detection.Detection(stratum, 0, ("angle",)) for stratum in ("rest", "rod")]
     outcomes = (FaultOutcome(fault, tuple(seen)), FaultOutcome(fault, (seen[0],)))

@@ -1,4 +1,4 @@
-"""`propagate`: which bodies can exist, what is refused or NaN instead, and whose memory it is."""
+"""`propagate` with many bodies: refused bodies, NaN, blocks, times of bodies, and memory."""
 
 import math
 from fractions import Fraction
@@ -35,7 +35,7 @@ FLAT, IMPOSSIBLE = (1, 2, 3.0000000000000004), (1, 1, 5)
     ],
 )
 def test_which_bodies_can_exist(moments, exists, engine):
-    """One rule for a body and for bodies, wherever they stand."""
+    """The rule is the same for one body and for batches, in any order of axes."""
     for order in ([0, 1, 2], [1, 2, 0], [2, 1, 0]):
         one = [moments[k] for k in order]
         if exists:

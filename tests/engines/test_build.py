@@ -1,4 +1,4 @@
-"""Building and keeping the C library: what is compiled when, and what is said when it cannot be."""
+"""The C library is built once, cached and checked; failures give one warning."""
 
 import os
 import re
@@ -51,7 +51,7 @@ def stub(digit):
 
 @pytest.fixture(autouse=True)
 def fresh(monkeypatch, tmp_path):
-    """An empty cache, sources that compile at once, and nothing found yet in this process."""
+    """Start each test with an empty cache, small sources and no engine in C."""
     monkeypatch.setenv("RIGIDSYM_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(build, "package_sources", lambda _: stub("a"))
@@ -62,7 +62,7 @@ def fresh(monkeypatch, tmp_path):
 
 @pytest.fixture
 def wrapped(monkeypatch, tmp_path):
-    """A function that makes a script the compiler, and the file of its calls that compile.
+    """Return a function that replaces the compiler by a script and returns its log.
 
     The script compiles without optimising: these tests are about who builds what, and when.
     """
@@ -89,7 +89,7 @@ def calls(log):
 
 
 def obtained():
-    """The remarks of one start of a process."""
+    """Load the library as a new process does; return the warnings."""
     remarks = []
     build.library(remarks)
     return remarks
@@ -100,7 +100,7 @@ def kept():
 
 
 def heard(name="c"):
-    """The engine that a call gets, and what it warns of."""
+    """Return the engine of a name and the warnings of that call."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         found = engine(name)
@@ -362,7 +362,7 @@ def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
     ],
 )  # fmt: skip
 def test_options_that_reorder_sums_are_told(monkeypatch, engine, more, error, rule):
-    """Steps ask for what no macro tells."""
+    """The module of steps also detects what no macro reveals."""
     options = f"-fassociative-math -fno-signed-zeros -fno-trapping-math{more}"
     monkeypatch.setenv("CC", f"{SYSTEM} {options}")
     monkeypatch.setattr(build, "package_sources", OF_THE_PACKAGE)

@@ -1,4 +1,4 @@
-"""States of the C engine against those of NumPy and of `precise`, and what it refuses."""
+"""The C engine agrees with NumPy and `precise`, and refuses the same input."""
 
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -34,7 +34,7 @@ BODIES = {
 
 @pytest.fixture(scope="session")
 def c():
-    """The engine, from the user's cache if it is there."""
+    """Return the engine in C, whose library may be in the user's cache."""
     remarks = []
     try:
         found = build.library(remarks)
@@ -51,7 +51,7 @@ def many_threads(monkeypatch):
 
 
 def assert_near(states, expected, omega0, times_bound=1):
-    """Components of the quaternion are half as wrong as the rotation angle."""
+    """Compare states; errors of quaternions are half those of rotation angles."""
     size = float(np.max(np.abs(omega0))) or 1.0
     for got, wanted, bound in zip(states, expected, (1e-15, 2e-15 * size), strict=True):
         assert np.all(np.abs(got - np.array(wanted, float)) <= times_bound * bound)
@@ -165,7 +165,7 @@ def test_grids_are_states_at_their_times(c, body, count):
 
 
 def test_many_bodies_have_the_bits_of_each_alone(c):
-    """Of every stratum, in an order that puts all branches side by side."""
+    """Draw bodies of every stratum, in an order that mixes all branches."""
     drawn = [sample for sample in strata.samples(12, 11) if sample.in_doubles]
     order = np.random.default_rng(0).permutation(len(drawn))
     given = [
@@ -297,7 +297,7 @@ REFUSED = [
 
 
 def said(call, kind):
-    """The error of a call, which has a field and a rule."""
+    """Return the error that a call raises."""
     with pytest.raises(kind, match=": ") as caught:
         call()
     return caught.value

@@ -1,4 +1,4 @@
-"""Calls from Python to C, by what the generated headers declare; wrong ones are refused."""
+"""Calls from Python to C are checked against the prototypes in generated headers."""
 
 import ctypes
 import re
@@ -39,7 +39,7 @@ def frozen(array):
 
 
 def example(parameter):
-    """An argument that a parameter takes."""
+    """Return an argument that a parameter accepts."""
     kinds = {"double": float, "int": np.intc, "size_t": np.uintp}
     if parameter.is_pointer and parameter.type not in kinds:
         return ctypes.create_string_buffer(4096)
@@ -49,7 +49,7 @@ def example(parameter):
 
 
 def wrong(parameter):
-    """Arguments that it does not take; each of them would crash, or be read as something else."""
+    """Return arguments that a parameter must refuse, because they would crash or be misread."""
     if not parameter.is_pointer:
         whole = [1.5, -1, 1 << 70] if parameter.type == "size_t" else [1.5, 1 << 40]
         return ["1", None, STATE, True, *(whole if parameter.type != "double" else [1j])]

@@ -1,4 +1,4 @@
-"""Pieces of work among threads that are kept."""
+"""Threads share pieces of work and are reused."""
 
 import os
 import threading

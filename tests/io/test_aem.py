@@ -1,4 +1,4 @@
-"""Attitude ephemeris messages: CCSDS 504.0-B-2, its text, its order and its examples."""
+"""Attitude ephemeris messages agree with the text and examples of CCSDS 504.0-B-2."""
 
 import math
 import re
@@ -84,7 +84,7 @@ def fields(text):
 
 
 def rows(text):
-    """The numbers of the data lines."""
+    """Return the numbers of the data lines."""
     lines = [line for line in text.splitlines() if re.match(r"\d{4}-", line)]
     return np.array([[float(x) for x in line.split()[1:]] for line in lines])
 
@@ -160,7 +160,7 @@ def test_a_message_is_of_the_time_of_writing_unless_it_says_another():
 
 
 def matrix_of_annex_f(q1, q2, q3, qc):
-    """M_BA of annex F2.1: from components along frame A to components along frame B."""
+    """Return M_BA of annex F2.1, which converts components in frame A to frame B."""
     return np.array([
         [q1*q1 - q2*q2 - q3*q3 + qc*qc, 2*(q1*q2 + q3*qc), 2*(q1*q3 - q2*qc)],
         [2*(q1*q2 - q3*qc), -q1*q1 + q2*q2 - q3*q3 + qc*qc, 2*(q2*q3 + q1*qc)],
@@ -181,7 +181,7 @@ def test_the_direction_is_that_of_annex_f():
 
 
 def test_the_momentum_stands_still_in_frame_a():
-    """What is written alone, with the matrix and the units of the standard: physics decides."""
+    """Compute the momentum from the written numbers alone, by the matrix of the standard."""
     found = rows(aem(sampled(MOTION, range(181)), EPOCH, **NAMES))
     inertia = np.array([0.0109, 0.04, 0.0506])
     momenta = [matrix_of_annex_f(*row[:4]).T @ (inertia * np.radians(row[4:])) for row in found]

@@ -1,4 +1,4 @@
-"""Messages read by Orekit, where it and Java are: states, times, frames and the direction."""
+"""Orekit reads messages with the right states, times, frames and direction."""
 
 from datetime import date
 from types import SimpleNamespace
@@ -20,7 +20,7 @@ TURNED = TorqueFreeMotion(PAPER.inertia, PAPER.omega0, (1, 2, -3, 4))
 
 @pytest.fixture(scope="module")
 def orekit():
-    """Orekit's parser, and what it needs to know of leap seconds."""
+    """Return Orekit's parser with its leap seconds; skip without Orekit or Java."""
     try:
         peers.peer("orekit")
     except InputError as error:
@@ -46,7 +46,7 @@ def orekit():
 
 
 def offsets(jpype):
-    """Its parser needs them for CREATION_DATE already."""
+    """Return the leap seconds, which the parser needs to read CREATION_DATE."""
     model = jpype.JClass("org.orekit.time.OffsetModel")
     day = jpype.JClass("org.orekit.time.DateComponents")
     models = jpype.JClass("java.util.ArrayList")()
@@ -58,7 +58,7 @@ def offsets(jpype):
 
 
 def states(segment, start):
-    """Seconds after an instant, quaternions, and rates about the axes of the body."""
+    """Return the times after an instant, quaternions, and body rates of a segment."""
     found = list(segment.getData().getAngularCoordinates())
     turns = [(c.getRotation(), c.getRotationRate()) for c in found]
     return (
@@ -99,7 +99,7 @@ def test_orekit_reads_the_states_back(orekit, system, epoch, motion, rates):
 
 
 def test_orekit_turns_the_frames_as_the_motion_does(orekit):
-    """Its attitude, a transform from the inertial frame to the body, applied to a vector."""
+    """Apply Orekit's attitude, from the inertial frame to the body, to a vector."""
     track = sampled(TURNED, np.linspace(0, 30, 61))
     (segment,) = orekit.read(aem(track, "2026-01-01T00:00:00", **NAMES)).getSegments()
     frame = orekit.context.getFrames().getEME2000()

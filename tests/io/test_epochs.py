@@ -1,4 +1,4 @@
-"""Epochs: to the tick, through midnights, years and leap seconds."""
+"""Epochs are exact to 1e-14 s across midnights, years and leap seconds."""
 
 from datetime import date, datetime, timedelta
 

@@ -1,4 +1,4 @@
-"""Numbers come from the ledger that was decided, or from none."""
+"""Numbers are computed from the sealed ledger only."""
 
 from importlib import resources
 
@@ -12,7 +12,7 @@ from rigidsym.solution import _formulas as formulas
 
 @pytest.fixture
 def changed(monkeypatch):
-    """A definition of A_a with another sign, wherever it stands: no checker would accept it."""
+    """Change the sign of A_a in the ledger, which no checker would accept."""
     text = ledger_text().replace('"A_a": "B_a/c_a"', '"A_a": "-B_a/c_a"')
     assert text != ledger_text()
     monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
@@ -27,7 +27,7 @@ def test_the_seal_is_of_this_ledger():
 
 
 def test_a_changed_ledger_proves_the_specification_for_all_that_a_reader_can_see(changed):
-    """Why a seal: without a replay, word for word, nothing is missing."""
+    """Only a replay or the seal detects the change."""
     assert formulas.load(changed).sequences["state"]
 
 

@@ -1,4 +1,4 @@
-"""Tracks: what they keep and refuse; splines through them, and how near these are."""
+"""Tracks normalise and check their states; splines through them converge."""
 
 import math
 import sys
@@ -65,7 +65,7 @@ STEPS = (4.0, 2.0, 1.0)
 
 
 def error(step, start, stop):
-    """The largest angle between the spline over 160 s and the motion, from start to stop."""
+    """Return the largest angle between spline and motion from start to stop."""
     spline = rotation_spline(sampled(MOTION, np.arange(0, 160 + step / 2, step)))
     t = np.linspace(start, stop, 801)
     return np.max((MOTION.rotation(t).inv() * spline(t)).magnitude())

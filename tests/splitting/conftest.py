@@ -1,4 +1,4 @@
-"""One pushed body for all."""
+"""A body under a torque, shared by all tests of splittings."""
 
 import pytest
 from pushed_bodies import Pushed, gradient

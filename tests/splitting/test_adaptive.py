@@ -1,4 +1,4 @@
-"""Steps that a tolerance chooses."""
+"""`rigidsym.integrate` with a tolerance: errors, jumps, refusals, and states in between."""
 
 import numpy as np
 import pytest
@@ -51,7 +51,7 @@ def test_a_body_at_rest_is_moved_by_its_torque(pushed):
 
 
 def noise():
-    """Another torque at each call, which no step resolves."""
+    """Return a random torque, which no step resolves."""
     random = np.random.default_rng(1)
     return lambda t, q, omega: random.normal(size=omega.shape)
 
@@ -78,7 +78,7 @@ def jump(t, q, omega):
 
 
 def bell(t, q, omega):
-    """A smooth pulse of a second."""
+    """Return a smooth pulse of one second."""
     return np.exp(-((t - 37.3) ** 2)) * np.array([1.0, 0.3, 0.0]) + 0 * omega
 
 
@@ -86,7 +86,7 @@ FIELD = FieldPotential((0.0, 0.0, 1.0), linear=(0.5, 0.7, 0.2))
 
 
 def shaken(t, q, omega):
-    """A lever in a field that trembles: in a minute motions part by ten digits and more."""
+    """Return the torque of a lever in a trembling field, which makes motions chaotic."""
     return (20 + 18 * np.sin(1.3 * t)) * FIELD(t, q, omega)
 
 
@@ -95,7 +95,7 @@ def adaptive(torque, times, omega0=RATES, **options):
 
 
 def case(torque, times, breaks=(), omega0=RATES):
-    """As the validation of torques has it, with a reference that does not split."""
+    """Return a case of the validation, whose reference is another integrator."""
     return Case(BODY, START, omega0, torque, times, breaks, (), "saba2", 1e-6)
 
 
@@ -137,7 +137,7 @@ def test_pulses_of_a_two_hundredth_of_the_span_are_found():
 
 
 def by_hash(t, q, omega):
-    """The same at each call, and as good as noise."""
+    """Return a torque that is reproducible, but varies as fast as noise."""
     return np.sin(1e9 * t * np.arange(1.0, 4.0)) + 0 * omega
 
 
@@ -182,7 +182,7 @@ def test_an_order_below_the_methods_is_said():
 
 
 def test_a_jump_by_the_attitude_is_where_the_last_run_has_it():
-    """And not where the first, coarse run had it, around which the short panels are."""
+    """The coarse first run has the jump, and the short panels, elsewhere."""
     drawn = APPLICATION.draw("facing", 60, 1)
     assert drawn.method == "strang"
     assert measured(drawn) < 3
@@ -248,7 +248,7 @@ def test_states_before_a_torque_fails_are_kept(torque, error):
 
 
 def test_steps_begin_anew_at_discontinuities():
-    """So that the order is the method's."""
+    """Errors fall with the method's order if the discontinuity is given."""
     arguments = BODY, START, RATES, jump, (0.0, 3.3, 10.0)
     told, twice, fine = (
         rigidsym.integrate(*arguments, step=step, method="bm4", discontinuities=[3.3], engine="c")

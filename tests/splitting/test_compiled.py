@@ -1,4 +1,4 @@
-"""C's loop takes bodies where steps and kicks from Python do."""
+"""The loop in C gives the same states as steps and kicks from Python."""
 
 import ctypes
 
@@ -39,12 +39,12 @@ TORQUES = {
 
 
 def by_python(torque):
-    """The same as something that C does not know."""
+    """Hide the class of a torque, so that C cannot integrate it."""
     return lambda t, q, omega: torque(t, q, omega)
 
 
 def both(torque, inertia=BODY, rates=RATES, times=TIMES, reference=None, **options):
-    """Runs of C's engine by a torque, and by what Python, or another torque, makes of it."""
+    """Integrate by the engine in C under a torque, and under its reference in Python."""
     options = {"step": 0.5, "engine": "c", **options}
     return (
         rigidsym.integrate(inertia, START, rates, x, times, **options)
@@ -58,7 +58,7 @@ def apart(one, other):
 
 @pytest.fixture
 def calls(monkeypatch):
-    """Of the loop, with the numbers of steps."""
+    """Record the step numbers in each call of the loop."""
     found, advance = [], stepping._advance_in_c
 
     def counted(*arguments):
@@ -115,7 +115,7 @@ void lever(double t, const double q[4], double torque[3], void *data)
 
 @pytest.fixture(scope="module")
 def lever(tmp_path_factory):
-    """A dipole in a field along z as a function of C."""
+    """Compile a C function for a dipole in a field along z."""
     place = tmp_path_factory.mktemp("lever")
     return ctypes.CDLL(str(compile_library(find(), {"lever.c": LEVER}, place))).lever
 
@@ -162,7 +162,7 @@ def test_threads_change_no_bit(monkeypatch):
 
 
 def test_what_it_refuses_is_done_by_python(calls):
-    """Drifts of 25 rad."""
+    """Drifts of 25 rad are too long for a step."""
     torque = TORQUES["in the body"]
     found, expected = both(torque, times=[0.0, 80.0], step=40.0)
     assert calls
@@ -171,7 +171,7 @@ def test_what_it_refuses_is_done_by_python(calls):
 
 
 def test_a_torque_that_overflows_is_named_by_body_and_time():
-    """Not at the start, where the body is as the field would have it."""
+    """At the start the body is aligned with the field, and has no torque."""
     torque = FieldPotential((0.0, 0.0, 1e3), linear=[(0.0, 0.0, 1e-3), (0.0, 0.0, 1e308)])
     line = r"^torque\[0\] = .*must be finite \(body 1, t = 0.25 s\)"
     with pytest.raises(InputError, match=line), np.errstate(over="ignore"):

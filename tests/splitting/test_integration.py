@@ -15,7 +15,7 @@ RATES = (0.5, 0.3, -0.2)
 
 
 def rotation(p, q):
-    """Between attitudes, rad, of the double cover: twice the distance."""
+    """Return the largest angle between quaternions, rad, sign included."""
     return np.max(2 * np.linalg.norm(p - q, axis=-1))
 
 
@@ -24,7 +24,7 @@ def free(t, q, omega):
 
 
 def damping(t, q, omega):
-    """Of the momentum, at a tenth a second."""
+    """Return a torque that damps the momentum by 0.1 per second."""
     return -0.1 * np.array(BODY) * omega
 
 
@@ -124,7 +124,7 @@ def test_the_attitude_begins_as_it_is_given_of_size_one():
 
 
 def failing(t, q, omega):
-    """As it should be until t = 1 s."""
+    """Return no torque until t = 1 s, and NaN for the last body then."""
     torque = np.zeros_like(omega)
     torque[..., -1, 2] = np.nan if t > 1 else 0.0
     return torque
@@ -219,7 +219,7 @@ def test_bodies_that_cannot_exist_are_taken_where_that_is_meant():
 
 
 def test_energy_does_not_drift():
-    """Of a lever in a constant field: the last tenth of 10^5 steps is as the first."""
+    """Compare the energy of a lever in a field in the first and last of 10^5 steps."""
     field = FieldPotential((0.0, 0.0, 1.0), linear=-LEVER)
     times = np.linspace(0.0, 50_000.0, 2001)
     found = rigidsym.integrate(BODY, START, RATES, field, times, step=0.5, engine="c")

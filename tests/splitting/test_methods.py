@@ -1,4 +1,4 @@
-"""Splitting methods have the orders that are said of them, decided word by word.
+"""Splitting methods have their documented orders, computed word by word.
 
 A step is a product of exponentials of two operators that do not commute, A the free motion and B
 the torque.  It has the order n when each word of up to n letters has the coefficient it has in
