@@ -6,10 +6,9 @@ import numpy as np
 
 from rigidsym import _engines as engines
 from rigidsym.manoeuvre import _manoeuvre as asked_for
-from rigidsym.manoeuvre._families import least
+from rigidsym.manoeuvre._families import least, refine
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre
 from rigidsym.manoeuvre._problem import Problem, problem
-from rigidsym.manoeuvre._refine import refine
 
 BODIES = ("any", "near symmetric", "flat", "rod", "near sphere")
 TARGETS = ("any", "half turn", "middle axis", "small", "near symmetry")

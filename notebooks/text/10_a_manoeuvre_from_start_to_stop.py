@@ -209,7 +209,7 @@ plt.show()
 # converge or fail, and finds no other motion.
 
 # %%
-from rigidsym.manoeuvre._refine import refine
+from rigidsym.manoeuvre._families import refine
 
 rng = np.random.default_rng(10)
 direction = rng.normal(size=(1500, 3))
@@ -288,7 +288,7 @@ print("both 60 s and 5e-4 N m s:", refused)
 # the cheapest. The set of motions is the same.
 
 # %%
-from rigidsym.manoeuvre._bursts import Bursts
+from rigidsym.manoeuvre._cheapest import Bursts
 
 tumbling = (0.01, 0.02, -0.01)  # rad/s
 durations = np.geomspace(40, 600, 141)
@@ -412,8 +412,7 @@ print(f"{len(misses)} transfers miss by less than 1e-12 rad:", bool(misses.max()
 # solar radiation pressure and a residual dipole.
 
 # %%
-from rigidsym.manoeuvre._classical import euler_angles
-from rigidsym.manoeuvre._figures import Figures
+from rigidsym.manoeuvre._figures import Figures, euler_angles
 from rigidsym.manoeuvre.flight import fly, read
 from rigidsym.manoeuvre.flight._results import Tracked
 

@@ -1,23 +1,149 @@
-"""All natural motions from start to target up to a given momentum."""
+"""All natural motions from start to target up to a given momentum, and their refinement.
+
+Rates that nearly arrive are refined in doubles by Gauss-Newton with exact derivatives.  The derived
+solution at thirty digits verifies them, and refines them once more where doubles are too coarse.
+"""
 
 from collections.abc import Sequence
+from fractions import Fraction
 from functools import lru_cache
 
 import numpy as np
 
+from rigidsym import _inputs as inputs
 from rigidsym.manoeuvre._directions import is_symmetry
-from rigidsym.manoeuvre._problem import Problem
-from rigidsym.manoeuvre._refine import newton, refine, smallness
+from rigidsym.manoeuvre._manoeuvre import Manoeuvre
+from rigidsym.manoeuvre._problem import Problem, between, unit
 from rigidsym.manoeuvre._search import starts
+from rigidsym.motion import TorqueFreeMotion
+from rigidsym.quaternions import rotation_vectors
 
+Rates = tuple[Fraction, ...]
+
+DIGITS = 30
+
+_ROUNDS = 12
+_ROUNDING, _LEAST = 3e-15, 3e-16
+# States have an error of some 1e-16, however small the turn.
+_SMALLEST = 1e-3
+# Where motions come in one-parameter families the derivatives have rank two.
+_SINGULAR = 1e-9
+_LONGEST = 0.3
+_SHORTER = (1.0, 0.3, 0.1, 0.01)
+# Doubles are kept where they miss by less, rad; close to the separatrix they may be too coarse.
+_ENOUGH = 1e-13
+_PRECISE_ROUNDS = 8
 # Misses of motions that arrive, rad: at once, or where a further step is next to nothing.
 _ARRIVED, _NEARLY = 1e-12, 1e-9
 _SAME = 1e-6
-_ROUNDING = 1e-9
+_ROOM = 1e-9
 # As many as a plan can have: there may be no other motions.
 _MOST_SPINS = 1000
 # Whole turns of the two shortest spins, one either way round.
 _LESS_THAN_ONE = (-1, 0)
+
+
+def refine(
+    problem: Problem, rates: np.ndarray, rounds: int = _ROUNDS, enough: float = 1.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Refine rates (N, 3) by Gauss-Newton; return them and the angles (N,) they miss by, rad.
+
+    Steps are cut until they help; rates that none helps are kept.  enough: the accepted miss, as a
+    multiple of the rounding of doubles; 0 for the least.
+    """
+    rates = rates.copy()
+    # Slopes together with misses cost less than in a call of their own.
+    misses, slopes = problem.slopes(rates)
+    angles = np.linalg.norm(misses, axis=1)
+    going = np.flatnonzero(angles > enough * _rounding(rates))
+    for _ in range(rounds):
+        if not going.size:
+            break
+        step = newton(rates[going], misses[going], slopes[going])
+        helped = np.zeros(len(going), dtype=bool)
+        for share in _SHORTER:
+            rest = np.flatnonzero(~helped)
+            if not rest.size or (share < 1 and np.all(angles[going[rest]] < _SINGULAR)):
+                break
+            row = going[rest]
+            tried = rates[row] + share * step[rest]
+            missed, sloped = problem.slopes(tried)
+            found = np.linalg.norm(missed, axis=1)
+            better = found < angles[row]
+            row, helped[rest] = row[better], better
+            rates[row], angles[row] = tried[better], found[better]
+            misses[row], slopes[row] = missed[better], sloped[better]
+        going = going[helped]
+        going = going[angles[going] > enough * _rounding(rates[going])]
+    return rates, angles
+
+
+def smallness(rates: np.ndarray) -> np.ndarray:
+    """Return the scale (N,) of accepted misses, which is smaller for small turns."""
+    return np.clip(np.linalg.norm(rates, axis=1), _SMALLEST, 1.0)
+
+
+def _rounding(rates: np.ndarray) -> np.ndarray:
+    return np.maximum(_ROUNDING * smallness(rates), _LEAST)
+
+
+def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndarray:
+    """Return the Newton steps (N, 3) of least length, limited to a part of the rates.
+
+    misses (N, 3), slopes (N, 3, 3): those of the rates (N, 3) and their derivatives.  Steps are
+    zero where derivatives are beyond binary64.
+    """
+    known = np.asarray(np.all(np.isfinite(slopes), axis=(1, 2)))
+    left, sizes, right = np.linalg.svd(np.where(known[:, None, None], slopes, np.eye(3)))
+    # Along a one-parameter family, where misses are rounding, steps are next to nothing.
+    inverse = known[:, None] * sizes / np.maximum(sizes, _SINGULAR * sizes[:, :1]) ** 2
+    across = np.nan_to_num(misses)[:, None] @ left * inverse[:, None]
+    step = -(across @ right)[:, 0]
+    length = np.linalg.norm(step, axis=1)
+    longest = _LONGEST * (1 + np.linalg.norm(rates, axis=1))
+    return step * np.minimum(1, longest / np.maximum(length, longest))[:, None]
+
+
+def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple[Rates, float]:
+    """Return exact rates (rad/s) refined from rates (3,) of the problem, and their miss (rad).
+
+    They are doubles where these arrive, else decimals of thirty digits.
+    """
+    duration = manoeuvre.duration or Fraction(1)
+    rates = refine(problem, rates[None], enough=0.0)[0][0]
+    exact = tuple(Fraction(x / float(duration)) for x in rates.tolist())
+    missed = miss(manoeuvre, exact)
+    for _ in range(_PRECISE_ROUNDS):
+        if np.linalg.norm(missed) <= _ENOUGH:
+            break
+        rates = np.array([[float(x * duration) for x in exact]])
+        slope = np.linalg.pinv(problem.slopes(rates)[1][0])
+        step = [Fraction(x) / duration for x in (slope @ missed).tolist()]
+        tried = tuple(
+            Fraction(inputs.decimal(x - dx, DIGITS)) for x, dx in zip(exact, step, strict=True)
+        )
+        found = miss(manoeuvre, tried)
+        if np.linalg.norm(found) >= np.linalg.norm(missed):
+            break
+        exact, missed = tried, found
+    return exact, float(np.linalg.norm(missed))
+
+
+def miss(manoeuvre: Manoeuvre, rates: Rates) -> np.ndarray:
+    """Return the rotation from the target to the attitude that exact rates lead to.
+
+    It is a rotation vector (3,), rad, in the body axes of the start.
+    """
+    start, target = manoeuvre.start, manoeuvre.target
+    motion = TorqueFreeMotion(manoeuvre.inertia, rates, start)
+    q = [inputs.exact("q", x) for x in motion.precise(manoeuvre.duration or Fraction(1), DIGITS)[0]]
+    arrived, wanted = between(start, q), between(start, target)
+    return rotation_vectors(unit(between(_inverse(arrived), _inverse(wanted))))
+
+
+def _inverse(quaternion: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
+    scalar, *vector = quaternion
+    return (scalar, *(-x for x in vector))
 
 
 def least(problem: Problem) -> float:
@@ -45,7 +171,7 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     near = np.concatenate([longer, starts(problem, bound)])
     refined = zip(_shortest(problem), refine(problem, near), strict=True)
     found = _distinct(problem, *map(np.concatenate, refined))
-    return found[problem.momenta(found) <= bound * (1 + _ROUNDING)]
+    return found[problem.momenta(found) <= bound * (1 + _ROOM)]
 
 
 @lru_cache(1)

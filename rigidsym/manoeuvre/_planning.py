@@ -12,12 +12,11 @@ from rigidsym import _inputs as inputs
 from rigidsym._inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.io._files import remove, write_bytes
-from rigidsym.manoeuvre._bursts import Bursts
-from rigidsym.manoeuvre._cheapest import cheapest, refuse, shortest
+from rigidsym.manoeuvre._cheapest import Bursts, cheapest, refuse, shortest
 from rigidsym.manoeuvre._directions import arcs, is_symmetry
+from rigidsym.manoeuvre._families import verified
 from rigidsym.manoeuvre._manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
 from rigidsym.manoeuvre._problem import problem
-from rigidsym.manoeuvre._refine import verified
 from rigidsym.manoeuvre._search import TooManyError
 from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre._transit import peaks

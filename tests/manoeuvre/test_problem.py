@@ -9,8 +9,8 @@ from random_manoeuvres import START, manoeuvre, posed, turn
 from rigidsym import _engines as engines
 from rigidsym.manoeuvre import _manoeuvre as asked_for
 from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre._families import miss, verified
 from rigidsym.manoeuvre._problem import between, problem, unit
-from rigidsym.manoeuvre._refine import miss, verified
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import product, rotation_vectors
 

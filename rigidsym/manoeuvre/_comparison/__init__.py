@@ -10,7 +10,6 @@ from rigidsym.errors import require
 require("comparing manoeuvres", "scipy", "erfa", "ppigrf", "matplotlib")
 require("comparing manoeuvres", "casadi", "pandas", extra="optimal")
 
-from rigidsym.manoeuvre._comparison.comparing import compare  # noqa: E402
-from rigidsym.manoeuvre._comparison.results import Comparison  # noqa: E402
+from rigidsym.manoeuvre._comparison.results import Comparison, compare  # noqa: E402
 
 __all__ = ["Comparison", "compare"]

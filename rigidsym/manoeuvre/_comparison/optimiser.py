@@ -13,7 +13,6 @@ import casadi as ca
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre._comparison.cases import Case
 from rigidsym.manoeuvre._comparison.collocation import (
     AXES,
     MESH,
@@ -29,7 +28,7 @@ from rigidsym.manoeuvre._comparison.collocation import (
     guessed,
     still,
 )
-from rigidsym.manoeuvre._comparison.flights import constant, turned
+from rigidsym.manoeuvre._comparison.flights import Case, constant, turned
 from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre.flight._rotation import angle, relative
 from rigidsym.manoeuvre.flight._settings import Wheels

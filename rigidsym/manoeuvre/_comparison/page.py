@@ -8,9 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from textwrap import fill
 from typing import Any
 
-from rigidsym.manoeuvre._comparison import cases
+from rigidsym.manoeuvre._comparison import flights
 from rigidsym.manoeuvre._comparison.collocation import MESH, Cost, Model, Task
-from rigidsym.manoeuvre._comparison.flights import FAMILIES, HOLD
 from rigidsym.manoeuvre._comparison.optimiser import SAME
 from rigidsym.manoeuvre.flight._actuators import WHEELS
 from rigidsym.manoeuvre.flight._settings import Controller, Wheels
@@ -148,12 +147,12 @@ def page(command: str, count: int, summary: Mapping[str, Any]) -> str:
         against=against,
         times=_times,
         iterations=_iterations,
-        cases=cases,
+        cases=flights,
         limits=Wheels(),
         controller=Controller(),
         burst=WHEELS,
-        hold=HOLD,
-        families=FAMILIES,
+        hold=flights.HOLD,
+        families=flights.FAMILIES,
         first_step=MESH.steps[0],
         same=SAME,
     )

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rigidsym.errors import require
 from rigidsym.io import Track, aem
 from rigidsym.io._attitude_ephemeris import UNNAMED
 from rigidsym.io._files import remove, write_bytes
@@ -24,6 +25,8 @@ from rigidsym.manoeuvre.flight._settings import Flight, read
 from rigidsym.view._plots import figure as drawing
 from rigidsym.view._plots import motions as pictures
 from rigidsym.view._tables import columns
+
+require("drawing", "matplotlib")
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972

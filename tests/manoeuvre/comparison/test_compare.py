@@ -15,12 +15,11 @@ import pytest
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import compare, flights, optimiser
-from rigidsym.manoeuvre._comparison.cases import draw
 from rigidsym.manoeuvre._comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre._comparison.comparing import results
+from rigidsym.manoeuvre._comparison.flights import draw
 from rigidsym.manoeuvre._comparison.optimiser import Optimum, attempt
 from rigidsym.manoeuvre._comparison.page import page
-from rigidsym.manoeuvre._comparison.results import spread
+from rigidsym.manoeuvre._comparison.results import results, spread
 from rigidsym.validate._executors import local
 
 # Control at long periods makes flights quick.

@@ -11,9 +11,17 @@ from manoeuvre_flights import NOTHING
 
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import flights
-from rigidsym.manoeuvre._comparison.cases import PAPER, Case, draw
 from rigidsym.manoeuvre._comparison.collocation import MESH, Model, guessed
-from rigidsym.manoeuvre._comparison.flights import METHODS, Ways, exerted, ideals, measured
+from rigidsym.manoeuvre._comparison.flights import (
+    METHODS,
+    PAPER,
+    Case,
+    Ways,
+    draw,
+    exerted,
+    ideals,
+    measured,
+)
 from rigidsym.manoeuvre._manoeuvre import manoeuvre
 from rigidsym.manoeuvre.flight._fly import fly
 from rigidsym.manoeuvre.flight._rotation import angle

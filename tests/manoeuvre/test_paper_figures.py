@@ -1,10 +1,10 @@
-"""Tests of Euler's angles of the classical solution by the library's attitudes."""
+"""Tests of the classical angles in the paper's Figure 1, by the library's attitudes."""
 
 import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.manoeuvre._classical import difference, euler_angles
+from rigidsym.manoeuvre._figures import difference, euler_angles
 from rigidsym.manoeuvre.flight._rotation import matrix
 
 INERTIA = (0.0109, 0.04, 0.0506)
