@@ -1,4 +1,4 @@
-"""The intermediate form: named lets with provenance, grouped into functions.
+"""Intermediate representation: named lets with provenance, grouped into functions.
 
 Input and output of every pass are tuples of `Let`; no pass looks at the target's language.
 
@@ -6,6 +6,7 @@ Numbers are of two kinds.  A double is what the machine has; an extended number 
 sum of two, and carries about 31 digits.  An expression is extended as soon as a part of it is.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from rigidsym.language._expression import (
@@ -18,7 +19,7 @@ from rigidsym.language._expression import (
     to_text,
 )
 
-# What an expression may call, and whether the value is extended: "as" its arguments are.
+# Functions that expressions may call, and the kind of their values; "as": that of the arguments.
 CALLS = {
     "neg": "as",
     "sqrt": "as",
@@ -37,13 +38,13 @@ CALLS = {
 # References for operations on doubles that leave nothing out.
 EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
 _EXACT = {EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE}
-# What a line is; what no let stands behind is runtime, written by hand.
+# The kinds of derived lines; all others are runtime, written by hand.
 KINDS = ("fact", "classical", "arithmetic")
 
 
 @dataclass(frozen=True, slots=True)
 class Let:
-    """targets = expression, with the facts that say so, the equations that these carry, references.
+    """Line `targets = expression` with its provenance: facts, their equations, and references.
 
     One target, unless the expression calls a function that returns several values.
     """
@@ -55,7 +56,7 @@ class Let:
 
     @property
     def kind(self) -> str:
-        """Return one of KINDS: by a fact, by a classical formula, or arithmetic alone."""
+        """Return the kind of the line, one of KINDS."""
         if self.facts:
             return "fact"
         return "classical" if self.source and _EXACT.isdisjoint(self.source) else "arithmetic"
@@ -66,7 +67,7 @@ class Let:
 
 @dataclass(frozen=True, slots=True)
 class Constant:
-    """A named number: a double, or an extended one where `lo` is given."""
+    """A named number: a double, or an extended number where `lo` is given."""
 
     name: str
     hi: float
@@ -102,8 +103,14 @@ class Function:
         return frozenset(extended)
 
     def used(self) -> set[str]:
-        """Return every name that a let uses."""
+        """Return the names that the lets use."""
         return {name for let in self.lets for name in names(let.expression)}
+
+
+def named(functions: Iterable[Function], constants: Iterable[Constant]) -> list[Constant]:
+    """Return the constants that functions use."""
+    used = {name for function in functions for name in function.used()}
+    return [constant for constant in constants if constant.name in used]
 
 
 def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
@@ -117,7 +124,7 @@ def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
 
 
 def is_extended(expression: Expression, extended: frozenset[str] | set[str]) -> bool:
-    """Return True where a value is an extended number, given the names that are."""
+    """Return True if an expression is extended, given the names of extended numbers."""
     if isinstance(expression, Name):
         return expression.name in extended
     if isinstance(expression, Call):

@@ -1,7 +1,8 @@
-"""The passes from formulas to lets that can be printed: each is a pure function of its input."""
+"""Passes from formulas to lets that can be printed; each is a pure function of its input."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from rigidsym._codegen.ir import Function, Let, is_extended
 from rigidsym.language._expression import (
@@ -24,7 +25,7 @@ _SHARED = "common_"
 def select(
     formulas: Iterable[Formula], results: Iterable[str], given: Iterable[str]
 ) -> tuple[Let, ...]:
-    """Input: a sequence, the names wanted and the names given.  Output: the lets in between."""
+    """Input: formulas, names wanted, names given.  Output: the lets that the wanted names need."""
     known, wanted, kept = set(given), set(results), []
     for formula in reversed(tuple(formulas)):
         if formula.name in wanted and formula.name not in known:
@@ -34,17 +35,17 @@ def select(
 
 
 def specialise(lets: Iterable[Let], values: Mapping[str, int]) -> tuple[Let, ...]:
-    """Input: lets, and integers for some names.  Output: the lets with those put in and folded."""
-    constants: dict[Expression, Expression] = {
-        Name(n): Number(value) for n, value in values.items()
-    }
-    return tuple(
-        Let(let.targets, _folded(let.expression, constants), let.source, let.facts) for let in lets
-    )
+    """Input: lets, and integers for some names.  Output: the lets with these put in and folded."""
+    constants = {Name(n): Number(value) for n, value in values.items()}
+    return _mapped(lets, lambda expression: _folded(expression, constants))
 
 
-def _folded(expression: Expression, constants: Mapping[Expression, Expression]) -> Expression:
-    if expression in constants:
+def _mapped(lets: Iterable[Let], change: Callable[[Expression], Expression]) -> tuple[Let, ...]:
+    return tuple(replace(let, expression=change(let.expression)) for let in lets)
+
+
+def _folded(expression: Expression, constants: Mapping[Name, Expression]) -> Expression:
+    if isinstance(expression, Name) and expression in constants:
         return constants[expression]
     parts = tuple(_folded(part, constants) for part in children(expression))
     match rebuild(expression, parts):
@@ -68,39 +69,33 @@ def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
     """Input: lets, and new names for some quantities.  Output: the lets under these names."""
     meaning = {old: Name(name) for old, name in new.items()}
     return tuple(
-        Let(
-            tuple(new.get(target, target) for target in let.targets),
-            put(let.expression, meaning),
-            let.source,
-            let.facts,
-        )
-        for let in lets
+        replace(let, targets=tuple(new.get(x, x) for x in let.targets))
+        for let in _mapped(lets, lambda expression: put(expression, meaning))
     )
 
 
 def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
-    """Input: lets.  Output: those of the kept names, with the others put into them."""
+    """Input: lets, and names to keep.  Output: the lets of these names, with all others put in."""
     meaning: dict[str, Expression] = {}
     wanted, found = set(kept), []
     for let in lets:
         expression = put(let.expression, meaning)
         (target,) = let.targets
         if target in wanted:
-            found.append(Let(let.targets, expression, let.source, let.facts))
+            found.append(replace(let, expression=expression))
         else:
             meaning[target] = expression
     return tuple(found)
 
 
 def coefficient(expression: Expression, of: str, among: Iterable[str], over: str) -> Expression:
-    """Input: what is linear in some names over another.  Output: what multiplies `of`/`over`."""
-    values: dict[Expression, Expression] = {Name(n): Number(int(n == of)) for n in among}
-    values[Name(over)] = Number(1)
-    return _folded(expression, values)
+    """Input: an expression linear in names over another.  Output: the factor of `of`/`over`."""
+    values = {Name(n): Number(int(n == of)) for n in among}
+    return _folded(expression, values | {Name(over): Number(1)})
 
 
 def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
-    """Input: lets, and the names wanted.  Output: the lets that these need, each name set once."""
+    """Input: lets, and the names wanted.  Output: the lets that these names need."""
     wanted, kept = set(results), []
     for let in reversed(tuple(lets)):
         if wanted & set(let.targets):
@@ -114,10 +109,8 @@ def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
 
 
 def products(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets with whole powers.  Output: the same by multiplication."""
-    return tuple(
-        Let(let.targets, _multiplied(let.expression), let.source, let.facts) for let in lets
-    )
+    """Input: lets with whole powers.  Output: lets with products in place of powers."""
+    return _mapped(lets, _multiplied)
 
 
 def _multiplied(expression: Expression) -> Expression:
@@ -134,12 +127,9 @@ def _multiplied(expression: Expression) -> Expression:
 
 
 def fuse(function: Function) -> tuple[Let, ...]:
-    """Input: a function.  Output: its lets with a*b + c of doubles as one `fma`, c the rest."""
+    """Input: a function.  Output: its lets with each a*b + c of doubles as one `fma`."""
     extended = function.all_extended()
-    return tuple(
-        Let(let.targets, _fused(let.expression, extended), let.source, let.facts)
-        for let in function.lets
-    )
+    return _mapped(function.lets, lambda expression: _fused(expression, extended))
 
 
 def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
@@ -157,7 +147,7 @@ def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
 
 
 def unfused(expression: Expression) -> Expression:
-    """Input: an expression after `fuse`.  Output: with products and sums again."""
+    """Input: an expression after `fuse`.  Output: the expression with products and sums again."""
     match rebuild(expression, tuple(map(unfused, children(expression)))):
         case Call("fma", (a, b, c)):
             return Operation("+", Operation("*", a, b), c)
@@ -166,7 +156,7 @@ def unfused(expression: Expression) -> Expression:
 
 
 def share(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets.  Output: the same, common subexpressions named common_1, ... before first use.
+    """Input: lets.  Output: lets with common subexpressions named common_1, ... before first use.
 
     The provenance of a shared let is the union over its users.
     """
@@ -182,7 +172,7 @@ def share(lets: Iterable[Let]) -> tuple[Let, ...]:
     shared: list[Let] = []
     for let in lets:
         expression = _shared(let.expression, counts, users, named, shared)
-        shared.append(Let(let.targets, expression, let.source, let.facts))
+        shared.append(replace(let, expression=expression))
     return tuple(shared)
 
 
@@ -220,7 +210,7 @@ def _shared(
 
 
 def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets after `share`.  Output: the lets before it; what `share` named is put back."""
+    """Input: lets after `share`.  Output: the lets before it."""
     meaning: dict[str, Expression] = {}
     expanded = []
     for let in lets:
@@ -228,5 +218,5 @@ def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
         if _is_shared(let.targets[0]):
             meaning[let.targets[0]] = expression
         else:
-            expanded.append(Let(let.targets, expression, let.source, let.facts))
+            expanded.append(replace(let, expression=expression))
     return tuple(expanded)

@@ -1,9 +1,9 @@
-"""Lets as C99: double-doubles by calls, doubles by operators.
+"""Printer of functions as C99: double-doubles by calls, doubles by operators.
 
 `pieces` prints a function of lets within its frames; `read_back` reads a line of it.
 """
 
-from rigidsym._codegen.ir import CALLS, Constant, Function, is_extended
+from rigidsym._codegen.ir import CALLS, Constant, Function, is_extended, named
 from rigidsym._codegen.lines import Lines, comment, flat_results
 from rigidsym._codegen.passes import fuse
 from rigidsym._codegen.targets.c.frames import Frame, branch, frames_of, lane_structs
@@ -23,7 +23,7 @@ _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponen
 
 
 def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Turn operations on extended numbers into calls; `number` is their prefix, `dd` or `exact`."""
+    """Replace operations on extended numbers by calls with the prefix `number`, `dd` or `exact`."""
     match expression:
         case Name() | Number():
             return expression
@@ -82,22 +82,15 @@ def _indent(lines: list[str]) -> str:
 
 def constant_text(constant: Constant) -> str:
     """Print the definition of a named number."""
-    hi = _literal(constant.hi)
-    if constant.lo is None:
-        return f"static const double {constant.name} = {hi}; /* {constant.meaning} */"
-    lo = _literal(constant.lo)
-    return f"static const double_double {constant.name} = {{{hi}, {lo}}}; /* {constant.meaning} */"
-
-
-def _literal(value: float) -> str:
-    return repr(value) if "." in repr(value) or "e" in repr(value) else f"{value!r}.0"
+    name, value = f"double {constant.name}", repr(constant.hi)
+    if constant.lo is not None:
+        name, value = f"double_double {constant.name}", f"{{{constant.hi!r}, {constant.lo!r}}}"
+    return f"static const {name} = {value}; /* {constant.meaning} */"
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
     """Print the named numbers that are used, the structs of arrays, and all functions in order."""
-    used = {name for function in functions for name in function.used()}
-    head = [constant_text(c) for c in constants if c.name in used]
-    head.append("")
+    head = [*map(constant_text, named(functions, constants)), ""]
     for statement in lane_structs(functions):
         if head[-1] == "}":
             head[-1] = f"}} {statement}"

@@ -1,4 +1,4 @@
-"""The C module read back: numbers, functions and structs in order, and nothing else.
+"""Reader of the C module, which holds numbers, functions and structs in order, and nothing else.
 
 What is written by hand is compared word for word, with what the functions say at its marks.
 """
@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from rigidsym._codegen import header
 from rigidsym._codegen.forms import STEP, THETA, key
-from rigidsym._codegen.ir import Constant, Function, Let
+from rigidsym._codegen.ir import Constant, Function, Let, named
 from rigidsym._codegen.lines import comment, shares
 from rigidsym._codegen.passes import fuse, unfused
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
@@ -46,14 +46,14 @@ _OF_EXTENDED = {
 
 
 class Statement(NamedTuple):
-    """A statement, spaced as if it were in one line, and the line that it begins in."""
+    """A statement with single spaces, and the number of its first line."""
 
     line: int
     text: str
 
 
 def statements(file: str, derived: Between) -> Iterator[Statement]:
-    """Yield the statements; raise InputError for a character that derived text does not have."""
+    """Yield the statements; raise InputError for a character that derived text never has."""
     _refuse(file, derived, _STRANGE)
     # As many lines stay as comments have.
     bare = _COMMENT.sub(lambda comment: " " + "\n" * comment[0].count("\n"), derived.text)
@@ -82,7 +82,7 @@ def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """Reads the expressions of one function: `extended` are the names of its extended numbers.
+    """Reader of one function's expressions; `extended` are the names of its extended numbers.
 
     number: what begins the names of their operations, `dd` or `exact`; functions: those of the
     module that may be called, by name.
@@ -94,7 +94,7 @@ class Reader:
     functions: Mapping[str, Function]
 
     def read(self, text: str) -> tuple[Expression, bool]:
-        """Read an expression, and True where it is extended; raise InputError for anything else."""
+        """Return an expression, and True if it is extended; raise InputError for anything else."""
         for number in _NUMBER.findall(text):
             if not _WHOLE.fullmatch(number):
                 raise InputError(self.place, text, f"{number} is no whole number with a point")
@@ -151,7 +151,7 @@ class Reader:
     def _all(
         self, arguments: tuple[Expression, ...], kinds: str, function: str
     ) -> tuple[Expression, ...]:
-        """Read the arguments, which are of these kinds."""
+        """Read arguments, and check that they have these kinds."""
         read = [self._read(argument) for argument in arguments]
         if "".join(kind for _, kind in read) != kinds:
             raise InputError(self.place, function, "is given another kind of numbers")
@@ -164,13 +164,16 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """Count the lines that read back as their lets; raise InputError for one that does not."""
+    """Return the number of lines read back; raise InputError for one that is not its let."""
     source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
     derived = _derived(files[source], functions, form)
     given = statements(source, derived)
-    for number in _numbers(functions, constants):
-        _expect(source, given, number)
+    for constant in named(functions, constants):
+        kind, value = "double", repr(constant.hi)
+        if constant.lo is not None:
+            kind, value = "double_double", f"{{{constant.hi!r}, {constant.lo!r}}}"
+        _expect(source, given, f"static const {kind} {constant.name} = {value};")
     for statement in lane_structs(functions):
         _expect(source, given, statement)
     known: dict[str, Function] = {}
@@ -184,7 +187,7 @@ def check(
 
 
 def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
-    """Return the files with plain names; refuse a name of another form."""
+    """Return the files with the default form's names; refuse names of another form."""
     found = {file: module.plain(text, form) for file, text in files.items()}
     for file, text in found.items():
         own_names = module.named(text, form).split("\n")
@@ -212,7 +215,7 @@ def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None
 
 
 def _without_rows(given: Iterator[Statement]) -> list[Statement]:
-    """Join members that are declared in several rows."""
+    """Join the declarations of struct members that take several rows."""
     rows: list[Statement] = []
     for statement in given:
         if rows and all(x.text.startswith("double ") for x in (statement, rows[-1])):
@@ -224,22 +227,11 @@ def _without_rows(given: Iterator[Statement]) -> list[Statement]:
 
 
 def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """Return the text between the parts written by hand."""
+    """Return the text between the hand-written parts."""
     file = module.SOURCES[form]
     digest = header.digest_in(file, text)
     last = header.filled(module.source_last(functions, form), key("c", form), digest)
     return between(file, text, module.source_first(form), last)
-
-
-def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
-    """Yield the numbers that functions use, to the last digit."""
-    used = {name for function in functions for name in function.used()}
-    for number in constants:
-        if number.name in used and number.lo is None:
-            yield f"static const double {number.name} = {number.hi!r};"
-        elif number.name in used:
-            pair = f"{{{number.hi!r}, {number.lo!r}}}"
-            yield f"static const double_double {number.name} = {pair};"
 
 
 def _next(file: str, given: Iterator[Statement], expected: object) -> Statement:
@@ -282,7 +274,7 @@ def _check_function(
 
 
 def _check_line(reader: Reader, line: str, let: Let) -> None:
-    """Check that a line sets the names of its let, to its value, as a number of its kind."""
+    """Check names, value and type that a line sets against its let."""
     if found := _SET.fullmatch(line):
         expression, is_pair = reader.read(found[3])
         kind = _PAIRS[reader.number] if is_pair else "double"

@@ -1,9 +1,9 @@
-"""Lets as Python over NumPy arrays: extended numbers are `_DoubleDouble`s, with operators."""
+"""Printer of functions as Python over NumPy arrays; extended numbers are `_DoubleDouble`s."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rigidsym._codegen.ir import CALLS, Constant, Function
+from rigidsym._codegen.ir import CALLS, Constant, Function, named
 from rigidsym._codegen.lines import Lines, comment, flat_results
 from rigidsym._codegen.passes import specialise
 from rigidsym.language._expression import (
@@ -20,16 +20,14 @@ _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
 
 
 def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
-    """Return the functions that the module prints: NumPy brings the exponential."""
+    """Return the functions to print: all but the exponential, which NumPy brings."""
     return tuple(function for function in functions if function.name != "_exponential")
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """Print the named numbers, all functions in order, and the tables, if there are any."""
-    used = {name for function in functions for name in function.used()}
-    head = tuple(constant_text(c) for c in constants if c.name in used)
-    parts = [Lines((*head, "", ""), {})]
-    parts += [function_lines(function) for function in functions]
+    """Print named numbers, functions and tables, in this order."""
+    head = map(constant_text, named(functions, constants))
+    parts = [Lines((*head, "", ""), {}), *map(function_lines, functions)]
     found = tables(functions).items()
     text = [line for name, table in found for line in _table_lines(f"{name} = ", table, "}")]
     return [*parts, Lines((*text, "", ""), {})] if text else parts
@@ -44,7 +42,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def function_lines(function: Function) -> Lines:
-    """Print a function, a line for each of its lets."""
+    """Print a function, one line for each let."""
     lets = function.lets
     if "t_lo" in function.parameters:
         lets = specialise(lets, {"t_lo": 0})
@@ -60,13 +58,13 @@ def function_lines(function: Function) -> Lines:
 
 
 def printed(expression: Expression) -> str:
-    """Print an expression as Python; raise ValueError for a function that the module lacks."""
+    """Print an expression as Python; raise ValueError for a call of an unknown function."""
     _check(expression)
     return to_text(_with_horner(expression), _CALLS | {"horner": "_horner"})
 
 
 def _with_horner(expression: Expression) -> Expression:
-    """Turn nested polynomials into calls, which work in place."""
+    """Replace nested polynomials by calls of `_horner`, which work in place."""
     variable, coefficients = _polynomial(expression)
     if len(coefficients) > 2:
         return Call("horner", (variable, *map(_with_horner, coefficients)))
@@ -104,7 +102,7 @@ def _results(function: Function) -> str:
 
 
 class _Code(str):
-    """A name of a function in a table, which is printed without quotes."""
+    """Name of a function in a table, printed without quotes."""
 
     __slots__ = ()
     __repr__ = str.__str__
@@ -114,7 +112,7 @@ Table = dict[str, Any]
 
 
 def tables(functions: tuple[Function, ...]) -> Table:
-    """Return the tables of functions that the runtime looks up, by their names.
+    """Return the tables in which the runtime looks functions up, by their names.
 
     An entry has a function of constants with the names of its arguments and results, and for a
     branch the functions of the time with theirs.
@@ -149,7 +147,7 @@ def _branch(name: str, functions: Mapping[str, Function]) -> Table:
 
 
 def _part(name: str, functions: Mapping[str, Function]) -> Table:
-    """Return the entry of a part of the sensitivities, of numbers that change and constants."""
+    """Return the table entry of a part of the sensitivities."""
     first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
     kept = set(flat_results(first))
     part = _entry(first) | {
@@ -165,7 +163,7 @@ def _part(name: str, functions: Mapping[str, Function]) -> Table:
 
 
 def _table_lines(head: str, table: Table, end: str, indent: str = "") -> Iterator[str]:
-    """Print a table, an entry in each line, and the tables in it further in."""
+    """Print a table, one entry in a line, nested tables indented."""
     yield f"{indent}{head}{{"
     for name, value in table.items():
         if isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""The NumPy module read back: numbers, functions, tables and limits in order, and nothing else."""
+"""Reader of the NumPy module, which holds numbers, functions, tables and limits in order."""
 
 import ast
 from collections.abc import Collection, Iterator, Mapping
@@ -6,7 +6,7 @@ from copy import copy
 
 from rigidsym._codegen import header
 from rigidsym._codegen.forms import STEP, THETA, key, limits
-from rigidsym._codegen.ir import Constant, Function, Let
+from rigidsym._codegen.ir import Constant, Function, Let, named
 from rigidsym._codegen.lines import comment, flat_results, shares
 from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
@@ -39,11 +39,13 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """Count the lines that read back as their lets; raise InputError for one that does not."""
+    """Return the number of lines read back; raise InputError for one that is not its let."""
     file, functions = module.FILES[form], emit.own(functions)
     derived = _derived(files[file], functions, form)
     statements = iter(_statements(derived))
-    for expected in _numbers(functions, constants):
+    for one in named(functions, constants):
+        pair = f"_DoubleDouble({one.hi!r}, {one.lo!r})"
+        expected = f"{one.name} = {repr(one.hi) if one.lo is None else pair}"
         _check_statement(_next(statements, file, expected), file, expected)
     known: set[str] = set()
     for function in functions:
@@ -61,7 +63,7 @@ def check(
 
 
 def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """Return the text between the parts written by hand."""
+    """Return the text between the hand-written parts."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
     counts = shares(kinds, key("numpy", form))
@@ -99,7 +101,7 @@ def _check_statement(node: ast.stmt, file: str, expected: str) -> None:
 
 
 def _difference(found: ast.AST, wanted: ast.AST) -> tuple[ast.AST, ast.AST]:
-    """Return the parts that differ: of two statements, or of two entries of a table."""
+    """Return the innermost parts in which two statements differ."""
     match found, wanted:
         case ast.Assign(targets=[ast.Name(id=name)]), ast.Assign(targets=[ast.Name(id=other)]):
             return _difference(found.value, wanted.value) if name == other else (found, wanted)
@@ -114,15 +116,6 @@ def _keys(table: ast.Dict) -> list[str]:
     return [ast.unparse(key) if key else "**" for key in table.keys]
 
 
-def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
-    """Yield the numbers that functions use, to the last digit."""
-    used = {name for function in functions for name in function.used()}
-    for number in constants:
-        if number.name in used:
-            pair = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
-            yield f"{number.name} = {repr(number.hi) if number.lo is None else pair}"
-
-
 def _check_function(
     function: Function, node: ast.stmt, known: Collection[str], derived: Between
 ) -> None:
@@ -131,10 +124,9 @@ def _check_function(
     if not isinstance(node, ast.FunctionDef) or _head(node) != head:
         raise InputError(_place(derived.file, node), _head(node), f"is not {head}")
     said, *lines, last = node.body
-    if not _says(said, function.summary):
-        raise InputError(
-            _place(derived.file, said), ast.unparse(said), f"is not {function.summary!r}"
-        )
+    if ast.dump(said) != ast.dump(ast.Expr(ast.Constant(function.summary))):
+        rule = f"is not {function.summary!r}"
+        raise InputError(_place(derived.file, said), ast.unparse(said), rule)
     if len(lines) != len(function.lets):
         raise InputError(function.name, f"{len(lines)} lines", f"has {len(function.lets)} lets")
     for line, let in zip(lines, function.lets, strict=True):
@@ -148,16 +140,12 @@ def _check_function(
 
 
 def _head(node: ast.stmt) -> str:
-    """Return a function without its body: decorators, parameters and annotations."""
+    """Return the text of a function without its body."""
     if not isinstance(node, ast.FunctionDef):
         return ast.unparse(node)
     bare = copy(node)
     bare.body = [ast.Pass()]
     return ast.unparse(bare).removesuffix("\n    pass").strip()
-
-
-def _says(node: ast.stmt, text: str) -> bool:
-    return isinstance(node, ast.Expr) and ast.dump(node.value) == ast.dump(ast.Constant(text))
 
 
 def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[str]) -> None:
@@ -173,7 +161,7 @@ def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[
 
 
 def _expected(function: Function, let: Let) -> Expression:
-    """Return the line of a let where t_lo = 0: times are doubles here."""
+    """Return the expression of a let for t_lo = 0, since times are doubles here."""
     if "t_lo" not in function.parameters:
         return let.expression
     (short,) = specialise([let], {"t_lo": 0})
@@ -183,7 +171,7 @@ def _expected(function: Function, let: Let) -> Expression:
 
 
 def _returned(node: ast.stmt) -> list[str]:
-    """Return the names of results, the halves of a pair as name_hi and name_lo."""
+    """Return the names in a return statement, with name_hi and name_lo for the halves of a pair."""
     if not isinstance(node, ast.Return) or node.value is None:
         return []
     values = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
@@ -200,7 +188,7 @@ def _name(value: ast.expr) -> str:
 
 
 def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
-    """Read an expression, which may call hand-written functions and those that are known.
+    """Read an expression, which may call hand-written and known functions.
 
     Raises InputError, naming the place, for what is no expression of this module.
     """
@@ -212,7 +200,7 @@ def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
 
 
 def _check_calls(place: str, node: ast.expr, known: set[str]) -> None:
-    """Check that calls are of known functions: `neg`, which the parser has for a sign, is none."""
+    """Check that all calls are of known functions; `neg`, the parser's word for a sign, is not."""
     for part in ast.walk(node):
         if isinstance(part, ast.Call) and ast.unparse(part.func) not in known:
             raise InputError(place, ast.unparse(part), "calls what is not known")
