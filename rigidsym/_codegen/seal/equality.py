@@ -5,7 +5,8 @@ Calls are names there: equal ones have equal names.  A `Claim` is one such decis
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import count
+
+from sympy import primerange
 
 from rigidsym._codegen.ir import Let
 from rigidsym.errors import InputError
@@ -28,7 +29,7 @@ def is_equal(left: Expression, right: Expression) -> bool:
     """Return True where two expressions are equal as rational functions of names and calls."""
     if left == right:
         return True
-    atoms: dict[Expression, str] = {}
+    atoms: dict[Call, str] = {}
     left, right = (_by_names(expression, atoms) for expression in (left, right))
     generators = sorted({*names(left), *names(right)})
     units = {to_text(unit) for side in (left, right) for unit in _denominators(side)}
@@ -39,8 +40,8 @@ def is_equal(left: Expression, right: Expression) -> bool:
         return False
 
 
-def _by_names(expression: Expression, atoms: dict[Expression, str]) -> Expression:
-    """Put a name in place of each call, the same for equal ones."""
+def _by_names(expression: Expression, atoms: dict[Call, str]) -> Expression:
+    """Replace calls by names, equal calls by the same name."""
     parts = tuple(_by_names(part, atoms) for part in children(expression))
     match rebuild(expression, parts):
         case Call("neg", (operand,)):
@@ -51,18 +52,13 @@ def _by_names(expression: Expression, atoms: dict[Expression, str]) -> Expressio
             return other
 
 
-def _atom(call: Call, atoms: dict[Expression, str]) -> str:
-    """Return the name of a call, which calls of the same function and equal arguments share."""
+def _atom(call: Call, atoms: dict[Call, str]) -> str:
+    """Return the name of a call; calls of one function with equal arguments share a name."""
     for other, name in atoms.items():
-        if isinstance(other, Call) and _are_same(call, other):
+        alike = other.function == call.function and len(other.arguments) == len(call.arguments)
+        if alike and all(map(is_equal, call.arguments, other.arguments)):
             return name
     return atoms.setdefault(call, f"call_{len(atoms)}")
-
-
-def _are_same(one: Call, other: Call) -> bool:
-    if one.function != other.function or len(one.arguments) != len(other.arguments):
-        return False
-    return all(map(is_equal, one.arguments, other.arguments))
 
 
 def _denominators(expression: Expression) -> Iterable[Expression]:
@@ -74,23 +70,13 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
     """Open a ring of the kernel; its sample point consists of primes, where no unit vanishes."""
-    witness = dict(zip(generators, map(str, _primes(len(generators))), strict=True))
+    witness = dict(zip(generators, map(str, primerange(101, 1 << 20)), strict=False))
     return Context("seal", tuple(generators), witness, units=units).open()
-
-
-def _primes(size: int) -> list[int]:
-    found: list[int] = []
-    for candidate in count(101):
-        if len(found) == size:
-            return found
-        if all(candidate % d for d in range(2, 1 + int(candidate**0.5))):
-            found.append(candidate)
-    return found
 
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A claim that the printed form of a formula, at a place, equals the derived one."""
+    """Claim that the printed form of a formula equals the derived form."""
 
     place: str
     formula: str
@@ -104,5 +90,5 @@ class Claim:
 
 
 def formulas_of(lets: tuple[Let, ...]) -> dict[str, Expression]:
-    """Return expressions by the name they set, where that is one."""
+    """Return the expressions of lets with one target, by its name."""
     return {let.targets[0]: let.expression for let in lets if len(let.targets) == 1}

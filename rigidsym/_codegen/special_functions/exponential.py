@@ -1,4 +1,4 @@
-"""A polynomial for e^x, x <= 0, with a proved bound for what it leaves out.
+"""A polynomial for e^x, x <= 0, with a proved error bound.
 
     e^x = 2^n e^r,    n = the whole number nearest to x/log 2,    r = x - n log 2
     e^r = 1 + (r + r^2 (1/2 + r E(r))),    |r| <= 0.3467
@@ -16,7 +16,7 @@ import mpmath
 from flint import arb
 
 from rigidsym._codegen.ir import Constant, Function, let
-from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, horner, interpolated
+from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, fitted, horner
 
 TERMS = 9
 # 2^-1022 is e^-708.4: where x is below this, 0 is the answer.
@@ -57,13 +57,13 @@ def constants() -> list[Constant]:
 
 @cache
 def coefficients(count: int) -> tuple[float, ...]:
-    """Return the doubles E_0 ... of E, `count` of them."""
+    """Return the first `count` coefficients of E as doubles."""
 
     def tail(r: mpmath.mpf) -> mpmath.mpf:
         return sum(r**n / mpmath.factorial(n + 3) for n in range(60))
 
     with mpmath.workdps(DIGITS):
-        return tuple(map(float, interpolated(tail, *_RANGE, count)))
+        return tuple(map(float, fitted(tail, *_RANGE, count)))
 
 
 def bound(terms: Sequence[float]) -> float:

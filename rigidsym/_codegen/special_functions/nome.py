@@ -9,6 +9,9 @@ its root, which are no less than 1 - k_next^2, leave e < 1/500.
 """
 
 from fractions import Fraction
+from math import isqrt
+
+from flint import ctx, fmpz_series
 
 from rigidsym._codegen.ir import Function, let
 from rigidsym._codegen.special_functions.polynomials import horner
@@ -19,7 +22,7 @@ LARGEST = Fraction(1, 500)
 
 
 def series_tail() -> Fraction:
-    """Bound what TERMS leave out of q/e, e at most LARGEST, relative to it: q/e >= 1.
+    """Bound the relative truncation error of q/e for e up to LARGEST, where q/e >= 1.
 
     With e = q R(q^4) as in `coefficients`, let L be a lower bound for |R| where |q| = r = 3/5; |e|
     is at least r L there, and e has the zero q = 0 alone within.  By Rouche's theorem q is analytic
@@ -35,57 +38,29 @@ def series_tail() -> Fraction:
 
 
 def coefficients(count: int) -> list[int]:
-    """Return 1, 2, 15, 150, ..., the reversed series of a quotient of thetas.
+    """Return 1, 2, 15, 150, ..., the coefficients of e^(4 n) in q/e.
 
     >>> coefficients(6)
     [1, 2, 15, 150, 1707, 20910]
     """
-    # In p = q^4, e = q R(p) has e^4 = p R(p)^4; the coefficient of e^(4 n) in q/e is asked for.
-    over = [0] * count
-    n = 0
-    while n * (n + 1) < count:
-        over[n * (n + 1)] += 1
-        n += 1
-    under = [0] * count
-    n = 0
-    while n * n < count:
-        under[n * n] += 1 if n == 0 else 2
-        n += 1
-    ratio = _times(over, _inverse(under))
-    found = [1]
-    while len(found) < count:
-        # q = e (sum found_k e^(4 k)) must satisfy q R(q^4) = e: the next coefficient mends it.
-        trial = [*found, 0]
-        found.append(-_composed(ratio, trial)[len(found)])
-    return found
-
-
-def _composed(ratio: list[int], found: list[int]) -> list[int]:
-    """Return coefficients in w = e^4 of (q/e) R(q^4) where q/e has the coefficients found."""
-    size = len(found)
-    fourth = _times(_times(found, found), _times(found, found))
-    argument = [0, *fourth[: size - 1]]
-    total, power = [0] * size, [1] + [0] * (size - 1)
-    for factor in ratio[:size]:
-        total = [a + factor * b for a, b in zip(total, power, strict=True)]
-        power = _times(power, argument)
-    return _times(found, total)
-
-
-def _times(a: list[int], b: list[int]) -> list[int]:
-    size = min(len(a), len(b))
-    return [sum(a[j] * b[k - j] for j in range(k + 1)) for k in range(size)]
-
-
-def _inverse(a: list[int]) -> list[int]:
-    found = [1]
-    for k in range(1, len(a)):
-        found.append(-sum(a[j] * found[k - j] for j in range(1, k + 1)))
-    return found
+    # e = q R(q^4), where R is a quotient of thetas, is solved for q.
+    length, before = 4 * count, ctx.cap
+    over, under = [0] * length, [0] * length
+    for n in range(isqrt(length)):
+        if (power := 4 * n * (n + 1)) < length:
+            over[power] = 1
+        if (power := 4 * n * n) < length:
+            under[power] = 2 if n else 1
+    try:
+        ctx.cap = length
+        q = (fmpz_series([0, 1]) * fmpz_series(over) / fmpz_series(under)).reversion()
+    finally:
+        ctx.cap = before
+    return [int(q[4 * n + 1]) for n in range(count)]
 
 
 def root_ratio() -> Function:
-    """Return r = k/root q(k), which is 4 at k = 0."""
+    """State r = k/root q(k), which is 4 at k = 0."""
     terms = [str(value) for value in coefficients(TERMS)]
     lets = (
         let("root_kc = sqrt(kc)", "DLMF 19.8.12"),

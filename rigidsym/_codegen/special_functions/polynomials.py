@@ -1,4 +1,4 @@
-"""Polynomials: their text, near-minimax coefficients, and proved distances from power series."""
+"""Polynomials: their text, near-minimax coefficients, and proved distances from functions."""
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -45,22 +45,12 @@ def horner(variable: str, coefficients: Sequence[str]) -> str:
     return f"{first} + {variable}*({inner})" if len(rest) > 1 else f"{first} + {variable}*{inner}"
 
 
-def interpolated(
+def fitted(
     function: Callable[[mpf], mpf], least: Fraction, most: Fraction, count: int
 ) -> list[mpf]:
     """Interpolate a function at Chebyshev's points; return the coefficients, lowest first."""
-    middle, half = _number((least + most) / 2), _number((most - least) / 2)
-    rows, values = mpmath.matrix(count), mpmath.matrix(count, 1)
-    for k in range(count):
-        x = middle - half * mpmath.cos(mpmath.pi * (2 * k + 1) / (2 * count))
-        values[k] = function(x)
-        for j in range(count):
-            rows[k, j] = x**j
-    return list(mpmath.lu_solve(rows, values))
-
-
-def _number(value: Fraction) -> mpf:
-    return mpmath.mpf(value.numerator) / value.denominator
+    ends = [mpmath.mpf(x.numerator) / x.denominator for x in (least, most)]
+    return mpmath.chebyfit(function, ends, count)[::-1]
 
 
 def distance(

@@ -1,4 +1,4 @@
-"""Angles that grow with time, reduced before any sine."""
+"""Reduction of angles that grow with time, and polynomials for sine and cosine."""
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -10,7 +10,7 @@ from flint import arb
 from mpmath import mpf
 
 from rigidsym._codegen.ir import EXACT_DIFFERENCE, EXACT_PRODUCT, EXACT_SUM, Constant, Let, let
-from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, horner, interpolated
+from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, fitted, horner
 
 TERMS = 8
 # What whole half turns do to sine and cosine; the sign they leave.
@@ -23,16 +23,14 @@ _RANGE = Fraction(0), _FARTHEST**2
 
 def constants() -> list[Constant]:
     """Return the coefficients of the polynomials."""
-    sines, cosines = sine_coefficients(TERMS), cosine_coefficients(TERMS)
+    series = (
+        (_SINE, sine_coefficients(TERMS), "sin(pi f)/f"),
+        (_COSINE, cosine_coefficients(TERMS), "cos(pi f)"),
+    )
     return [
-        *(
-            Constant(n, c, None, f"sin(pi f)/f, z^{k + 1}")
-            for k, (n, c) in enumerate(zip(_SINE, sines, strict=True))
-        ),
-        *(
-            Constant(n, c, None, f"cos(pi f), z^{k + 1}")
-            for k, (n, c) in enumerate(zip(_COSINE, cosines, strict=True))
-        ),
+        Constant(name, value, None, f"{meaning}, z^{k}")
+        for names, values, meaning in series
+        for k, (name, value) in enumerate(zip(names, values, strict=True), 1)
     ]
 
 
@@ -53,7 +51,7 @@ def product(
 
 
 def total(name: str, one: str, other: str) -> list[Let]:
-    """Return name + name_error = one + other exactly (Knuth's sum of two)."""
+    """State name + name_error = one + other exactly (Knuth's sum of two)."""
     lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
     return [
         let(f"{name} = {one} + {other}", EXACT_SUM),
@@ -63,7 +61,7 @@ def total(name: str, one: str, other: str) -> list[Let]:
 
 
 def whole(name: str, value: str) -> list[Let]:
-    """Return the nearest whole number, and the rest, which is exact."""
+    """State the whole number nearest to a value, and the rest, which is exact."""
     return [
         let(f"{name}_whole = nearest({value})", TURNS),
         let(f"{name}_rest = {value} - {name}_whole", TURNS, EXACT_DIFFERENCE),
@@ -71,13 +69,13 @@ def whole(name: str, value: str) -> list[Let]:
 
 
 def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
-    """Return sine of pi times half_turns, with a sign."""
+    """State the sine of pi times half_turns, times a sign."""
     square = f"{half_turns}_square"
     return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
 
 
 def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
-    """Return sine and cosine of pi times half_turns, whose whole part is given apart."""
+    """State sine and cosine of an angle, given as half turns and their whole number."""
     square, sign = f"{angle}_square", f"{angle}_sign"
     return [
         _square(square, half_turns),
@@ -101,41 +99,37 @@ def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
 
 @cache
 def sine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the doubles S_0 ... of S, `count` of them."""
-    return _fitted(lambda z: _sine_ratio(z) - mpmath.pi, count)
+    """Return the first `count` coefficients of S as doubles."""
+    return _near(lambda z: mpmath.pi * (mpmath.sincpi(mpmath.sqrt(z)) - 1), count)
 
 
 @cache
 def cosine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the doubles C_0 ... of C, `count` of them."""
-    return _fitted(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
+    """Return the first `count` coefficients of C as doubles."""
+    return _near(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
 
 
-def _sine_ratio(z: mpf) -> mpf:
-    f = mpmath.sqrt(z)
-    return mpmath.sin(mpmath.pi * f) / f
-
-
-def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
-    """Return coefficients of a polynomial p with z p(z) near the function."""
+def _near(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
+    """Return the coefficients of a polynomial p where z p(z) approximates the function."""
     with mpmath.workdps(DIGITS):
-        first = float(interpolated(lambda z: function(z) / z, *_RANGE, count)[0])
-        rest = interpolated(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
+        first = float(fitted(lambda z: function(z) / z, *_RANGE, count)[0])
+        rest = fitted(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
         return (first, *map(float, rest))
 
 
 def sine_bound(coefficients: Sequence[float]) -> float:
     """Bound |f (pi + z S(z)) - sin(pi f)|."""
-    return distance(coefficients, lambda k: _taylor(2 * k + 3), *_RANGE, weight=_sine_weight)
+    return distance(
+        coefficients,
+        lambda k: _taylor(2 * k + 3),
+        *_RANGE,
+        weight=lambda z: abs(z) * _FARTHEST.numerator / _FARTHEST.denominator,
+    )
 
 
 def cosine_bound(coefficients: Sequence[float]) -> float:
     """Bound |1 + z C(z) - cos(pi f)|."""
     return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
-
-
-def _sine_weight(z: arb) -> arb:
-    return abs(z) * _FARTHEST.numerator / _FARTHEST.denominator
 
 
 def _taylor(power: int) -> arb:

@@ -11,9 +11,11 @@ and l_d are 1 at most by the triangle inequality of moments.  `STEPS` doublings 
 8 rad to p t^2 = `LARGEST`, from which all bounds follow.
 """
 
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
+from typing import Any
+
+from flint import fmpq_mpoly_ctx
 
 from rigidsym._codegen.ir import Let, let
 from rigidsym._codegen.special_functions.polynomials import horner
@@ -30,36 +32,32 @@ _TAYLOR, _LEGENDRE = "DLMF 22.10.1", "DLMF 18.12.11"
 Polynomial = dict[tuple[int, int], Fraction]
 
 
+def _solution(linear: Any, cubic: Any, one: Any, count: int) -> list[Any]:
+    """Return the coefficients of t, t^3, ... in f, where f'' = linear f + 2 cubic f^3, f'(0) = 1.
+
+    They are numbers or polynomials, as linear, cubic and one are.
+    """
+    found, squares = [one], []
+    for n in range(count - 1):
+        cubes = sum((found[i] * squares[n - 1 - i] for i in range(n)), 0 * one)
+        squares.append(sum((found[i] * found[n - i] for i in range(n + 1)), 0 * one))
+        found.append((linear * found[n] + 2 * cubic * cubes) / ((2 * n + 2) * (2 * n + 3)))
+    return found
+
+
 @cache
 def series() -> tuple[Polynomial, ...]:
     """Return the coefficients of t, t^3, t^5, ... in X."""
-    found: list[Polynomial] = [{(0, 0): Fraction(1)}]
-    for n in range(TERMS - 1):
-        total: Polynomial = {}
-        for (i, j), c in found[n].items():
-            _add(total, (i + 1, j), -c)
-        for c, power in _cubes(found, n - 1):
-            _add(total, (power[0], power[1] + 1), 2 * c)
-        found.append({p: c / ((2 * n + 2) * (2 * n + 3)) for p, c in total.items()})
-    return tuple(found)
-
-
-def _add(total: Polynomial, power: tuple[int, int], value: Fraction) -> None:
-    total[power] = total.get(power, Fraction(0)) + value
-
-
-def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[int, int]]]:
-    """Return the terms of t^(2 n + 3) in X^3."""
-    for i in range(n + 1):
-        for j in range(n + 1 - i):
-            for (a, b), x in found[i].items():
-                for (c, d), y in found[j].items():
-                    for (e, f), z in found[n - i - j].items():
-                        yield x * y * z, (a + c + e, b + d + f)
+    context = fmpq_mpoly_ctx.get(("e_1", "e_2"), "lex")
+    e_1, e_2 = context.gens()
+    found = _solution(-e_1, e_2, context.constant(1), TERMS)
+    return tuple(
+        {power: Fraction(int(c.p), int(c.q)) for power, c in x.to_dict().items()} for x in found
+    )
 
 
 def elapsed() -> list[Let]:
-    """State X_0/t less 1 and Y_0 less 1 at `first_t`, by e_1 and e_2 rounded."""
+    """State X and Y at the shortest time `first_t`."""
     return [
         let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
         let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
@@ -71,7 +69,7 @@ def elapsed() -> list[Let]:
 
 
 def _sum(factors: list[int]) -> str:
-    """Return the terms after the first, with a factor each, by Horner's scheme in a_2."""
+    """Return the text of the series without its first term, each term times a factor."""
     by_power: dict[int, dict[int, Fraction]] = {}
     for factor, coefficient in list(zip(factors, series(), strict=True))[1:]:
         for (i, j), c in coefficient.items():
@@ -91,7 +89,7 @@ def _number(value: Fraction) -> str:
 
 
 def third_kind() -> list[Let]:
-    """State the imaginary part of rate J, where rate and nu are complex."""
+    """State cosine and sine of Im(rate J), where rate and nu are complex."""
     lets = [
         let("square_X = X*X", _LEGENDRE),
         let("d_0 = 1", _LEGENDRE),
@@ -122,7 +120,7 @@ def third_kind() -> list[Let]:
 
 @cache
 def elapsed_tail() -> Fraction:
-    """Bound what TERMS leave out of X and Y, relative to them.
+    """Bound the relative truncation error of X and Y.
 
     With all signs positive, f'' = e_1 f + 2 e_2 f^3 has coefficients that are no smaller, and grow
     with e_1 and e_2: r is between 0 and p in `_PARTS` parts, in each of which both are at their
@@ -131,29 +129,17 @@ def elapsed_tail() -> Fraction:
     """
     count, share = 4 * TERMS, 2 * LARGEST / 9
     beyond = 2 * (2 * count + 1) * share**count / (1 - share) ** 2
-    return (max(map(_left_out, range(_PARTS))) + beyond) / (1 - LARGEST)
-
-
-def _left_out(part: int) -> Fraction:
-    """Bound the terms of Y from TERMS to 4 TERMS over one part of the values of r."""
-    r, further = Fraction(part, _PARTS), Fraction(part + 1, _PARTS)
-    found = _majorant(1 - r / 2, further**2 / 16)
-    return sum(((2 * n + 1) * found[n] * LARGEST**n for n in range(TERMS, 4 * TERMS)), Fraction(0))
-
-
-def _majorant(e_1: Fraction, e_2: Fraction) -> list[Fraction]:
-    """Return the coefficients of t, t^3, ... in f, where f'' = e_1 f + 2 e_2 f^3."""
-    found = [Fraction(1)]
-    squares: list[Fraction] = []
-    for n in range(4 * TERMS - 1):
-        cubes = sum((found[i] * squares[n - 1 - i] for i in range(n)), Fraction(0))
-        squares.append(sum((found[i] * found[n - i] for i in range(n + 1)), Fraction(0)))
-        found.append((e_1 * found[n] + 2 * e_2 * cubes) / ((2 * n + 2) * (2 * n + 3)))
-    return found
+    worst = Fraction(0)
+    for part in range(_PARTS):
+        r, further = Fraction(part, _PARTS), Fraction(part + 1, _PARTS)
+        found = _solution(1 - r / 2, further**2 / 16, Fraction(1), count)
+        terms = ((2 * n + 1) * found[n] * LARGEST**n for n in range(TERMS, count))
+        worst = max(worst, sum(terms, Fraction(0)))
+    return (worst + beyond) / (1 - LARGEST)
 
 
 def third_kind_tail() -> Fraction:
-    """Bound what is left out in psi/2 after all doublings.
+    """Bound the truncation error in psi/2 after all doublings.
 
     1/Y is a product of two (1 - a x)^(-1/2) with a <= p, so that d_j <= p^j; |nu| <= h <= p/4 then
     gives |c_j| <= (4/3) p^j.  X <= t; the rate is h z z' with |z| <= 1 and |z'| <= |omega|, since
