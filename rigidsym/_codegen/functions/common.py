@@ -1,4 +1,4 @@
-"""Common functions of motions in both forms: start, reduced time, branches, constant rates.
+"""Functions that both forms of motions share: start, reduced time, branches, constant rates.
 
 The first functions are given the differences of the moments: what the moments are rounded to is not
 subtracted.  Axes are told by their numbers, 0, 1 and 2.  v is u_1 in half turns of 2 K_1; near the
@@ -31,7 +31,7 @@ _QUATERNION = ("q0", "q1", "q2", "q3")
 
 
 def discriminant(solution: Solution) -> Function:
-    """State E_b, over any kind of numbers."""
+    """Make the function of E_b, for any kind of numbers."""
     parameters = ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d")
     lets = select(solution.sequences["constants"], ("E_b",), parameters)
     return Function(
@@ -40,14 +40,14 @@ def discriminant(solution: Solution) -> Function:
 
 
 def circulation(solution: Solution) -> Function:
-    """State which axis is a, or that the rates are constant."""
+    """Make the function that decides which axis is a, or that the rates are constant."""
     lets = select(solution.sequences["decisions"], (ROOT,), (*GIVEN, *ONES))
     summary = "1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."
     return Function("_circulation", summary, GIVEN, specialise(lets, ONES), (ROOT,))
 
 
 def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
-    """State the start of a motion: what the constants of both branches are made from."""
+    """Make the function of the quantities at t = 0 that both branches start from."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS, "tau")
     names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
@@ -65,7 +65,7 @@ def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
 
 
 def _signs(solution: Solution) -> list[Let]:
-    """State the handedness of the axes, and the signs of numbers before they are rounded."""
+    """State the handedness of the axes, and the signs of rounded numbers."""
     given = ("c_ad", "Omega_a", "Omega_d")
     rounded = {name: parse(f"rounded({name})") for name in given}
     return [
@@ -88,7 +88,7 @@ def circular_time() -> list[Let]:
 
 
 def hyperbolic_time(half_period: str) -> list[Let]:
-    """Reduce y by its nearest half period; half_period is the reference for its effect."""
+    """Reduce y by its nearest half period; `half_period` is the reference for that."""
     return [
         *reduction.product("p_y", "y_rate", extra="y0_lo"),
         let("periods = nearest((p_y + y0_hi)*period_inverse)", half_period),
@@ -100,7 +100,7 @@ def hyperbolic_time(half_period: str) -> list[Let]:
 
 
 def elapsed_time(half_period: str) -> list[Let]:
-    """Reduce y likewise, from y = 0 at t = 0, as y + y_lo."""
+    """Reduce y, which is 0 at t = 0, by its nearest half period to y + y_lo."""
     return [
         *reduction.product("p_y", "y_rate"),
         let("periods = nearest(p_y*period_inverse)", half_period),
@@ -113,7 +113,7 @@ def elapsed_time(half_period: str) -> list[Let]:
 
 
 def elapsed_phase(half_period: str) -> list[Let]:
-    """Reduce the phase likewise, from its value at t = 0, as z + z_lo; use `elapsed_time` first."""
+    """Reduce the phase by its nearest half period to z + z_lo, after `elapsed_time`."""
     return [
         let("turns = nearest((p_y + z0_hi)*period_inverse)", half_period),
         *reduction.product("behind", "period", "turns", later=False),
@@ -126,7 +126,7 @@ def elapsed_phase(half_period: str) -> list[Let]:
 
 
 def hyperbolic_turns() -> list[Let]:
-    """Add the turns of Lambda and of the half periods: whole half turns, and the rest."""
+    """Add the turns by Lambda and by half periods, as whole half turns and a rest."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
@@ -140,7 +140,7 @@ def hyperbolic_turns() -> list[Let]:
 
 
 def imaginary_phase(ladder: str) -> list[Let]:
-    """State sinh(y) at t = 0, at the bottom of the complementary modulus' ladder."""
+    """State sinh(y) at t = 0 by the ladder of the complementary modulus."""
     return [
         # Past K/2 the phase is reflected to K - u: sc(K - u) = cs(u)/k' (DLMF 22.4(iii)).
         let("size_s = size(s)", "DLMF 22.4.3"),
@@ -163,7 +163,7 @@ def period_bounds(vanished: str, half_period: str) -> list[Let]:
 
 
 def phase_at_start(*parity: str) -> list[Let]:
-    """State y at t = 0 by its hyperbolic sine; parity is the reference for its sign."""
+    """State y at t = 0 by its hyperbolic sine; `parity` is the reference for its sign."""
     return [
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
@@ -189,49 +189,57 @@ def flat(split: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"{name}_{part}" for name in split for part in ("hi", "lo"))
 
 
-def constants_function(
+def branch(
     name: str,
-    lets: list[Let],
-    results: tuple[str, ...],
+    constants: Iterable[Let],
+    angles: Iterable[Let],
+    state: Iterable[Let],
+    *,
     split: tuple[str, ...],
+    in_angles: tuple[str, ...],
+    timed: tuple[str, ...],
+    in_state: tuple[str, ...],
     given: tuple[str, ...] = (*INITIAL, *ATTITUDE),
-) -> Function:
-    """Make the function of a branch's constants, from the results of the start."""
-    used = {name for formula in live(lets, results) for name in names(formula.expression)}
-    used |= {*results}
-    extended = [name for name in given if name in used]
-    return Function(
-        f"_{name}_constants",
-        f"The constants of a motion on the {name} branch, from `_initial_state`.",
-        (*extended, *(sign for sign in SIGNS if sign in used), "unit"),
-        tuple(lets),
-        results,
-        frozenset(extended),
-        frozenset(split),
-        rounds=True,
+) -> tuple[Function, ...]:
+    """Make the functions of a branch: its constants, the angles at a time, and the state.
+
+    split, in_angles: the constants that angles take, as two doubles each and as one.  timed: the
+    angles.  in_state: the constants that states take.  given: the extended numbers that constants
+    may be computed from.
+    """
+    results, lets = (*split, *in_angles, *in_state), tuple(constants)
+    used = {name for let in live(lets, results) for name in names(let.expression)} | {*results}
+    extended = tuple(name for name in given if name in used)
+    return (
+        Function(
+            f"_{name}_constants",
+            f"The constants of a motion on the {name} branch, from `_initial_state`.",
+            (*extended, *(sign for sign in SIGNS if sign in used), "unit"),
+            lets,
+            results,
+            frozenset(extended),
+            frozenset(split),
+            rounds=True,
+        ),
+        Function(
+            f"_{name}_angles",
+            f"Angles of the {name} branch at t + t_lo.",
+            ("t", "t_lo", *flat(split), *in_angles),
+            tuple(angles),
+            timed,
+        ),
+        Function(
+            f"_{name}_state",
+            f"The state on the {name} branch, from `_{name}_angles`.",
+            (*timed, *in_state),
+            tuple(state),
+            STATE,
+        ),
     )
 
 
-def at_time(
-    name: str, lets: list[Let], constants: tuple[str, ...], results: tuple[str, ...]
-) -> Function:
-    """Make the function of the quantities of a branch that change with time."""
-    summary = f"Angles of the {name} branch at t + t_lo."
-    parameters = ("t", "t_lo", *constants)
-    return Function(f"_{name}_angles", summary, parameters, tuple(lets), results)
-
-
-def from_angles(
-    name: str, lets: list[Let], given: tuple[str, ...], constants: tuple[str, ...]
-) -> Function:
-    """Make the function of a branch's state, from the quantities that change with time."""
-    summary = f"The state on the {name} branch, from `_{name}_angles`."
-    parameters = (*given, *constants)
-    return Function(f"_{name}_state", summary, parameters, tuple(lets), STATE)
-
-
 def steady(solution: Solution) -> tuple[Function, ...]:
-    """State constants, angle and state; the half angle is the phase of the other branches."""
+    """Make constants, angles and state for constant rates."""
     sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
     axis, start = ("axis1", "axis2", "axis3"), ("p0", "p1", "p2", "p3")
@@ -255,7 +263,13 @@ def steady(solution: Solution) -> tuple[Function, ...]:
             frozenset(("Lambda_rate",)),
             rounds=True,
         ),
-        at_time("steady", phase(), flat(("Lambda_rate",)), turned),
+        Function(
+            "_steady_angles",
+            "Angles of the steady branch at t + t_lo.",
+            ("t", "t_lo", *flat(("Lambda_rate",))),
+            tuple(phase()),
+            turned,
+        ),
         Function(
             "_steady_state",
             "The attitude from `_steady_angles`.",

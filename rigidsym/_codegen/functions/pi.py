@@ -8,10 +8,8 @@ plane, up to half a quarter period; past that, where the motion rests near the s
 from collections.abc import Iterable, Mapping
 
 from rigidsym._codegen.functions.common import (
-    at_time,
+    branch,
     circular_time,
-    constants_function,
-    from_angles,
     hyperbolic_time,
     hyperbolic_turns,
     imaginary_phase,
@@ -41,22 +39,12 @@ GIVEN += ("n", "kappa", "H", "s", "c", "d")
 _CIRCULAR_SPLIT = ("v_rate", "v", "Lambda_rate")
 _CIRCULAR_MODULI = tuple(f"k_{n}" for n in range(2, LEVELS + 1))
 _CIRCULAR_KEPT = (*_CIRCULAR_MODULI, "characteristic", "spread", "kappa", "j", "two_K", "rest_0")
-_THIRD = "DLMF 19.25.14"
 # 2 K_1 later J has grown by 2 J_c (DLMF 19.2.7), and J - j u_1 is what it was.
 _WINDING = "DLMF 19.2.7"
 _HYPERBOLIC_SPLIT = ("y_rate", "y0", "period", "Lambda_rate", "jump")
 _HYPERBOLIC_MODULI = tuple(f"l_{n}" for n in range(2, LEVELS + 1))
-_HYPERBOLIC_COEFFICIENTS = (
-    "g_1",
-    "g_2",
-    "h_2",
-    "alpha",
-    "delta",
-    "spread",
-    "slope",
-    "z",
-    "characteristic",
-)
+_HYPERBOLIC_COEFFICIENTS = ("g_1", "g_2", "h_2", "alpha", "delta", "spread", "slope")
+_HYPERBOLIC_COEFFICIENTS += ("z", "characteristic")
 _HYPERBOLIC_KEPT = ("period_far", "period_inverse", *_HYPERBOLIC_MODULI, "gc", "kc_1", "m_c", "rho")
 _HYPERBOLIC_KEPT += (*_HYPERBOLIC_COEFFICIENTS, "start_rest")
 _LADDER = "K_c, sin_b, cos_b, Y_b = _ladder(kc_1, k_1, 0, 1, 1, kc_1, xi)"
@@ -71,12 +59,12 @@ PARTS = {"X_re": "turn_re", "X_im": "turn_im", "T_re": "arc_re", "T_im": "arc_im
 
 
 def level(name: str, n: int) -> str:
-    """Return the name of a quantity of Landen's steps on a level."""
+    """Return the name of a quantity on a level of Landen's steps."""
     return name if n == 1 else f"{name}_{n}"
 
 
 def moduli(solution: Solution, modulus: str, complement: str) -> tuple[Let, ...]:
-    """State the moduli of all levels below the first, by the names on that level."""
+    """State the moduli of all levels below the first by those of the first."""
     lets: tuple[Let, ...] = ()
     for n in range(1, LEVELS):
         step = select(solution.sequences["landen"], ("k_next", "kc_next"), ("k", "kc"))
@@ -106,12 +94,12 @@ def state(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution) -> tuple[Let, ...]:
-    """State tau, and p by the attitude at t = 0 and the regular one there."""
+    """State tau and the constant left factor p of the attitude."""
     given = ("K", "epsilon", "sigma", "rho", *HALF, *INERTIA, *RATES, *ATTITUDE)
     return select(solution.sequences["constants"], ("tau", *FRONT), given)
 
 
-def branch(
+def _branch(
     name: str,
     solution: Solution,
     constants: Iterable[Let],
@@ -119,27 +107,25 @@ def branch(
     kept: tuple[str, ...],
     split: tuple[str, ...],
 ) -> tuple[Function, ...]:
-    """Make constants, angles and state; angles take `kept`, and `split` as two doubles each."""
-    flat = tuple(f"{x}_{part}" for x in split for part in ("hi", "lo"))
-    results = (*split, *kept, *KEPT)
-    extended = (*GIVEN, *INERTIA, *RATES, *ATTITUDE)
-    return (
-        constants_function(name, list(constants), results, split, extended),
-        at_time(name, list(angles), (*flat, *kept), TIMED),
-        from_angles(name, list(state(solution)), TIMED, KEPT),
+    """Make constants, angles and state, which is the same on both branches."""
+    given = (*GIVEN, *INERTIA, *RATES, *ATTITUDE)
+    return branch(
+        name,
+        constants,
+        angles,
+        state(solution),
+        split=split,
+        in_angles=kept,
+        timed=TIMED,
+        in_state=KEPT,
+        given=given,
     )
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """State the circular branch: constants, angles and state."""
-    return branch(
-        "circular",
-        solution,
-        _circular_constants(solution),
-        _circular_angles(solution),
-        _CIRCULAR_KEPT,
-        _CIRCULAR_SPLIT,
-    )
+    """Make constants, angles and state of the circular branch."""
+    constants, angles = _circular_constants(solution), _circular_angles(solution)
+    return _branch("circular", solution, constants, angles, _CIRCULAR_KEPT, _CIRCULAR_SPLIT)
 
 
 def _circular_constants(solution: Solution) -> list[Let]:
@@ -188,7 +174,7 @@ def _circular_angles(solution: Solution) -> list[Let]:
 
 
 def numbers() -> list[Constant]:
-    """Return the depth beyond which functions no longer change, and the least cosine."""
+    """Return the named numbers for great depths: `deepest` and `least_c`."""
     return [
         Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is 0"),
         Constant("least_c", 1e-45, None, "stands for sech where that is 0"),
@@ -196,15 +182,9 @@ def numbers() -> list[Constant]:
 
 
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """State the hyperbolic branch: constants, angles and state."""
-    return branch(
-        "hyperbolic",
-        solution,
-        _hyperbolic_constants(solution),
-        _hyperbolic_angles(solution),
-        _HYPERBOLIC_KEPT,
-        _HYPERBOLIC_SPLIT,
-    )
+    """Make constants, angles and state of the hyperbolic branch."""
+    constants, angles = _hyperbolic_constants(solution), _hyperbolic_angles(solution)
+    return _branch("hyperbolic", solution, constants, angles, _HYPERBOLIC_KEPT, _HYPERBOLIC_SPLIT)
 
 
 def _hyperbolic_constants(solution: Solution) -> list[Let]:
@@ -238,7 +218,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _rest_at_start() -> list[Let]:
-    """State the share in psi/2 of the quarter period's end that is nearer at t = 0."""
+    """State psi/2 at t = 0 from the nearer end of the quarter period, without the arctangent."""
     return [
         let("near_s = rounded(choose(far, near, size_s, c/d))", _REFLECTED),
         let("near_c = rounded(choose(far, near, c, kc_1*size_s/d))", _REFLECTED),
@@ -253,7 +233,7 @@ def _rest_at_start() -> list[Let]:
 
 
 def _rest(one: str, other: str) -> list[Let]:
-    """State psi/2 beside the arctangent: from the crossing where one <= other."""
+    """State psi/2 without the arctangent: from the crossing if one <= other, else the saddle."""
     return [
         let("from_crossing = g_1*w + g_2*third"),
         let("from_saddle = alpha - (g_1*w + h_2*third)"),
@@ -262,7 +242,7 @@ def _rest(one: str, other: str) -> list[Let]:
 
 
 def _turn(solution: Solution, names: Mapping[str, str]) -> tuple[Let, ...]:
-    """State the arctangent's cosine and sine, by other names of functions."""
+    """State cosine and sine of the arctangent, with functions under other names."""
     given = ("z", "slope", "delta", "n", "rho", "s", "c", "d")
     lets = select(solution.sequences["pi_hyperbolic"], ("T_re", "T_im"), given)
     return renamed(lets, names)
@@ -303,14 +283,14 @@ def _hyperbolic_angles(solution: Solution) -> list[Let]:
 
 
 def _half_psi(solution: Solution) -> tuple[Let, ...]:
-    """State the cosine and sine of psi/2 by those of its two parts."""
+    """State cosine and sine of psi/2 by those of its two parts."""
     parts = ("X_re", "X_im", "T_re", "T_im")
     lets = select(solution.sequences["pi_hyperbolic"], tuple(HALF), parts)
     return renamed(lets, PARTS | HALF)
 
 
 def _functions() -> list[Let]:
-    """State s, c and d of u_1 by those at the nearer end of the quarter period."""
+    """State s, c and d of u_1 by their values from the nearer end of the quarter period."""
     return [
         let("over_d = 1/near_d", _REFLECTED),
         let("size_s = choose(depth, quarter, near_size, near_c*over_d)", _REFLECTED),

@@ -7,11 +7,8 @@ linear in the parts P4 and P1 over N, and every rate is a constant times a quoti
 from collections.abc import Iterable
 
 from rigidsym._codegen.functions.common import (
-    at_time,
+    branch,
     circular_time,
-    constants_function,
-    flat,
-    from_angles,
     hyperbolic_time,
     hyperbolic_turns,
     imaginary_phase,
@@ -36,9 +33,6 @@ from rigidsym.solution import Solution
 from rigidsym.solution._formulas import AXES
 
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
-_CIRCULAR_SPLIT = ("v_rate", "v", "Lambda_rate")
-_HYPERBOLIC_SPLIT = ("y_rate", "y0", "period", "Lambda_rate", "jump")
-_BEYOND = ("period_far", "period_inverse")
 # What a period along the imaginary axis does to theta_2.
 _PERIOD = "DLMF 20.2.7"
 _LADDER = "K_c, sin_a, cos_a, Y_b = _ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi)"
@@ -60,7 +54,7 @@ def parts(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
-    """State the unit quaternion in front, and the rows of q_x = (sum of row times part) * scale."""
+    """State the constant left factor, and the rows of q_x = (sum of row times part) * scale."""
     sequence = solution.sequences["circular_state"]
     pull_back = solution.sequences["pull_back"]
     bars = tuple(name.replace("q_", "qbar_") for name in ATTITUDE)
@@ -82,7 +76,7 @@ def _linear(solution: Solution) -> tuple[Let, ...]:
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
-    """State the factor of each part in each component, with the constant share of 1/N."""
+    """State the factor of each part in each component, times over_N."""
     rows = []
     for formula in attitude:
         for part in PARTS:
@@ -94,7 +88,7 @@ def _rows(attitude: Iterable[Let]) -> list[Let]:
 
 
 def _rates(solution: Solution) -> dict[str, Let]:
-    """Return the rates by the Jacobi function that each is a multiple of."""
+    """Return the rates, keyed by the Jacobi function that each is proportional to."""
     given = ("sn", "cn", "dn", "sigma", "chi", "tau", *AMPLITUDES)
     rates = select(solution.sequences["rates"], RATES, given)
     return dict(zip(("dn", "sn", "cn"), rates, strict=True))
@@ -116,7 +110,7 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
 
 
 def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
-    """State the attitude and the rates by parts, rows, gains and thetas."""
+    """State attitude and rates by parts, rows, gains and thetas."""
     lets = []
     for x in ("0", *AXES):
         first, second, third, fourth = (f"row_{x}_{part}*{part}" for part in PARTS)
@@ -138,22 +132,31 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """State the circular branch: constants, angles and state."""
+    """Make constants, angles and state of the circular branch."""
     kept = [
         name
         for form in ("T4_re", "T4_im", "T1_re", "T1_im", "even", "odd", "sine_even", "sine_odd")
         for name in theta_circular.names(form)
     ]
-    timed = ("sin_v", "cos_v", "X_im", "X_re")
-    return (
-        constants_function(
-            "circular",
-            _circular_constants(solution),
-            (*_CIRCULAR_SPLIT, *kept, *ROWS, *GAINS),
-            _CIRCULAR_SPLIT,
-        ),
-        at_time("circular", _circular_angles(), flat(_CIRCULAR_SPLIT), timed),
-        from_angles("circular", _circular_state(solution), timed, (*kept, *ROWS, *GAINS)),
+    return branch(
+        "circular",
+        _circular_constants(solution),
+        [
+            *circular_time(),
+            *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
+            *phase(),
+        ],
+        [
+            *theta_circular.values(),
+            *parts(solution),
+            let("over = 1/theta4_v"),
+            let("scale = sqrt(over)"),
+            *state_lets(("theta3_v", "theta1_v", "theta2_v")),
+        ],
+        split=("v_rate", "v", "Lambda_rate"),
+        in_angles=(),
+        timed=("sin_v", "cos_v", "X_im", "X_re"),
+        in_state=(*kept, *ROWS, *GAINS),
     )
 
 
@@ -179,36 +182,25 @@ def _circular_constants(solution: Solution) -> list[Let]:
     ]
 
 
-def _circular_angles() -> list[Let]:
-    return [
-        *circular_time(),
-        *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
-        *phase(),
-    ]
-
-
-def _circular_state(solution: Solution) -> list[Let]:
-    return [
-        *theta_circular.values(),
-        *parts(solution),
-        let("over = 1/theta4_v"),
-        let("scale = sqrt(over)"),
-        *state_lets(("theta3_v", "theta1_v", "theta2_v")),
-    ]
-
-
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """State the hyperbolic branch: constants, angles and state."""
+    """Make constants, angles and state of the hyperbolic branch."""
     kept = [f"{part}_{n}" for part in ("re", "im") for n in range(theta_hyperbolic.STATE)]
     kept += ["nome", "nome2", "nome4", "nome8", "nome12"]
-    timed = ("w", "p", "side", "flip", "X_im", "X_re")
-    results = (*_HYPERBOLIC_SPLIT, *_BEYOND, *kept, *ROWS, *GAINS)
-    return (
-        constants_function(
-            "hyperbolic", _hyperbolic_constants(solution), results, _HYPERBOLIC_SPLIT
-        ),
-        at_time("hyperbolic", _hyperbolic_angles(), (*flat(_HYPERBOLIC_SPLIT), *_BEYOND), timed),
-        from_angles("hyperbolic", _hyperbolic_state(solution), timed, (*kept, *ROWS, *GAINS)),
+    return branch(
+        "hyperbolic",
+        _hyperbolic_constants(solution),
+        _hyperbolic_angles(),
+        [
+            *theta_hyperbolic.values(),
+            *parts(solution),
+            let("over = 1/theta2_y"),
+            let("scale = sqrt(over)"),
+            *state_lets(("theta3_y", "flip*theta1_y", "flip*theta4_y"), "flip"),
+        ],
+        split=("y_rate", "y0", "period", "Lambda_rate", "jump"),
+        in_angles=("period_far", "period_inverse"),
+        timed=("w", "p", "side", "flip", "X_im", "X_re"),
+        in_state=(*kept, *ROWS, *GAINS),
     )
 
 
@@ -234,7 +226,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _phase_at_initial_state() -> list[Let]:
-    """State y at t = 0, the period of y, and the exponentials there."""
+    """State y and its exponentials at t = 0, and the period of y."""
     return [
         # On the separatrix the nome is zero and nothing ever returns.
         let("nome_d = rounded(nome)", "DLMF 20.2.2"),
@@ -260,14 +252,4 @@ def _hyperbolic_angles() -> list[Let]:
         let("p = exp(depth - period_far)", "DLMF 20.2.2"),
         *hyperbolic_turns(),
         *reduction.sine_and_cosine("L", "turns", "whole", "X_im", "X_re"),
-    ]
-
-
-def _hyperbolic_state(solution: Solution) -> list[Let]:
-    return [
-        *theta_hyperbolic.values(),
-        *parts(solution),
-        let("over = 1/theta2_y"),
-        let("scale = sqrt(over)"),
-        *state_lets(("theta3_y", "flip*theta1_y", "flip*theta4_y"), "flip"),
     ]

@@ -1,10 +1,9 @@
 """The elapsed time for m > 1/2."""
 
-from rigidsym._codegen.functions.common import elapsed_phase, elapsed_time, period_bounds
+from rigidsym._codegen.functions.common import elapsed_phase, elapsed_time, flat, period_bounds
 from rigidsym._codegen.functions.sensitivity import near
 from rigidsym._codegen.functions.sensitivity.moduli import RESULTS
 from rigidsym._codegen.functions.sensitivity.real import ELAPSED, PASSED
-from rigidsym._codegen.functions.theta import flat
 from rigidsym._codegen.ir import Function, Let, let
 from rigidsym._codegen.special_functions.polynomials import horner
 

@@ -9,9 +9,9 @@ where Q/m is regular at m = 0; B is the slope of sin 2v A, so that all of it van
 u = 0.  They leave out 16 Q^15.
 """
 
+from rigidsym._codegen.functions.common import flat
 from rigidsym._codegen.functions.sensitivity import near
 from rigidsym._codegen.functions.sensitivity.moduli import RESULTS
-from rigidsym._codegen.functions.theta import flat
 from rigidsym._codegen.ir import Function, Let, let
 from rigidsym._codegen.passes import select
 from rigidsym._codegen.special_functions import reduction, theta_circular
