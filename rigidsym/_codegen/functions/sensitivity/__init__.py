@@ -1,4 +1,4 @@
-"""Sensitivities: the changes of a state with each input, in an order of functions.
+"""Functions of sensitivities, the derivatives of a state by each input.
 
 sn, cn, dn and two integrals of the elapsed time come first, then the rates, then the attitude: a
 small turn in space about the user's axes 1, 2 and 3.  The functions of the elapsed time depend on
@@ -6,10 +6,8 @@ no phase and no regime, but on which nome is small: that of m up to 1/2 (`_real_
 time), the complementary one above (`_imaginary_*`).
 """
 
-from rigidsym._codegen.functions.sensitivity.changes import along, columns
-from rigidsym._codegen.functions.sensitivity.imaginary import imaginary
-from rigidsym._codegen.functions.sensitivity.moduli import moduli
-from rigidsym._codegen.functions.sensitivity.real import real
+from rigidsym._codegen.functions.sensitivity.changes import along, columns, moduli
+from rigidsym._codegen.functions.sensitivity.elapsed import imaginary, real
 from rigidsym._codegen.ir import Function
 from rigidsym._codegen.passes import select
 from rigidsym.solution import Solution
@@ -33,7 +31,7 @@ _KEPT = (*INERTIA, *DIFFERENCES, *START, "per_K2", *(f"l{k}" for k in AXES), *_A
 
 
 def sensitivity(solution: Solution) -> tuple[Function, ...]:
-    """Return all functions, in an order in which each calls those before it."""
+    """Return all functions; each calls only functions before it."""
     return (
         moduli(solution),
         *along(solution),
@@ -45,7 +43,7 @@ def sensitivity(solution: Solution) -> tuple[Function, ...]:
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:
-    """State the constants of a motion that is not at rest, and the columns at a time."""
+    """Make constants and functions for the attitude's derivatives."""
     given = (*INERTIA, *DIFFERENCES, *START, *BEGUN)
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(

@@ -1,12 +1,22 @@
-"""The rates' changes."""
+"""Moduli of a motion's sensitivities, and derivatives of the rates."""
 
-from rigidsym._codegen.functions.sensitivity.moduli import EXTENDED, GIVEN, START, coefficients
-from rigidsym._codegen.functions.sensitivity.real import ELAPSED, PASSED
+from collections.abc import Iterable
+
 from rigidsym._codegen.ir import Function, Let, let
-from rigidsym._codegen.names import RATES
+from rigidsym._codegen.names import DIFFERENCES, INERTIA, NUMBERS, RATES
 from rigidsym._codegen.passes import renamed, select
 from rigidsym.solution import Solution
 from rigidsym.solution._formulas import AXES
+from rigidsym.solution._partition import HANDEDNESS
+
+START = tuple(f"Omega_{x}0" for x in AXES)
+EXTENDED = (*INERTIA, *DIFFERENCES, *START, "E_b")
+GIVEN = (*EXTENDED, *NUMBERS)
+MODULI = ("p", "r", "apart", "lambda_", "divisor", "modulus", "complement")
+# Functions of the elapsed time.
+ELAPSED = ("S_t", "C_t", "D_t", "E_t", "f")
+# r times the integral of S_t^2/D_t^2 over the phase, and how many half periods of it there were.
+PASSED = ("passed", "turned")
 
 ALONG = ("over", *(f"{rate}_{way}" for way in "kr" for rate in RATES))
 _ALONG_ALPHAS = tuple(f"alpha_{x}" for x in AXES)
@@ -28,18 +38,8 @@ _ALPHAS = (
 _KEPT = (
     *START,
     *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
-    *(
-        "g_a",
-        "g_d",
-        "k",
-        "kappa_a",
-        "kappa_d",
-        "p",
-        "apart",
-        "p_by_Omega_a",
-        "p_by_Omega_b",
-        "r_by_Omega_d",
-    ),
+    *("g_a", "g_d", "k", "kappa_a", "kappa_d", "p", "apart"),
+    *("p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
     *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
 )
 # By the rate of another axis, the product's: that of the axis whose coefficient stands below.
@@ -48,8 +48,32 @@ _MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
 _TIMED = (*ELAPSED, *ALONG, "t", *RATES)
 
 
+def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
+    """State the coefficients of Euler's equations and their derivatives by the moments."""
+    given = (*EXTENDED, "epsilon")
+    return [
+        let(f"epsilon = {HANDEDNESS}", "Levi-Civita"),
+        *select(solution.sequences["moments"], tuple(names), given),
+    ]
+
+
+def moduli(solution: Solution) -> Function:
+    """Make the function of the moduli."""
+    alphas = ("alpha_a", "alpha_b", "alpha_d", "tilt")
+    lets = [
+        *coefficients(solution, alphas),
+        *select(solution.sequences["columns"], ("p", "r", "apart"), (*alphas, *EXTENDED)),
+        let("lambda_ = sqrt(p)"),
+        let("divisor = choose(rounded(p), 0, 1, p)"),
+        let("modulus = sqrt(r/divisor)", "DLMF 22.2.2"),
+        let("complement = sqrt(choose(rounded(p), 0, 1, apart/divisor))", "DLMF 19.2.8"),
+    ]
+    summary = "p, r, p - r, sqrt(p), p or 1 to divide by, and the modulus with its complement."
+    return Function("_moduli", summary, GIVEN, tuple(lets), MODULI, frozenset(EXTENDED))
+
+
 def along(solution: Solution) -> tuple[Function, ...]:
-    """State the constants of a motion, and both directions at a time."""
+    """Make constants and functions for the derivatives along two directions."""
     constants = Function(
         "_along_constants",
         "Constants of `_along_state`; phases are known where p t^2 exceeds reach.",
@@ -84,7 +108,7 @@ def _constants_along(solution: Solution) -> list[Let]:
 
 
 def _there(name: str) -> Let:
-    """State a divisor, or 1 where it is zero and its quotient is not taken."""
+    """State a divisor, or 1 where it is zero and its quotient is not used."""
     return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
 
 
@@ -108,7 +132,7 @@ def _state_along(solution: Solution) -> list[Let]:
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
-    """State the constants of a motion, and the columns at a time."""
+    """Make constants and functions for the derivatives by rates and moments."""
     constants = Function(
         "_columns_constants",
         "Constants of the rates' sensitivities.",
@@ -153,7 +177,7 @@ def _state_of_columns(solution: Solution) -> list[Let]:
 
 
 def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the middle rate's columns: as products, where their factors are no smaller.
+    """State the middle rate's derivatives, as products where their factors are not small.
 
     Near spin about b these keep all digits, and the general form is a difference of large numbers.
     """
@@ -173,7 +197,7 @@ def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
 
 
 def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the integral of the middle rate's square, near a spin about b without the time."""
+    """State the integral of the middle rate's square, which excludes spin about b."""
     spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
     return [
         let("p_divisor = choose(size(p), 0, 1, p)"),
