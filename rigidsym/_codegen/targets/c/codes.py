@@ -1,4 +1,4 @@
-"""Return codes of the C functions: names, numbers and messages, for header and source."""
+"""Return codes of the C functions with their messages."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ from rigidsym._codegen.forms import STEP
 
 
 class Code(NamedTuple):
-    """A refusal: the field, the rule it breaks, and a remark for the header."""
+    """Meaning of a code: the field, the broken rule, and a remark for the header."""
 
     field: str
     rule: str
@@ -68,7 +68,7 @@ _STEPS = (
 
 
 def filled(text: str, form: str) -> str:
-    """Fill the marks of a form's enumeration of codes, and of their messages."""
+    """Replace the marks for codes and messages in a text of a form."""
     own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
     codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
     texts = {

@@ -49,13 +49,13 @@ def lowered(expression: Expression, extended: frozenset[str], number: str) -> Ex
 
 
 def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Return an expression as an extended number."""
+    """Lower an expression to an extended number."""
     text = lowered(expression, extended, number)
     return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
 
 
 def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
-    """Print a function: its signature, a line for each of its lets, and its end.
+    """Print a function: its signature, one line for each let, and its end.
 
     Lines are indented as far as the blocks that the signature opens.
     """
@@ -89,7 +89,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """Print the named numbers that are used, the structs of arrays, and all functions in order."""
+    """Print named numbers, structs of arrays and functions, in this order."""
     head = [*map(constant_text, named(functions, constants)), ""]
     for statement in lane_structs(functions):
         if head[-1] == "}":
@@ -101,7 +101,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
 
 
 def pieces(function: Function, among: tuple[Function, ...]) -> list[Lines]:
-    """Print a function among all of its module, `_discriminant` for two kinds of numbers."""
+    """Print one function of a module, `_discriminant` for two kinds of numbers."""
     return [_framed(frame) for frame in frames_of(function, among)]
 
 
@@ -120,13 +120,13 @@ def _framed(frame: Frame) -> Lines:
 
 
 def branch_struct(function: Function) -> str:
-    """Print the constants that a function leaves, as a struct."""
+    """Print the struct for a function's constants."""
     lines = [f"    double {', '.join(row)};" for row in batched(flat_results(function))]
     return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(function)};"])
 
 
 def batched(items: list[str], width: int = 84) -> list[list[str]]:
-    """Split the items into rows that stay below a width."""
+    """Split items into rows that stay below a width."""
     rows: list[list[str]] = [[]]
     for item in items:
         if rows[-1] and len(", ".join([*rows[-1], item])) > width:

@@ -1,4 +1,4 @@
-"""C around the lines of a function: its head, the numbers it reads, and where results go.
+"""Frames of functions in C: heads, loads of numbers, and stores of results.
 
 A function of one motion takes parameters, or reads arrays by index and a struct of constants.  A
 function of several bodies side by side is a loop over the members of structs of arrays: an extended
@@ -21,7 +21,7 @@ _MOTIONS = ("_initial_state", "_circular_constants", "_hyperbolic_constants")
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A function as C has it, and the statements before and after its lines.
+    """A function in C: the statements before and after its lines.
 
     number: the prefix of operations on its extended numbers.
     """
@@ -40,7 +40,7 @@ def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
 
 
 def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame]:
-    """Yield the frame of one function of a module; `_discriminant` has one for each number."""
+    """Yield the frames of one function: for `_discriminant` two, for two kinds of numbers."""
     name = function.name[1:]
     if takes_several(function):
         yield _side_by_side(function, pairs(among))
@@ -62,12 +62,12 @@ def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame
 
 
 def branch(function: Function) -> str:
-    """Return the first word of a function's name: circular, hyperbolic or steady."""
+    """Return the first word of a function's name, which is its branch."""
     return function.name.split("_")[1]
 
 
 def struct(function: Function) -> tuple[str, ...]:
-    """Return the struct of the constants that a function leaves, as statements."""
+    """Return the statements of the struct for a function's constants."""
     members = f"double {', '.join(flat_results(function))};"
     return "typedef struct {", members, "}", f"torque_free_{branch(function)};"
 
@@ -98,7 +98,7 @@ def _handing_out(name: str, function: Function) -> Frame:
 
 
 def _constants(name: str, function: Function) -> Frame:
-    """Store each result as a member of a struct, rounded, or as two where it is split."""
+    """Frame a function that stores its results in a struct, as one or two doubles each."""
     extended = function.all_extended()
     values: dict[str, str] = {}
     for result in function.results:
@@ -114,7 +114,7 @@ def _constants(name: str, function: Function) -> Frame:
 
 
 def _loop(name: str, function: Function, members: set[str]) -> Frame:
-    """Read and write by index what changes with time; read the rest from a struct."""
+    """Frame a loop over arrays of what changes with time; constants are read from a struct."""
     used = function.used()
     changing = [x for x in function.parameters if x not in members]
     kept = [x for x in function.parameters if x in members and x in used]
@@ -133,7 +133,7 @@ def _loop(name: str, function: Function, members: set[str]) -> Frame:
 
 
 def takes_several(function: Function) -> bool:
-    """Return True for a function that takes several bodies at once."""
+    """Return True if a function computes several bodies at once."""
     return _is_step(function) or function.name in _MOTIONS
 
 
@@ -146,37 +146,42 @@ def _has_struct(function: Function) -> bool:
 
 
 def pairs(functions: Iterable[Function]) -> frozenset[str]:
-    """Return the names that are extended numbers for some function of several bodies."""
+    """Return the names that are extended in some function of several bodies."""
     own = filter(takes_several, functions)
     return frozenset(name for f in own for name in (*f.extended, *_split(f)))
 
 
 def _split(function: Function) -> frozenset[str]:
-    """Return the results that are handed on as two doubles."""
+    """Return the results that are stored as two doubles."""
     if function.rounds:
         return function.split
     return function.all_extended() & {*function.results}
 
 
 def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
-    """Yield the members that hold the numbers."""
+    """Yield the names of the members that hold numbers."""
     for name in names:
         yield from (f"{name}_hi", f"{name}_lo") if name in extended else (name,)
 
 
 def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
-    """Return the frame of a function that computes several bodies side by side."""
+    """Frame a loop over several bodies side by side."""
     name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
     place = "x->" if is_step else "lane->"
     if is_step:
         head = _head("static void", name, ("size_t n", "lanes *x"))
     elif has_struct:
-        own = f"{_struct_name(function)} *restrict motion"
+        own = f"{branch(function)}_lanes *restrict motion"
         head = _head("static FLAT void", name, ("const lanes *restrict lane", own))
     else:
         head = _head("static FLAT void", name, ("lanes *lane",))
     loop = f"for (size_t i = 0; i < {'n' if is_step else 'LANES'}; i++) {{"
-    loads = [_load(x, place, function, extended) for x in function.parameters]
+    loads = []
+    for x in function.parameters:
+        if x in function.extended:
+            loads.append(f"const double_double {x} = {{{place}{x}_hi[i], {place}{x}_lo[i]}};")
+        else:
+            loads.append(f"const double {x} = {place}{f'{x}_hi' if x in extended else x}[i];")
     to = "motion->" if has_struct else place
     split, own = _split(function), function.all_extended()
     stores = []
@@ -188,19 +193,8 @@ def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
     return Frame(name, function, "dd", (head, loop, *loads), (*stores, "}", "}"))
 
 
-def _struct_name(function: Function) -> str:
-    return f"{branch(function)}_lanes"
-
-
-def _load(name: str, place: str, function: Function, extended: frozenset[str]) -> str:
-    if name in function.extended:
-        return f"const double_double {name} = {{{place}{name}_hi[i], {place}{name}_lo[i]}};"
-    member = f"{name}_hi" if name in extended else name
-    return f"const double {name} = {place}{member}[i];"
-
-
 def members(functions: tuple[Function, ...]) -> list[str]:
-    """Return the members of the struct, in the order in which functions name them."""
+    """Return the members of the struct in the order of their first use."""
     extended, found = pairs(functions), dict[str, None]()
     for function in filter(takes_several, functions):
         found |= dict.fromkeys(_flat(function.parameters, extended))
@@ -210,13 +204,13 @@ def members(functions: tuple[Function, ...]) -> list[str]:
 
 
 def lane_structs(functions: tuple[Function, ...]) -> list[str]:
-    """Return the structs of arrays as statements, a member each."""
+    """Return the statements of the structs of arrays, one for each member."""
     own = tuple(filter(takes_several, functions))
     # `turned` is the runtime's: -1 where a and d have changed places.
     more = ("turned",) if any(map(_is_step, own)) else ()
     found = _lane_struct("lanes", (*members(own), *more))
     for function in filter(_has_struct, own):
-        found += _lane_struct(_struct_name(function), flat_results(function))
+        found += _lane_struct(f"{branch(function)}_lanes", flat_results(function))
     return found
 
 

@@ -1,4 +1,4 @@
-"""The C module: a header and a source, from double-doubles, derived functions and runtime."""
+"""The C module, a header and a source: double-doubles, derived functions and runtime."""
 
 import re
 from importlib import resources
@@ -58,75 +58,6 @@ runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math,
 and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
 approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
 every body_init and every call of torque_free_steps and torque_free_integrate."""
-_STEP_LANES = """\
-/* How many bodies are computed side by side. */
-#ifndef LANES
-#define LANES 16
-#endif
-"""
-_INCLUDES = """\
-#include "@header@"
-
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#ifdef __cplusplus
-#define restrict __restrict
-#endif
-
-/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
-#ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline, unused))
-#else
-#define INLINED inline
-#endif
-
-/* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
-#ifndef TORQUE_FREE_BLOCK
-#define TORQUE_FREE_BLOCK 64
-#endif
-
-/* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
-   one where roots that report errors keep loops from being vectorised.  What these call has to be
-   in them, too, which takes seconds to compile, and is in vain where addresses are checked. */
-#ifndef TORQUE_FREE_LANES
-#if !defined(__OPTIMIZE__) || !defined(__NO_MATH_ERRNO__)
-#define TORQUE_FREE_LANES 1
-#elif defined(__AVX512F__)
-#define TORQUE_FREE_LANES 8
-#elif defined(__AVX__)
-#define TORQUE_FREE_LANES 4
-#elif defined(__aarch64__)
-#define TORQUE_FREE_LANES 2
-#else
-#define TORQUE_FREE_LANES 1
-#endif
-#endif
-#define LANES TORQUE_FREE_LANES
-#if LANES > 1 && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
-#define FLAT __attribute__((flatten))
-#else
-#define FLAT
-#endif
-"""
-_FIRST = """#ifndef TORQUE_FREE_H
-#define TORQUE_FREE_H
-
-#include <stddef.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-"""
-_LAST = """
-#ifdef __cplusplus
-}
-#endif
-
-#endif
-"""
 
 
 def build(
@@ -154,7 +85,7 @@ def build(
 
 
 def named(text: str, form: str) -> str:
-    """Give the names in a text the prefix of a form.
+    """Replace the default prefix of the names in a text by that of a form.
 
     >>> named("torque_free_motion TORQUE_FREE_H torque_free_pi.h", PI)
     'torque_free_pi_motion TORQUE_FREE_PI_H torque_free_pi.h'
@@ -166,7 +97,7 @@ def named(text: str, form: str) -> str:
 
 
 def plain(text: str, form: str) -> str:
-    """Take the prefix of a form from the names in a text: the inverse of `named`."""
+    """Replace the prefix of a form by the default: the inverse of `named`."""
     if form == STEP:
         return text
     own = PurePath(HEADERS[form]).stem
@@ -176,36 +107,37 @@ def plain(text: str, form: str) -> str:
 
 
 def header_first(form: str) -> str:
-    """Return the text before the structs, with marks for shares, digest and measured errors."""
+    """Return the header before its structs, with marks for line counts, digest and errors."""
     head = _HEAD.format(text=header.text("c", form), option=option(form))
     head = head.replace("@notes@", _STEP_NOTES if form == STEP else _NOTES)
     guard = HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
-    return f"{head}\n{_FIRST.replace('TORQUE_FREE_H', guard)}\n"
+    return f"{head}\n{_part('first.h').replace('TORQUE_FREE_H', guard)}\n\n"
 
 
 def header_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the text after the structs."""
+    """Return the header after its structs."""
     parts = {
         THETA: ("interface.h", "sensitivity.h"),
+        PI: ("interface.h",),
         STEP: ("step_interface.h", "kick_interface.h"),
     }
-    text = "\n\n".join(map(_part, parts.get(form, ("interface.h",))))
-    return _filled(f"\n{text}\n{_LAST.strip()}\n", functions, form)
+    text = "\n\n".join(map(_part, parts[form]))
+    return _filled(f"\n{text}\n{_part('last.h')}\n", functions, form)
 
 
 def source_first(form: str) -> str:
-    """Return the text before the numbers."""
-    includes = _INCLUDES.replace("@header@", HEADERS[form])
+    """Return the source before its named numbers."""
+    preamble = _part("preamble.c").replace("@header@", HEADERS[form])
+    pairs = _part("double_double.c")
     if form == STEP:
-        before, _, _ = includes.partition("/* How many states are computed")
-        pairs = _part("double_double.c").replace("torque_free.c", SOURCES[STEP])
+        pairs = pairs.replace("torque_free.c", SOURCES[STEP])
         pairs = pairs.replace("torque_free_motion_init", "torque_free_body_init")
-        return "\n".join([before, _STEP_LANES, pairs, ""])
-    return "\n".join([includes, _part("double_double.c"), _part("exact.c"), ""])
+        return "\n".join([f"{preamble}\n\n", f"{_part('step_lanes.c')}\n", pairs, ""])
+    return "\n".join([f"{preamble}\n\n{_part('lanes.c')}\n", pairs, _part("exact.c"), ""])
 
 
 def source_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the text after the functions, with what they take and give."""
+    """Return the source after its derived functions."""
     if form == STEP:
         text = f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
     else:
@@ -215,7 +147,7 @@ def source_last(functions: tuple[Function, ...], form: str) -> str:
 
 
 def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
-    """Fill the marks of a text: codes, limits, and the parameters and results of functions."""
+    """Replace the marks in a text by codes, limits, and parameters and results of functions."""
     marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions, form)
     marks["limits"] = "\n".join(
         f"static const double {limit.name} = {2.0**limit.exponent!r}; "
@@ -230,14 +162,14 @@ def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
 
 
 def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
-    """Return the parameters and results of functions of motions, by mark."""
+    """Return the texts of marks that depend on the functions of motions."""
     by_name = {function.name: function for function in functions}
 
     def parameters(name: str) -> str:
         return ", ".join(by_name[name].parameters)
 
     def rows(name: str, array: str, apart: str = "s") -> str:
-        """Point at the rows of an array, one for each result of a function."""
+        """Return pointers to the rows of an array, one for each result of a function."""
         count = len(by_name[name].results)
         further = [f"{array} + {k} * {apart}" for k in range(2, count)]
         return ", ".join([array, f"{array} + {apart}", *further])
@@ -263,6 +195,6 @@ def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
 
 
 def _part(name: str) -> str:
-    """Return the text of a file, with the text of other files where it names them."""
+    """Return the text of a file, with the files that its marks name put in."""
     text = resources.files("rigidsym._codegen.targets.c").joinpath(name).read_text("utf-8").strip()
     return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)
