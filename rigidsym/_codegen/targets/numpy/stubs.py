@@ -7,6 +7,6 @@ from typing import Any
 
 
 def __getattr__(name: str) -> Any:
-    if name.startswith("__"):
+    if name.startswith("__") or not (name.isupper() or name.startswith("_") or name == "never"):
         raise AttributeError(name)
     return None
