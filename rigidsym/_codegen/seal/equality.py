@@ -5,8 +5,8 @@ Calls are names there: equal ones have equal names.  A `Claim` is one such decis
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-
-from sympy import primerange
+from itertools import count
+from math import isqrt
 
 from rigidsym._codegen.ir import Let
 from rigidsym.errors import InputError
@@ -70,7 +70,8 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
     """Open a ring of the kernel; its sample point consists of primes, where no unit vanishes."""
-    witness = dict(zip(generators, map(str, primerange(101, 1 << 20)), strict=False))
+    primes = (n for n in count(101) if all(n % d for d in range(2, isqrt(n) + 1)))
+    witness = dict(zip(generators, map(str, primes), strict=False))
     return Context("seal", tuple(generators), witness, units=units).open()
 
 
