@@ -14,7 +14,7 @@ from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.kernel._ledger import _frozen
-from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
+from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, _answers, judged, verdicts
 from rigidsym.proof.paper._answers import Answers, question
 from rigidsym.proof.paper._table import counted, details, row
 from rigidsym.proof.paper._verdicts import needed_units, ruling_of
@@ -28,6 +28,21 @@ PRINT = {equation.number: equation for equation in EQUATIONS}
 NEEDED = sorted((number, name) for number, v in RULED.items() for name in v.facts())
 OTHERS = ["Lemma 1", "footnote 1", "footnote 2", "Remark 1", "Theorem 1", "Remark 2", "footnote 3"]
 OTHERS += ["R^-1 dR/dt", "Remark 3"]
+
+
+@pytest.fixture(autouse=True, scope="module")
+def questions_once():
+    """Translate each line once, since no question depends on the ledger."""
+    known = {}
+
+    def once(latex, sense, printed):
+        if (key := (latex, id(sense))) not in known:
+            known[key] = question(latex, sense, printed)
+        return known[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(_answers, "question", once)
+        yield
 
 
 def ruling(number, ledger=LEDGER):
