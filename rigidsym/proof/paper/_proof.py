@@ -6,24 +6,27 @@ from rigidsym.proof.paper._equation import Condition, Equation, Flaw, Reading, R
 from rigidsym.proof.paper._printed import Second, Vocabulary
 from rigidsym.proof.paper._shared import (
     ACROSS,
-    ANGLE_RATES,
     ANGLES,
     AT_START,
     BASIS,
     BODY,
     COMMUTES,
     CONSTANT,
+    MOMENTUM,
     OFF_AXIS,
     POLES,
     RATE,
     RATES,
-    REDUCED,
     ROTATION,
     THREE_TURNS,
+    Words,
     plain,
     su2,
     vanishing,
 )
+
+ANGLE_RATES: Words = {f"D(phi_{k})": f"phi{k}_rate" for k in (1, 2, 3)}
+REDUCED = Vocabulary({**BODY, **MOMENTUM, **ANGLES, "K": "K"})
 
 REDUCTION = Sense("reduced", REDUCED, THREE_TURNS, given=("4", "25"))
 TURNS = Vocabulary({**ANGLES, **ANGLE_RATES, **RATES, "K": "K"})

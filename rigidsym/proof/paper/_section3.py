@@ -5,21 +5,47 @@ from dataclasses import replace
 from rigidsym.proof.paper._equation import Condition, Equation, Flaw, Reading, Root, Sense
 from rigidsym.proof.paper._printed import Second, Vocabulary
 from rigidsym.proof.paper._shared import (
-    AXES,
     BODY,
-    DISTINCT,
     IMAGINARY,
-    IN_MOMENTUM,
-    IN_RATE,
-    OVER_C_I,
-    QUARTIC_AS_PRINTED,
-    S_I,
-    S_J,
-    SINE,
     SPINNING,
-    exchanged,
+    Words,
+    plain,
     stated,
+    vanishing,
 )
+
+AXES: Words = {
+    **plain("c_i c_j c_k Omega_i Omega_j Omega_k H delta_i"),
+    "at(Omega_i, t)": "Omega_i",
+    "K**2": "K_squared",
+}
+# A motion with Omega_i = sqrt(s_i) sn, s_i and s_j being roots in Omega_i^2.
+SINE: Words = {
+    **plain("c_i Omega_i C_i t"),
+    "at(Omega_i, 0)": "Omega_i",
+    "at(D(Omega_i), 0)": "D(Omega_i)",
+}
+IN_RATE: Words = {"s_i": "s_i", "s_j": "s_j", "alpha": "alpha"}
+# What (14) makes of them, mended: roots in (c_i Omega_i)^2.
+IN_MOMENTUM: Words = {"s_i": "c_i**2*s_i", "s_j": "c_i**2*s_j", "alpha": "alpha/c_i**2"}
+QUARTIC_AS_PRINTED = {name: f"{name}_printed" for name in ("alpha", "beta", "chi")}
+
+
+def exchanged(words: Words) -> Words:
+    """Exchange the texts of the first two names."""
+    first, second, *_ = words
+    return {**words, first: words[second], second: words[first]}
+
+
+DISTINCT = (
+    Condition("c_i != c_j", ("c_i - c_j",), (vanishing("equal_axes_j", "alpha"),)),
+    Condition("c_i != c_k", ("c_i - c_k",), (vanishing("equal_axes_k", "alpha"),)),
+)
+S_I = Condition("s_i != 0", ("zeta",), (SPINNING,))
+S_J = Condition("s_j != 0", ("s_j", "root_s"), (SPINNING,))
+OVER_C_I = {
+    Flaw.VARIABLE: "s_i is a root in Omega_i^2; divided by c_i it would be in (c_i Omega_i)^2"
+}
 
 TRIPLE = (("sn", "cn", "dn"),)
 # Where nothing is divided by s_i, and where something is.

@@ -9,23 +9,33 @@ from rigidsym.proof.paper._shared import (
     ACROSS,
     ANGLES,
     BASIS,
-    C3_OMEGA3,
-    CHANGING,
-    HALF_TURN,
     IMAGINARY,
-    JUMPS,
     MOMENTUM,
     POLES,
-    RATE_1,
-    RATE_2,
-    ROOT_IN_RATE,
+    RATE,
     ROTATION,
-    S_2,
+    SPINNING,
     THREE_TURNS,
     algebra,
     plain,
     stated,
+    vanishing,
 )
+
+RATE_1 = replace(RATE, text="alpha*s_1 != 0", units=("xi", "s_2"))
+RATE_2 = replace(RATE, text="alpha*s_2 != 0", units=("xi", "s_2"))
+S_2 = Condition("s_2 != 0", ("zeta",), (SPINNING,))
+C3_OMEGA3 = Condition("c3*Omega3 != 0", ("cos_half**2 - sin_half**2",), (ACROSS,))
+HALF_TURN = Condition("cos(phi3/2) != 0", ("cos_half",), (vanishing("half_turn", "rho + side"),))
+ROOT_IN_RATE = {Flaw.VARIABLE: "s_1 is a root in Omega_1^2; n expects one in (c_1 Omega_1)^2"}
+CHANGING = {
+    Flaw.SIGNS: "S1 S2 is the sign of c3 Omega3: no constant signs last through a period, unless "
+    "axis 3 is the circulation axis"
+}
+JUMPS = {
+    Flaw.JUMP: "mended, q changes its sign where phi3 passes pi, as cos(phi3/2) does; "
+    "the attitude does not jump"
+}
 
 QUATERNION = {f"q_{k}": f"q{k}" for k in range(4)}
 EIGHTEEN = Sense(
