@@ -32,7 +32,7 @@ from rigidsym.view._cards import (
     table,
 )
 
-# More hypotheses than these go by the name of their context; more components are folded.
+# The largest numbers of hypotheses and of components that are shown in full.
 FEW = 4
 MOST_ROWS = 40
 

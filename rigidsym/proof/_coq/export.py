@@ -11,7 +11,7 @@ from rigidsym.proof._coq.facts import Printer
 from rigidsym.proof._coq.theory import NotExportedError
 from rigidsym.proof.kernel import Ledger
 
-# Written by hand; each but the prelude is left out where the ledger has not all of its contexts.
+# Hand-written files.  One that requires contexts which the ledger lacks is left out.
 _FIXED = (
     "prelude.v",
     "theorems/motion.v",

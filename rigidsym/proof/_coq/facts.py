@@ -66,7 +66,7 @@ def _component(kind: str, left: Tree, right: Tree) -> list[Claim]:
     return [*smooth, Claim("Equal", (left, right)), *signed]
 
 
-# What Coq takes as a hypothesis: others' results, and what it has no functions for yet.
+# Rules whose facts Coq takes as hypotheses: cited results, and functions that it lacks.
 SUPPOSED = ("assumption", "theta", "start")
 
 

@@ -7,8 +7,8 @@ from sympy.polys.rings import PolyElement
 from rigidsym.proof.kernel._language import Tree
 from rigidsym.proof.kernel._ring import Number
 
-# Words of Coq, and what exported files call their own: names of quantities that are one of these,
-# or begin as theorems do, get a "_" behind them.
+# Reserved words of Coq and of the exported files.  A quantity with such a name, or with a prefix
+# of theorems, gets a "_" behind it.
 _WORDS = """
 as at by cofix else end exists exists2 fix for forall fun if in let match mod return
 then using where with Prop Set SProp Type R X H t names holds atoms steps theory runs

@@ -22,7 +22,7 @@ class NotExportedError(ValueError):
 class Theory:
     """Steps of the prelude and the kernel ring that computed their certificates.
 
-    `given` are proofs of what the steps suppose, each a text of Coq.
+    `given` are Coq terms that prove the hypotheses of the steps.
     """
 
     def __init__(self, context: Context) -> None:

@@ -16,13 +16,13 @@ from rigidsym.proof.kernel._rules import differences
 from rigidsym.proof.kernel._statement import weakest
 
 Result = TypeVar("Result")
-# An expression for the kernel, as text or as what `text` makes into one.
+# An expression that `text` converts to the kernel's language.
 Side: TypeAlias = str | int | Element | Expr
 Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
-# A context's name, and where its witness differs from that of the context it is a case of.
+# The name of a case, and the values of its witness that differ from the whole context's.
 Case: TypeAlias = tuple[str, Point]
-# {"fact": id}, or what a context defines a name as, or reads it as:
+# A published formula: {"fact": id}, or a name that a context defines or reads as a function,
 # {"context": name, "definition" or "reading": name, "source": equations of the paper}.
 Entry: TypeAlias = Mapping[str, str | list[str]]
 
@@ -30,8 +30,8 @@ Entry: TypeAlias = Mapping[str, str | list[str]]
 class LedgerBuilder:
     """A ledger under construction, with its derivation steps and the chapters' results.
 
-    Counts of mutants that the text `sealed`, a written ledger, has for the same facts are kept;
-    `recounted` is the number of facts whose mutants were counted again.
+    `sealed` is the text of a written ledger, whose counts of mutants are kept for facts that are
+    unchanged.  `recounted` is the number of facts whose mutants were counted again.
     """
 
     def __init__(self, sealed: str = "") -> None:
@@ -72,9 +72,9 @@ class LedgerBuilder:
     ) -> Fact | None:
         """Prove equations, or refute them at a rational point.
 
-        The points tried are those given, the witness of the context, and points near it, where
-        one name at a time has another value.  Return None where the kernel decides neither: the
-        normal form is not zero, and the sides agree at all these points.
+        The points tried are the given ones, the witness of the context, and points that differ
+        from it in one name.  Return None if the normal form is not zero, but the sides agree at
+        all these points.
         """
         fact = _fact(fact_id, "equal", equations, "identity", source)
         try:
@@ -193,7 +193,7 @@ class LedgerBuilder:
     def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
         """Publish a named sequence of formulas, in order of evaluation, for the number half.
 
-        Each is a proved fact, or the definition or reading of a name in a context.
+        Each entry is a proved fact, or a name's definition or reading in a context.
         """
         listed = list(entries)
         for entry in listed:

@@ -1,15 +1,15 @@
 """Numerical evidence for cited identities by ball arithmetic at many points.
 
-A name stands for the number that a point gives it, or for its definition, or for its reading.
-Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
-Jacobi's functions are computed by inverting Legendre's F, never from theta functions, because the
-identities between the two are what is to be checked.  Balls agree with a fact at a point if the
-ball of lhs - rhs contains zero and is small there.
+The value of a name is the number that a point gives it, or that of its definition or its reading.
+Such a reading is an expression with the functions of `FUNCTIONS`.  Jacobi's functions are computed
+by inverting Legendre's F, never from theta functions, because the facts to be checked are
+identities between the two.  Balls agree with a fact at a point if the ball of lhs - rhs contains
+zero and is small there.
 
-The points are those that the author of the fact chose, and `COUNT` others whose numbers are a hash
-of the fact: from (0, 1), from its edges, from (-10, 10), or integers where the certificate says so.
-Where a relation ties names, the last of them follows from it.  Attempts that are no points of the
-context, or where a function has no value, are skipped.
+The points are those of the fact's author, and `COUNT` drawn ones.  A hash of the fact draws their
+numbers from (0, 1), from near its ends, from (-10, 10), or from the integers if the certificate
+says so.  If a relation connects names, it determines the last of them.  Draws that are no points
+of the context, or at which a function has no value, are skipped.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

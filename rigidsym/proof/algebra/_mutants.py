@@ -24,11 +24,11 @@ from rigidsym.proof.kernel._language import Tree
 from rigidsym.proof.kernel._ring import Number, at
 
 EACH = 16
-# Part of the ids of facts that are about printed lines.
+# A part of the ids of all facts about printed lines.
 PRINTED = ".print_"
-# Long statements are changed near their top: the walk goes by depth.
+# The number of nodes changed in a long statement; the walk is breadth-first.
 PLACES = 30
-# Squares of longer quantities take long to expand and say no more.
+# Only quantities with fewer terms are squared; longer ones take long to expand.
 SHORT = 5
 # The replacements of one node of a text, each with the kind of change.
 Fates: TypeAlias = dict[str, int]

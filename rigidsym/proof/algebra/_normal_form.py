@@ -22,8 +22,8 @@ Term: TypeAlias = tuple[tuple[int, ...], Number]
 def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
     """Divide a polynomial by several ones; return the cofactors and the remainder.
 
-    Each term is divided by the first divisor whose leading term divides it, and so is what that
-    brings in.  All terms that the leading term of one divisor divides go together.
+    Each term, also of intermediate results, is divided by the first divisor whose leading term
+    divides it.  All terms divisible by the leading term of one divisor are divided together.
     """
     ring = polynomial.ring
     if not divisors or not polynomial:
@@ -65,9 +65,9 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
     """Divide a polynomial by a context's relations; return the cofactors and the remainder.
 
     A remainder of 0 proves that the polynomial vanishes.
-    Where plain division leaves a remainder, each relation is first reduced by those before it: one
-    that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
-    a remainder is no proof of anything.
+    If plain division leaves a remainder, each relation is first reduced by those before it, and
+    the division repeated.  The relations are then still no Groebner basis, so a nonzero remainder
+    proves nothing.
     """
     cofactors, remainder = quotients(polynomial, ring.relations)
     basis, origins = _reduced(ring)

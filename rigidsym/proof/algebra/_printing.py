@@ -1,8 +1,8 @@
 """Printer of SymPy polynomials as kernel texts with a chosen order of terms.
 
-SymPy sorts by the alphabet.  A text printed here may become a formula of the number wing, where
-the order of terms is the order of summation: names come as they are listed, terms by degree,
-positive ones first.
+SymPy sorts names alphabetically.  A text printed here may become a formula of the number half,
+where terms are added in the printed order.  Names have the listed order, terms are sorted by
+degree, and positive terms precede negative ones.
 """
 
 from typing import TypeAlias

@@ -1,9 +1,9 @@
 """Search for small edits of a printed line that turn a false statement into an identity.
 
-The edits are those of mutants, and insertions: of a sign, a derivative, or a constant of the
-context or its square as a factor or divisor.  Edits that fail at a rational point
-of the context are dropped, and the rest are decided by normal form.  So a repair is proved: it is
-an identity under the same hypotheses.
+The edits are those of mutants, and insertions of a sign, of a derivative, or of a constant or its
+square as a factor or divisor.  Edits that fail at a rational point of the context are dropped, the
+others are decided by normal form.  Every repair is therefore a proved identity under the same
+hypotheses.
 """
 
 import ast

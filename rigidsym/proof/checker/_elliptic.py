@@ -4,8 +4,8 @@ Jacobi's functions come from their definition alone, the inverse phi = am(u) of
 
     u = F(phi),    F' = 1/Delta,    Delta = sqrt(1 - m*sin(phi)**2),    F(0) = 0:
 
-sn = sin(phi), cn = cos(phi), dn = Delta.  No theta function and no addition theorem is used; the
-one period that is, F(phi + pi) = F(phi) + 2 K, is that of Delta.
+sn = sin(phi), cn = cos(phi), dn = Delta.  No theta function and no addition theorem is used, only
+the period F(phi + pi) = F(phi) + 2 K, which is that of Delta.
 """
 
 import cmath

@@ -1,12 +1,12 @@
 """Numerical checks of equations by ball arithmetic, at given and at drawn points.
 
-The names of a context get their values from the point, from definitions, or from readings that
-are formulas.  Two sides agree where the ball of their difference is small and contains 0.
+The value of a name comes from the point, from its definition, or from a reading that is a formula.
+Two sides agree if the ball of their difference is small and contains 0.
 
-Besides the points of a certificate there are others, drawn by a hash of the claim, so that no
-claim can be fitted to them.  Numbers come from (0, 1), its ends and (-8, 8); integers are small.
-Where a relation is between such names, the last of them is solved for.  Draws that are no points
-of the context, or where a function has no value, are skipped; `DUE` points have to be left.
+Besides the points of a certificate, a hash of the claim draws others, so that no claim can be
+fitted to them.  Numbers are from (0, 1), from near its ends or from (-8, 8); integers are small.
+If a relation connects drawn names, it is solved for the last of them.  Draws that are no points of
+the context, or at which a function has no value, are skipped; at least `DUE` must remain.
 """
 
 import hashlib
@@ -87,7 +87,7 @@ class Values(Language[acb]):
             if name not in self._unread:
                 raise Refused(f"{name!r} has no value at the point")
             value = self.read(self._unread.pop(name))
-            # Signs and even powers are about real numbers.
+            # The rules on signs and even powers hold for real numbers only.
             if name in self._given.generators and not value.imag.contains(0):
                 raise Refused(f"{name} is not real at the point")
             self._values[name] = value

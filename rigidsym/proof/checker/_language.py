@@ -1,9 +1,9 @@
 """Grammar of ledger expressions, with one reader per kind of value.
 
 Text is made of natural numbers, names, ``+ - * /``, powers whose exponents are natural numbers, and
-calls ``f(x, y)``, with spaces between them at most.  Names are not Python's keywords; numbers have
+calls ``f(x, y)``, with optional spaces between them.  Names are not Python's keywords; numbers have
 up to 1000 digits, texts up to 20,000 characters, and up to 50 brackets and signs are open at once.
-No tree is built: each part is given its meaning as soon as it is read.
+Each part is evaluated as soon as it is read; no tree is built.
 """
 
 import keyword
@@ -21,7 +21,7 @@ _TOKEN = re.compile(rf" *({_NUMBER}|{NAME.pattern}|\*\*|[-+*/(),])", re.ASCII)
 _BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "**": 3}
 _LENGTH = 20_000
 _OPEN = 50
-# What has no meaning yet: a number, a name, or an operator with its parts.
+# An expression tree: a number, a name, or an operator with its operands.
 Form: TypeAlias = int | str | tuple["Form", ...]
 
 

@@ -1,6 +1,6 @@
 """Inference rules, and the check that applies them to a whole ledger.
 
-A rule raises Refused, or returns the grade that the fact has if its premises have the best one.
+A rule raises Refused, or returns the grade of the fact for premises of the best grade.
 """
 
 from collections.abc import Callable, Container, Generator
@@ -56,8 +56,8 @@ class Accepted:
 def identity(so_far: Accepted, fact: Claim) -> str:
     """Check that the cofactors combine the relations to a unit multiple of lhs - rhs.
 
-    For a root, lhs**2 is in the place of lhs, which has to be visibly nonnegative; for a sign the
-    right sides have to be.
+    For a root, lhs**2 replaces lhs, which has to be visibly nonnegative.  For a sign, the right
+    sides have to be visibly nonnegative.
     """
     theory = so_far.theories[fact.context]
     for text in {"root": fact.lhs, "nonnegative": fact.rhs}.get(fact.kind, []):
@@ -121,8 +121,8 @@ def transfer(so_far: Accepted, fact: Claim) -> str:
 def partition(so_far: Accepted, fact: Claim) -> str:
     """Check that the cases are x = 0, x > 0 and, unless x >= 0 is visible, x < 0.
 
-    In time it stays so: the case x = 0 is closed under d/dt, so that D(x) is a multiple of x, and
-    no motion crosses x = 0.  A case may be split further by one premise about it.
+    A motion stays in its case: since x = 0 is closed under d/dt, D(x) is a multiple of x, and no
+    motion crosses x = 0.  A premise may split a case further.
     """
     whole = so_far.theories[fact.context]
     cases: Any = fact.certificate.get("cases")
@@ -156,7 +156,7 @@ def theta(so_far: Accepted, fact: Claim) -> str:
 def start(so_far: Accepted, fact: Claim) -> str:
     """Check that lhs = rhs holds at the start and is preserved by d/dt.
 
-    The gaps f satisfy f' = A f, whose only solution that is 0 once is 0.
+    The gaps f satisfy f' = A f, whose only solution with a zero is 0.
     """
     theory, gaps = so_far.theories[fact.context], _gaps(so_far, fact)
     above = [gap.above for gap in gaps]
@@ -186,7 +186,7 @@ def assumption(so_far: Accepted, fact: Claim) -> str:
     return "ENCLOSED" if points else "ASSUMED"
 
 
-# The kinds of statement that a rule makes, from how many premises, and the rule.
+# For each rule: the kinds of its statements, its numbers of premises, and its function.
 RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str]]] = {
     "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
     "counterexample": ({"unequal"}, {0}, counterexample),

@@ -1,9 +1,9 @@
 """Independent reader of the specification, and search for its theorems in a ledger.
 
-A specification is lines: one without indent opens a block, one indented by four spaces is a clause,
-one indented further goes on with the clause before it; `` | `` stands for such a new line.
-`rigidsym.language._specification` says what each clause means.  Here expressions are compared as
-forms, and a context is compared with the block whole, record with record.
+A line without indent opens a block, a line indented by four spaces is a clause, and a line
+indented further continues the clause before it; `` | `` also separates clauses.
+`rigidsym.language._specification` defines each clause.  Here expressions are compared as trees, and
+a context is compared with a whole block at once.
 """
 
 from dataclasses import dataclass, field

@@ -55,8 +55,8 @@ class Theory:
     def shows_sign(self, text: str) -> bool:
         """Return whether a text is visibly nonnegative.
 
-        These are the nonnegative quantities of the context, their sums, products and quotients,
-        and even powers; all names are real.
+        Such are the declared nonnegative quantities, their sums, products and quotients, and all
+        even powers, since names are real.
         """
         return self._shows(Forms().read(text))
 

@@ -181,7 +181,7 @@ def assumption(admitted: Admitted, fact: Fact) -> Grade:
     return Grade.ENCLOSED if points else Grade.ASSUMED
 
 
-# The kinds of statement that a rule makes, from how many premises, and the rule.
+# For each rule: the kinds of its statements, its numbers of premises, and its function.
 RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grade]]] = {
     "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
     "counterexample": ({"unequal"}, {0}, counterexample),

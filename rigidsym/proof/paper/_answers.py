@@ -1,7 +1,7 @@
 """Printed lines as questions to the ledger, and the facts that answer them.
 
-A question is definitions and equations in the names of a context; the fact that answers it is
-found by its texts.
+A question consists of definitions and equations in a context.  The fact with the same texts
+answers it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping

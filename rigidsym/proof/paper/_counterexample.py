@@ -36,8 +36,8 @@ class Motion:
         return f"c = ({inertia}), Omega = ({omega})"
 
 
-# Contexts that name amplitudes, a rate and a parameter have those of this motion at their points;
-# its first axis, i of Lemma 1, is the middle one.
+# The motion at the points of contexts that name amplitudes, a rate and a parameter.  Its first
+# axis, i in Lemma 1, is the middle one.
 ABOUT_MIDDLE = Motion(
     (Fraction(16, 25), Fraction(3600, 6409), Fraction(1)),
     (Fraction(53, 64), Fraction(-6409, 6000), Fraction(24, 25)),

@@ -1,7 +1,7 @@
 """Printed equations as values: LaTeX, senses, readings, conditions, flaws and repairs.
 
-A sense says how a line is put into the language of a context; a reading is one way to understand
-the print.  Nothing here says what is true: `rigidsym.proof.paper._verdicts` looks it up.
+A sense translates a line into a context; a reading is one way to understand the print.  Nothing
+here states what is true: `rigidsym.proof.paper._verdicts` finds that in the ledger.
 """
 
 from collections.abc import Mapping
@@ -46,12 +46,11 @@ class Root(StrEnum):
 class Sense:
     """A translation of a printed line into a context, where a fact decides it.
 
-    `defines` maps names that the line defines to those of the context; `says` are further
-    equations, from the text.  `given` are other displays whose definitions are taken as they are
-    printed, `mended` those taken as they are repaired.  The line `of` another number, or `latex`,
-    takes the place of the line itself, or `only` some of its statements are used; `texts` are
-    equations in the language of the context already.  `differentiated` compares the time
-    derivatives of both sides.
+    `defines` maps names that the line defines to the context's names; `says` are further equations
+    from the paper's text.  `given` are other displays whose definitions are used as printed,
+    `mended` those used as repaired.  The line `of` another number, or `latex`, replaces the line
+    itself; `only` selects statements of it; `texts` are equations in the context's language.
+    `differentiated` compares the time derivatives of both sides.
     """
 
     context: str
@@ -71,7 +70,7 @@ class Sense:
 class Condition:
     """A condition of a line, with the divisors that it covers and the proof that it is needed.
 
-    `needed_by` shows that: without the condition a denominator is zero, or the line fails.
+    The senses `needed_by` show that without it a denominator is zero, or the line fails.
     """
 
     text: str

@@ -1,7 +1,7 @@
 """Claims that the paper makes in words, with the facts or measurements that decide them.
 
-Whether such a claim holds is a judgement, and called one; it rests on facts of the ledger, or on
-numbers that a command prints.
+Such a verdict is called a judgement.  It rests on facts of the ledger, or on numbers that a command
+prints.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ COMPARE = "rigidsym compare"
 class Prose:
     """A claim of the paper in words, its place, our judgement and the reason.
 
-    `senses` are numbers of lines with the senses that facts decide; `commands` measure the rest.
+    `senses` pairs numbers of lines with senses that facts decide; `commands` measure the rest.
     """
 
     claim: str

@@ -26,7 +26,7 @@ SINE: Words = {
     "at(D(Omega_i), 0)": "D(Omega_i)",
 }
 IN_RATE: Words = {"s_i": "s_i", "s_j": "s_j", "alpha": "alpha"}
-# What (14) makes of them, mended: roots in (c_i Omega_i)^2.
+# The same by the repaired (14): roots in (c_i Omega_i)^2.
 IN_MOMENTUM: Words = {"s_i": "c_i**2*s_i", "s_j": "c_i**2*s_j", "alpha": "alpha/c_i**2"}
 QUARTIC_AS_PRINTED = {name: f"{name}_printed" for name in ("alpha", "beta", "chi")}
 
@@ -48,7 +48,7 @@ OVER_C_I = {
 }
 
 TRIPLE = (("sn", "cn", "dn"),)
-# Where nothing is divided by s_i, and where something is.
+# The contexts for lines that do not divide by s_i, and for those that do.
 UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
 
 
@@ -137,9 +137,9 @@ FOURTEEN_IN_MOMENTUM = replace(FOURTEEN, says=(_IN_MOMENTUM,))
 # Lemma 1: (10) with (12), differentiated, squared and put at t = 0.
 LEMMA = replace(FOURTEEN_IN_MOMENTUM, given=("14",), latex="")
 LEMMA_MENDED = replace(LEMMA, context="printed_14_mended", mended=("Lemma 1",))
-# Mended, (14) has the alpha of IN_MOMENTUM.
+# The repaired (14) has the alpha of IN_MOMENTUM.
 ALPHA_MENDED = replace(LEMMA_MENDED, says=(), texts={"alpha_printed": "alpha/c_i**2"})
-# What makes it a motion: the quadratic with the roots s_i and s_j.
+# The quadratic with the roots s_i and s_j, which makes it a motion.
 SOLVES = stated("sine", {"D(Omega_i)**2": "alpha*(s_i - Omega_i**2)*(s_j - Omega_i**2)"})
 FOOTNOTE_1 = Sense(
     "printed_footnote_1",

@@ -59,10 +59,10 @@ class Read:
 class Verdict:
     """The ruling on one equation with the facts that it rests on.
 
-    `conditions` are those of the equation, or of its repair where it is a misprint; `readings` are
-    decided one by one; `right_with` are other lines which, mended, make this one right as printed;
-    `counterexample` is a point where it fails, or would without a condition; `repairs` are those
-    that the repair search found.
+    `conditions` are those of the equation, or of its repair if it is a misprint; `readings` are
+    decided one by one; `right_with` are other lines whose repair makes this one right as printed;
+    `counterexample` is a point where it fails, or where it would fail without a condition;
+    `repairs` are those that the search for repairs found.
     """
 
     equation: Equation

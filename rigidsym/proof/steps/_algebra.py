@@ -28,9 +28,8 @@ def coordinates(
 ) -> Step:
     """Find the coefficients x_k of expression = sum x_k B_k in an orthogonal basis.
 
-    They come from traces.
-    The kernel multiplies the expression and decides the equation entry by entry.  Raises StepError
-    where the expression is not in the span.
+    They are computed by traces.  The kernel expands the expression and decides the equation entry
+    by entry.  Raises StepError if the expression is not in the span.
     """
     whole = scope.explicit(expression)
     found = tuple(tidy(scope, _coordinate(whole, scope.explicit(b))) for b in basis)

@@ -56,9 +56,9 @@ def eliminate(
 ) -> Step:
     """Eliminate unknowns by equations = 0 that are linear in them.
 
-    Unknowns are symbols or powers of symbols, such as Omega2**2.  If `name` is given, the result
-    is stated as its value, else as that of the expression.  Raises StepError where the equations
-    do not determine the unknowns or some of them are left.
+    Unknowns are symbols or powers of symbols, such as Omega2**2.  The result is stated as the value
+    of `name` if that is given, else of the expression.  Raises StepError if the equations do not
+    determine the unknowns.
     """
     stand_ins = {x: sympy.Dummy() for x in unknowns}
     hidden = [sympy.expand(equation).subs(stand_ins) for equation in equations]

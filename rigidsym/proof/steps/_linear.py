@@ -24,8 +24,8 @@ def solve(
     """Solve linear equations left = right that have exactly one solution.
 
     With e = left - right, the kernel decides that each unknown minus its value is a combination of
-    the e, so that nothing else is a solution, and that each e is one of these differences, so that
-    it is a solution.  Raises StepError where there is none, or more than one.
+    the e, so that there is no other solution, and that each e is a combination of these
+    differences, so that it is a solution.  Raises StepError if there is none, or more than one.
     """
     word = scope.dictionary.named
     named = [(word(left), word(right)) for left, right in equations]
@@ -103,9 +103,9 @@ def solve_family(
     """Solve linear equations that leave one direction free.
 
     The solutions are particular + parameter * direction.
-    The particular solution is the one without a denominator.  The kernel decides that each of them
-    solves the equations, and that what solves them differs from it by a multiple of the direction.
-    Raises StepError where not exactly one direction is free.
+    The particular solution is the one without a denominator.  The kernel decides that the whole
+    family solves the equations, and that every solution differs from the particular one by a
+    multiple of the direction.  Raises StepError unless exactly one direction is free.
     """
     system, constants = _system(fact_id, equations, unknowns)
     free = system.nullspace()
@@ -133,7 +133,7 @@ def _regular(
     below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
     at_pole = [sympy.numer(sympy.together(x)) for x in solution]
     for numerator in at_pole:
-        # Where the denominator is zero, so has the numerator to be.
+        # The numerator has to vanish where the denominator does.
         rest = sympy.expand(numerator.subs(dict.fromkeys(below.free_symbols, 0)))
         if rest.has(free):
             value = sympy.solve(rest, free)[0]

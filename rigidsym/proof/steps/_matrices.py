@@ -1,9 +1,9 @@
 """Complex two-by-two matrices with names, as entrywise texts for the kernel.
 
-A matrix R is up to eight definitions of its context, R_11_re to R_22_im; parts that are zero have
-none.  A product reaches the kernel as the sums of products of these, unexpanded: the kernel
-multiplies.  The inverse is written by the conjugate transpose: `Scope.decide_matrices` sees to it
-that what is inverted is unitary.
+A matrix R has up to eight definitions in its context, R_11_re to R_22_im; parts that are zero have
+none.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
+expands them.  The inverse is written as the conjugate transpose; `Scope.decide_matrices` checks
+that an inverted matrix is unitary.
 """
 
 from collections.abc import Callable, Mapping

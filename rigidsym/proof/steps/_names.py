@@ -1,7 +1,7 @@
 """Conversion between SymPy expressions and the names of a context.
 
-The kernel knows names only: `cos_half_phi1` is a generator whose reading is cos(phi1/2).  Where a
-reading is a function of other quantities, SymPy works with the function: this is the dictionary.
+The kernel has names only: `cos_half_phi1` is a generator whose reading is cos(phi1/2).  SymPy works
+with the function if a reading is one; `Dictionary` converts between the two.
 """
 
 from collections.abc import Mapping

@@ -16,8 +16,8 @@ class StepError(ValueError):
 class Step:
     """One line of a derivation: verb, reason, value, and the fact that proves it.
 
-    `shown` are the equations of the line as SymPy's `Eq`, unevaluated and with matrices by their
-    names; `conditions` must not be zero, `choice` says in words what was chosen.
+    `shown` are the equations of the line as unevaluated `Eq` of SymPy, with matrices as symbols.
+    `conditions` must not be zero; `choice` tells in words what was chosen.
     """
 
     verb: str

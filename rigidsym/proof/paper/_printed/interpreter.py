@@ -1,9 +1,9 @@
 """Translation of printed formulas into definitions and equations of a context.
 
-A vocabulary gives the print's words their names.  Roots and functions of a time have names in the
-context.  That a name is what the print has there is asked with the statement: its square is what
-stands under the root, and sn, cn, dn, am and Pi have the derivatives that the printed argument and
-parameter give them.
+A vocabulary maps printed words to names of the context, also roots and functions of the time.  The
+properties that such a name must have become additional equations: the square of a root is its
+radicand, and sn, cn, dn, am and Pi have the time derivatives that the printed argument and
+parameter imply.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -298,8 +298,9 @@ def translate(
 ) -> Translation:
     """Translate displays to definitions and equations in a vocabulary.
 
-    `defines` maps printed names that the displays define to those of the context; a matrix is put
-    in where it is used.  All else is stated, with `differentiated` of the time derivatives.
+    `defines` maps printed names that the displays define to the context's names; a matrix is
+    substituted where it is used.  All other equations are stated, with `differentiated` for the
+    time derivatives.  Raises PrintError if the vocabulary lacks a word.
     """
     displays, interpreter = list(displays), Interpreter(vocabulary)
     lines = [pair for display in displays for pair in _equations(display)]
@@ -359,7 +360,7 @@ def defined(left: Expression) -> str:
 def growth(interpreter: Interpreter, tree: Expression) -> Value:
     """Return the time derivative of a formula; that of an integral is its integrand.
 
-    A factor before an integral is asked to be constant.
+    A factor before an integral is required to be constant.
     """
     known = interpreter.meant.get(to_text(Call("D", (tree,))))
     if known is not None:

@@ -6,13 +6,13 @@
     product   = factor {["/"] factor}
     factor    = quantity ["^" exponent]
 
-A product is written by putting factors side by side; a function without brackets takes one
-quantity.  A name before (t) or a number in brackets is at that time, before a list it is applied
-to it; before anything else in brackets it is a factor.
+Adjacent factors form a product; a function without brackets has one quantity as its argument.  A
+name before (t) or a number in brackets is evaluated at that time, a name before a list is applied
+to it, and a name before any other brackets is a factor.
 
-The sides of a statement are expressions of `rigidsym.language`; what these have no form for is a
-call: `matrix` of four entries, `bracket`, `at` a time, `d` of a differential, `integral` of a
-product with one, `pm` of what has either sign, `abs`, `nabla`, `partial`.  The imaginary unit is
+The sides of a statement are expressions of `rigidsym.language`.  Other forms are calls: `matrix`
+of four entries, `bracket`, `at` a time, `d` of a differential, `integral` of a product with a
+differential, `pm` of a quantity of either sign, `abs`, `nabla`, `partial`.  The imaginary unit is
 the name `imaginary`, and a bar or a star is part of a name: `Rbar`, `y_star`.
 """
 

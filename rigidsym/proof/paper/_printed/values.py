@@ -1,7 +1,7 @@
 """Complex numbers and two-by-two matrices whose parts are expression trees.
 
-Complex numbers and matrices are multiplied out into their parts, zeros and ones are left out; the
-kernel does the rest.
+Products are expanded into real and imaginary parts without zeros and ones; the kernel expands
+the rest.
 """
 
 from collections.abc import Callable, Iterator
