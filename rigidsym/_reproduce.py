@@ -11,7 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 from platform import python_version
 from time import perf_counter
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rigidsym import _inputs as inputs
 from rigidsym._codegen import TARGETS, Generated, generate
@@ -27,13 +27,7 @@ from rigidsym.validate import ValidationReport, validate
 from rigidsym.validate._executors import processes
 from rigidsym.validate._validation import PACKAGES
 from rigidsym.view import _style as style
-from rigidsym.view._pages import (
-    Printed,
-    Results,
-    errata_page,
-    report_markdown,
-    report_page,
-)
+from rigidsym.view._pages import errata_page, report_markdown, report_page
 from rigidsym.view._plots.charts import Panel, panels_svg
 from rigidsym.view._validation import page
 
@@ -115,14 +109,13 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 def _pages(result: Reproduction) -> dict[str, str]:
     """Return the text of all report files by file name."""
     told, validation = results(result), result.validation
-    verdicts = result.verdicts
-    printed = (Printed(v.equation.number, str(v.ruling), list(details(v))) for v in verdicts)
+    printed = [(v.equation.number, str(v.ruling), list(details(v))) for v in result.verdicts]
     return {
         "validation.json": validation.to_json(),
         "validation.md": validation.to_markdown(),
         "validation.html": page(validation.to_data()),
         "errata.html": errata_page(counted(result.verdicts), printed),
-        "motion.svg": told.motion[1],
+        "motion.svg": told["picture"],
         "report.md": report(result),
         "report.html": report_page(told),
     }
@@ -164,7 +157,7 @@ def plot(case: Case) -> str:
     )
 
 
-def results(result: Reproduction) -> Results:
+def results(result: Reproduction) -> dict[str, Any]:
     """Collect the contents of the report."""
     facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
     grades = Counter(str(fact.grade) for fact in facts).most_common()
@@ -172,9 +165,12 @@ def results(result: Reproduction) -> Results:
     replayed = "accepted" if result.checked else "REFUSED"
     current = "the ones that are installed" if result.current else "NOT those that are installed"
     paper = paper_case().motion
-    return Results(
-        result.passed,
-        (
+    return {
+        "passed": result.passed,
+        "headline": "All that is claimed is proved, and the generated code is valid."
+        if result.passed
+        else "NOT all that is claimed is proved, current and valid.",
+        "sentences": (
             f"{len(facts)} facts are decided in {len(chapters)} chapters: "
             f"{', '.join(f'{count} {grade}' for grade, count in grades)}. Their certificates are "
             f"{replayed} by a kernel in a process of its own.",
@@ -183,19 +179,17 @@ def results(result: Reproduction) -> Results:
             f"was derived; they are {current}.",
             result.validation.conclusion,
         ),
-        [(chapter.name, chapter.title, str(len(chapter.facts))) for chapter in chapters],
-        {
+        "chapters": [(x.name, x.title, str(len(x.facts))) for x in chapters],
+        "modules": {
             name: digest
             for module in result.generated
             for name, digest in module.manifest["sha256"].items()
         },
-        (
-            f"The paper's spacecraft: inertia {inputs.shown(paper.inertia)} kg m^2, rates "
-            f"{inputs.shown(paper.omega0)} rad/s at t = 0.",
-            plot(paper_case()),
-        ),
-        {"Python": python_version(), **{name: version(name) for name in PACKAGES}},
-    )
+        "motion": f"The paper's spacecraft: inertia {inputs.shown(paper.inertia)} kg m^2, rates "
+        f"{inputs.shown(paper.omega0)} rad/s at t = 0.",
+        "picture": plot(paper_case()),
+        "versions": {"Python": python_version(), **{name: version(name) for name in PACKAGES}},
+    }
 
 
 def report(result: Reproduction) -> str:

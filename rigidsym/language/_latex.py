@@ -90,7 +90,7 @@ def _function(head: str, argument: str) -> Symbol:
 
 
 def _indexed(name: str) -> str:
-    """Return a base with its indices."""
+    """Return a name in LaTeX, with its indices."""
     base, *below = [part for part in name.split("_") if part]
     letters = base.rstrip("0123456789")
     below = [part for part in (base[len(letters) :], *below) if part]
@@ -110,7 +110,7 @@ def _below(parts: list[str]) -> str:
 
 
 def _letter(text: str) -> str:
-    """Return a letter, Latin or Greek, in LaTeX; empty for anything else."""
+    """Return a Latin or Greek letter in LaTeX; empty for other names."""
     if text in GREEK:
         return VARIANTS.get(text, f"\\{text}")
     return text if len(text) == 1 and text.isalpha() else ""
@@ -296,7 +296,7 @@ def _base(factor: Expression) -> Expression:
 
 
 def dotted(head: str) -> str:
-    r"""Return the rate of a quantity: \dot{\Omega}_{i}, with the dot on the letter alone."""
+    r"""Return the rate of a quantity, with the dot on its letter alone: \dot{\Omega}_{i}."""
     letter, mark, rest = head.partition("_")
     return rf"\dot{{{letter}}}{mark}{rest}"
 
@@ -314,13 +314,13 @@ def latex(text: str) -> str:
 
 
 def word(text: str) -> str:
-    """Return the name of a context, upright."""
+    """Return the name of a context in upright letters."""
     escaped = text.replace("_", r"\_")
     return rf"\mathrm{{{escaped}}}"
 
 
 def statements(fact: Mapping[str, Any]) -> list[str]:
-    """Return the components of a statement, each once, without those with two equal sides."""
+    """Return the different components of a statement, without those of two equal sides."""
     if fact["kind"] == "model":
         return [word(fact["rhs"][0])]
     if fact["kind"] == "partition":

@@ -1,4 +1,4 @@
-"""A derivation as an article, line by line: for a terminal, in Markdown, LaTeX and HTML.
+"""A derivation as an article in plain text, Markdown, LaTeX or HTML.
 
 A line has a sentence on the step, its equations with the paper's numbers, the conditions under
 which it holds, and the name of its fact.  `line_html`, `line_latex` and `line_text` return one
@@ -79,7 +79,7 @@ def mathml(text: str, kind: str) -> str:
 
 
 def numbers(line: "Step") -> str:
-    """Return the paper's numbers of a line: (31), (32)."""
+    """Return the equations of the paper that a line cites: (31), (32)."""
     return ", ".join(f"({n})" if n[0].isdigit() else n for n in line.source)
 
 
@@ -97,7 +97,7 @@ def line_text(line: "Step") -> str:
 
 
 def sentence(line: "Step") -> str:
-    """Return a sentence on what a step did and chose."""
+    """Return the sentence that explains a step and its choice."""
     formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
     words = line.why if formula else line.why[:1].upper() + line.why[1:]
     whole = f"{words}; {line.choice}" if line.choice else words
@@ -146,7 +146,7 @@ def aligned(line: "Step") -> str:
 
 
 def _rows(equation: sympy.Basic) -> list[str]:
-    """Return the row left &= right; if that is long, one for each matrix term or side."""
+    """Return an equation as aligned rows, one for each term or side if it is long."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
     if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
@@ -159,7 +159,7 @@ def _rows(equation: sympy.Basic) -> list[str]:
 
 
 def line_html(line: "Step") -> str:
-    """Return a line as a card: the sentence and the fact, the equations, the conditions."""
+    """Return a card with the sentence, fact, equations and conditions of a line."""
     parts = re.split(r"(\$[^$]*\$)", formulas(sentence(line)))
     said = tag("span", *(math(x.strip("$")) if x.startswith("$") else x for x in parts))
     head = tag("div", said, muted(code(line.fact.id)), style=f"{_ROW};padding-top:.4em")
@@ -254,7 +254,7 @@ def _matrix_product(expression: sympy.MatMul) -> Expression:
 
 
 def _rank(factor: Expression) -> tuple[int, str]:
-    """Return a sort key: numbers, constants, sums of constants, variables, functions last."""
+    """Return a sort key that puts numbers first, then constants, variables and functions."""
     text = to_text(factor)
     if isinstance(factor, Number):
         return 0, text
@@ -273,7 +273,7 @@ _PRINTER = language.Printer(_rank, most=None)
 
 
 def pretty(expression: sympy.Basic, width: int = 100) -> str:
-    """Return an expression in two dimensions for a terminal, in Unicode whatever stdout is."""
+    """Draw an expression in Unicode characters, on several lines, for a terminal."""
     settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
     before = pretty_use_unicode(True)
     try:

@@ -77,7 +77,7 @@ def head(title: object, *others: object) -> Markup:
 
 
 def muted(*children: object) -> Markup:
-    """Return translucent text."""
+    """Return text in a lighter colour."""
     return tag("span", *children, style="opacity:.7")
 
 

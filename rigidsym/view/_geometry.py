@@ -1,4 +1,4 @@
-"""Times, curves and surfaces of a motion that its pictures share; curves are arrays (N, 3)."""
+"""Times, curves (N, 3) and circles that several pictures of a motion use."""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -12,7 +12,6 @@ from rigidsym import _inputs as inputs
 from rigidsym._inputs import Times
 from rigidsym.errors import InputError
 from rigidsym.precise import PreciseMotion
-from rigidsym.precise._quantities import Quantities
 from rigidsym.solution._polhode import Regime
 from rigidsym.view._style import BLUE, GOLD, GREEN, MAGENTA, OPEN, ORANGE
 
@@ -45,57 +44,40 @@ AT_REST = 10.0
 "Time drawn of a body at rest, s."
 
 
-def period(motion: "TorqueFreeMotion") -> float:
-    """Return the period of the rates, s: infinite on the separatrix, zero where constant."""
-    return Quantities(_precise(motion)).period or 0.0
-
-
 def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
     """Return the first and last time of one pass through the whole polhode, s."""
-    found = period(motion)
-    if math.isfinite(found):
-        return 0.0, found
-    constants = _precise(motion).constants(("lambda_", "u"), CONSTANT_DIGITS)
+    period = motion.period or 0.0
+    if math.isfinite(period):
+        return 0.0, period
+    exact = PreciseMotion(*(motion.exact[name] for name in ("inertia", "omega0", "attitude0")))
+    constants = exact.constants(("lambda_", "u"), CONSTANT_DIGITS)
     rate = float(constants["lambda_"])
     middle, far = -float(constants["u"]) / rate, FAR / rate
     return middle - far, middle + far
 
 
 def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.ndarray:
-    """Return `times` as doubles, or `count` times by `grid`, s.
+    """Return the user's times as doubles, or `count` times by default, s.
 
-    Raises InputError for fewer than two times.
+    Times by default begin at zero and cover two periods or a few turns at the initial rate.  Raises
+    InputError for fewer than two times.
     """
-    if times is None:
-        return grid(motion, count)
-    found = np.array(inputs.doubles("t", inputs.times(times)[0]))
-    if len(found) < 2:
-        raise InputError("t", f"{len(found)} times", "a picture needs two or more")
-    return found
-
-
-def grid(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
-    """Return `count` times from zero on, s: over two periods, or over a few turns."""
+    if times is not None:
+        found = np.array(inputs.doubles("t", inputs.times(times)[0]))
+        if len(found) < 2:
+            raise InputError("t", f"{len(found)} times", "a picture needs two or more")
+        return found
+    rate = math.hypot(*map(float, motion.exact["omega0"]))
+    turn = 2 * math.pi / rate if rate else AT_REST / 3
+    most = min(MOST_TURNS, count / SAMPLES_A_TURN) * turn
     first, last = once(motion)
-    most = min(MOST_TURNS, count / SAMPLES_A_TURN) * _turn(motion)
     if motion.regime.steady:
-        end = 3 * _turn(motion)
+        end = 3 * turn
     elif motion.regime == Regime.SEPARATRIX:
         end = min(max(last, (last - first) / 2), most)
     else:
         end = min(2 * (last - first), most)
     return np.linspace(0.0, end, count)
-
-
-def _turn(motion: "TorqueFreeMotion") -> float:
-    """Return the time of one turn at the initial rate, s."""
-    rate = math.hypot(*map(float, motion.exact["omega0"]))
-    return 2 * math.pi / rate if rate else AT_REST / 3
-
-
-def _precise(motion: "TorqueFreeMotion") -> PreciseMotion:
-    given = motion.exact
-    return PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
 
 
 def moments(motion: "TorqueFreeMotion") -> np.ndarray:
@@ -109,7 +91,10 @@ def momentum(motion: "TorqueFreeMotion") -> np.ndarray:
 
 
 def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
-    """Return the body rates all around the polhode (count, 3), rad/s; one row where constant."""
+    """Return body rates (count, 3) along the whole polhode, rad/s.
+
+    There is one row where the rates are constant.
+    """
     if motion.regime.steady:
         return motion([0.0])[1]
     rates = motion(np.linspace(*once(motion), DENSE * count + 1))[1]
@@ -160,7 +145,7 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
 
 
 def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["TorqueFreeMotion"]:
-    """Yield motions of the same body and |M|, `count` about each end of the outer axes.
+    """Yield motions of the same body with the same |M|, `count` around each end of two axes.
 
     They start between axis and separatrix, in the plane of the axes of largest and least inertia.
     """
@@ -181,7 +166,7 @@ def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["To
 
 
 def rounded(values: np.ndarray) -> np.ndarray:
-    """Round to eleven digits of the largest value: a picture must not depend on the machine."""
+    """Round to eleven digits of the largest value, so that every machine draws the same."""
     size = float(np.nanmax(np.abs(values), initial=0.0))
     if not size:
         return np.asarray(values, dtype=float)

@@ -1,25 +1,23 @@
-"""Pages from templates: a page of HTML needs nothing but itself, and loads nothing."""
+"""Pages in HTML and Markdown by Jinja's templates; HTML pages load no other files."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidsym.view import _cards as cards
+from rigidsym.view import _tables
 from rigidsym.view._cards import Markup
 from rigidsym.view._style import SERIES, SERIES_ON_DARK
-from rigidsym.view._tables import table as markdown_table
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-CHAPTERS = ("chapter", "", "facts")
 Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 "Caption, columns and rows."
 
 
 def render(template: str, **values: object) -> str:
-    """Return a page by its template; in HTML, text is escaped unless it is `Markup`."""
+    """Render a template; in HTML, text is escaped unless it is `Markup`."""
     return (
         _environment()
         .get_template(template)
@@ -42,7 +40,7 @@ def _environment() -> "Environment":
 
 
 def scaled(svg: str) -> Markup:
-    """Return an SVG document for a page: as wide as there is room, without its prologue."""
+    """Return the SVG element of a document, not wider than the page."""
     _, begin, rest = svg.partition("<svg ")
     return Markup(f'{begin}style="max-width:100%;height:auto" {rest}')
 
@@ -55,62 +53,37 @@ def fit_page(title: str, tables: Iterable[Table], pictures: Iterable[tuple[str, 
 
 
 def fit_card(title: str, tables: Sequence[Table]) -> str:
-    """Return some tables of a fit as a card for notebooks."""
+    """Return a card with some tables of a fit."""
     name, _, said = title.partition(": ")
     shown = (cards.table(columns, rows) for _, columns, rows in tables)
     return cards.card(cards.head(name, cards.muted(said)), *shown)
 
 
-@dataclass(frozen=True, slots=True)
-class Results:
-    """The results of `rigidsym reproduce`.
+def report_markdown(results: Mapping[str, Any]) -> str:
+    """Return the report of `rigidsym reproduce` in Markdown, from the data of `report_page`."""
+    return render("report.md", table=_tables.table, **results)
 
-    chapters: name, title and number of facts.  modules: the digest of each generated file.
-    motion: a sentence on the motion, and its picture as SVG.  versions: of Python and packages.
+
+def report_page(results: Mapping[str, Any]) -> str:
+    """Return the report of `rigidsym reproduce` as a page with links to its other files.
+
+    results: passed, headline and sentences; chapters, each with its name, title and number of
+    facts; modules, the digest of each generated file; motion, a sentence, and picture, an SVG
+    document of it; versions of Python and packages.
     """
-
-    passed: bool
-    sentences: Sequence[str]
-    chapters: Sequence[tuple[str, str, str]]
-    modules: Mapping[str, str]
-    motion: tuple[str, str]
-    versions: Mapping[str, str]
-
-    @property
-    def headline(self) -> str:
-        """The verdict, in a sentence."""
-        if self.passed:
-            return "All that is claimed is proved, and the generated code is valid."
-        return "NOT all that is claimed is proved, current and valid."
-
-
-@dataclass(frozen=True, slots=True)
-class Printed:
-    """A printed equation: its number, its verdict, and remarks by their kind."""
-
-    number: str
-    verdict: str
-    said: Sequence[tuple[str, str]]
-
-
-def report_markdown(results: Results) -> str:
-    """Return the report of `rigidsym reproduce` in Markdown."""
-    proved = "\n".join(markdown_table(CHAPTERS, results.chapters))
-    return render("report.md", results=results, proved=proved)
-
-
-def report_page(results: Results) -> str:
-    """Return the report of `rigidsym reproduce` as a page with links to its other files."""
     links = {
         "validation.html": "what was measured",
         "errata.html": "the paper's equations, one by one",
         "ledger.json": "the proofs, as certificates",
-        **dict.fromkeys(results.modules, "generated code"),
+        **dict.fromkeys(results["modules"], "generated code"),
     }
-    picture = scaled(results.motion[1])
-    return render("report.html", results=results, links=links, chapters=CHAPTERS, picture=picture)
+    return render("report.html", **{**results, "picture": scaled(results["picture"])}, links=links)
 
 
-def errata_page(counted: str, printed: Iterable[Printed]) -> str:
-    """Return the page of all printed equations, each with its verdict and remarks."""
+def errata_page(counted: str, printed: Iterable[tuple[str, str, Sequence[tuple[str, str]]]]) -> str:
+    """Return the page of all printed equations, with their verdicts and remarks.
+
+    counted: the number of each verdict, in words.  printed: the number of an equation, its verdict,
+    and remarks by their kind.
+    """
     return render("errata.html", counted=counted, printed=printed)

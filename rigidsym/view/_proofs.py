@@ -1,4 +1,4 @@
-"""Derivations, printed equations and verdicts as notebooks show them."""
+"""Cards of derivations, printed equations and verdicts for notebooks."""
 
 from collections import Counter
 from collections.abc import Iterator

@@ -63,7 +63,7 @@ def brief(figure: Figure) -> str:
 
 
 def condition(figure: Figure) -> str:
-    """Return a condition number to two digits; "" if it is 1, which stands for none.
+    """Return a condition number to two digits, or "" if it is 1.
 
     >>> condition(4.88e5), condition(1.0)
     ('κ 4.9e5', '')
@@ -100,7 +100,7 @@ def counted(*given: Figure) -> str:
 
 
 def decimal(written: str) -> str:
-    """Return a number of a case, a hexadecimal double or a fraction, as the decimal of a double.
+    """Return a hexadecimal double or a fraction as the decimal of a double.
 
     >>> decimal("-0x1.8p+1"), decimal("1/8")
     ('-3.0', '0.125')

@@ -18,7 +18,7 @@ def table(columns: Sequence[str], rows: Iterable[Iterable[str]]) -> list[str]:
 
 
 def columns(title: str, names: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table in characters, without lines.
+    """Return a table as text with aligned columns.
 
     >>> print(columns("planets", ("", "moons"), [("Mars", "2"), ("Jupiter", "101")]))
     planets

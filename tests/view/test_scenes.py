@@ -11,7 +11,7 @@ from rigidsym import InputError, Regime, plan
 from rigidsym.manoeuvre import directions_of
 from rigidsym.manoeuvre._problem import problem
 from rigidsym.quaternions import product, rotated
-from rigidsym.view._geometry import once, period, upright
+from rigidsym.view._geometry import once, upright
 from rigidsym.view.scenes import (
     momentum_sphere,
     rolling_ellipsoid,
@@ -158,7 +158,7 @@ def test_a_box_has_the_proportions_of_its_moments():
 @pytest.mark.parametrize("name", TRACED)
 def test_after_a_period_the_rates_are_back(name):
     motion = MOTIONS[name]
-    found = period(motion)
+    found = motion.period
     if motion.regime == Regime.SEPARATRIX:
         assert found == np.inf
         ends = motion(once(motion))[1]

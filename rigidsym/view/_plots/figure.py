@@ -1,4 +1,4 @@
-"""Figures of matplotlib without pyplot: new figures, axes over time, lines, files.
+"""Matplotlib figures without pyplot: new figures, axes over time, lines and files.
 
 Functions that make figures are decorated by `defaults()`, so that the user's matplotlibrc has no
 effect.  `rendered` and `svg` write the same bytes on each run and on each processor.

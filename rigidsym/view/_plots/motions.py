@@ -105,7 +105,7 @@ def _sphere(axes: "Axes3D", motion: "TorqueFreeMotion", omega: np.ndarray) -> No
 
 @flat.defaults()
 def transfers(several: Sequence["Transfer"]) -> "Figure":
-    """Draw body rates and attitude of the first `MOST` transfers, a row each, its cost above."""
+    """Draw body rates and attitude of the first `MOST` transfers, one row for each."""
     shown = several[:MOST]
     figure = flat.blank("drawing", 10.5, 0.9 + 2.1 * len(shown))
     grid = figure.subplots(len(shown), 2, sharex=True, sharey="col", squeeze=False)
@@ -124,7 +124,7 @@ def transfers(several: Sequence["Transfer"]) -> "Figure":
 
 @flat.defaults()
 def attitude(run: "Run") -> "Figure":
-    """Draw the quaternion of the natural motion, thin and dashed, and the one flown, thick."""
+    """Draw the quaternions of the natural motion (dashed) and of the flight."""
     figure, axes = flat.history(style.ATTITUDE_AXIS)
     _both(axes, run.t, (run.q, run.track.q), style.ATTITUDE, "natural", _FOUR)
     axes.set_ylim(-1.05, 1.05)
@@ -133,7 +133,7 @@ def attitude(run: "Run") -> "Figure":
 
 @flat.defaults()
 def rates(run: "Run") -> "Figure":
-    """Draw the rates of the reference, thin and dashed, and those flown, thick."""
+    """Draw the body rates of the reference (dashed) and of the flight."""
     figure, axes = flat.history(style.RATES_AXIS)
     _both(axes, run.t, (run.omega, run.reference.omega), RATES, "wanted", AXES)
     return _finished(figure, axes, run)
@@ -147,7 +147,7 @@ def _both(
     other: str,
     colours: Sequence[str],
 ) -> None:
-    """Draw the values flown, thick, and those of another motion, thin and dashed."""
+    """Draw the values of the flight and, dashed, those of another motion."""
     flown, wanted = values
     flat.lines(axes, t, flown, [f"{x} flown" for x in names], colours, linewidth=2.0)
     flat.lines(axes, t, wanted, [f"{x} {other}" for x in names], colours, **_DASHED)
@@ -165,7 +165,7 @@ def error(run: "Run") -> "Figure":
 
 @flat.defaults()
 def torques(run: "Run") -> "Figure":
-    """Draw the torques of the wheels on the body, by axis, and those of thrusters, dashed."""
+    """Draw the torques of the wheels and of the thrusters (dashed) on the body."""
     figure, axes = flat.history("control torques ($10^{-4}$ N m)")
     flat.lines(axes, run.t, 1e4 * run.torque, TORQUE)
     if run.burns:

@@ -1,4 +1,4 @@
-"""The validation report as a page that needs nothing but itself, and as a card for notebooks."""
+"""The validation report as an HTML page and as a card for notebooks."""
 
 import json
 import math
@@ -84,7 +84,7 @@ class Tile(NamedTuple):
 
 
 def page(data: Data) -> str:
-    """Return the page of `ValidationReport.to_data()`: the same text for the same data."""
+    """Return the HTML page of a validation report, given by its `to_data()`."""
     everyone, bounds = data["implementations"], data["bounds"]
     strata = [stratum["name"] for stratum in data["strata"]]
     cases = [(_nearest(data, found), found) for found in data["worst"]]
@@ -143,7 +143,7 @@ def _peer(name: str, stratum: str, cell: Data) -> str:
 def _cells(
     implementations: Sequence[Data], view: str, measure: str
 ) -> Iterator[tuple[str, str, Data]]:
-    """Yield the name of the implementation, the part of a view, and its cell of a measure."""
+    """Yield the cells of a measure in a view, with the implementation and the part."""
     for one in implementations:
         for part, found in sorted(one[view].items()):
             if measure in found:
@@ -196,7 +196,7 @@ def _tiles(data: Data) -> Iterator[Tile]:
 
 
 def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
-    """Return the measure that used the largest part of its bound, with that part."""
+    """Return the measure that used the largest part of its bound, and the cell of it."""
     shares = one["shares"].get(stratum, {})
     known = sorted(shares, key=_rank)
     name = max(known, key=lambda name: number(shares[name]["units"]), default=None)
@@ -204,7 +204,7 @@ def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
 
 
 def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
-    """Return the largest part of a bound that a module used in a case, its name and the measure."""
+    """Return the largest part of a bound used in a case, with the module and the measure."""
     shares = (
         (number(cell["share"]), name, measure)
         for name, errors in case["errors"].items()
@@ -215,7 +215,7 @@ def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
 
 
 def report_html(report: "ValidationReport") -> str:
-    """Return a card: the verdict and its reasons, then the strata with the worst errors."""
+    """Return a card with the verdict, its reasons, and the worst errors of the strata."""
     data = report.to_data()
     everyone, columns = data["implementations"], columns_of("card")
     verdict = cards.badge(PASSED if data["passed"] else BROKEN)

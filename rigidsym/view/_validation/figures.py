@@ -1,4 +1,4 @@
-"""Figures of the validation page: errors against a property of their cases, and their sizes.
+"""Scatter plots and histograms of errors for the validation page.
 
 matplotlib draws them.  Their elements have classes of the page's style sheet, which gives them
 colours on light and on dark ground, and titles for the pointer.
@@ -56,7 +56,7 @@ class Axis:
 
     @property
     def knots(self) -> list[tuple[float, float]]:
-        """Exponents and their places, between which the scale is even."""
+        """Exponents and their positions, between which the scale is linear."""
         begin, end = self.under, 1 - self.over
         knots = [(self.low, begin), (self.high, end)]
         if self.low < KNEE < self.high:
@@ -65,12 +65,12 @@ class Axis:
 
     @property
     def edges(self) -> list[float]:
-        """The places of lines that separate slots, and parts with different scales."""
+        """The positions of lines between slots and between parts of different scale."""
         ends = [self.under] * bool(self.under) + [1 - self.over] * bool(self.over)
         return ends + [place for _, place in self.knots[1:-1]]
 
     def at(self, exponent: float) -> float:
-        """Return the place of an exponent, from 0 to 1."""
+        """Return the position of an exponent, from 0 to 1."""
         if exponent < self.low:
             return self.under / 2
         if exponent > self.high:
@@ -80,7 +80,7 @@ class Axis:
 
     @property
     def ticks(self) -> list[float]:
-        """Round exponents, few where the scale is small."""
+        """Exponents of the ticks, fewer where the scale is compressed."""
         from matplotlib.ticker import MaxNLocator
 
         def among(low: float, high: float, most: int) -> list[float]:
@@ -91,7 +91,7 @@ class Axis:
         return [x for end in far for x in among(end, low, 2) if x < low] + among(low, high, 6)
 
     def labels(self, room: float, zero: str, beyond: str, base: int) -> dict[float, str]:
-        """Return places and labels of the slots, and of ticks that are `room` apart from them."""
+        """Return labels by position: of the slots, and of ticks at least `room` apart from them."""
         ends = {self.at(-math.inf): zero} if self.under else {}
         ends |= {self.at(math.inf): beyond} if self.over else {}
         numbers = base == 2 and self.high - self.low <= SHORT
@@ -111,7 +111,7 @@ def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) ->
 
 
 class Drawing:
-    """A figure of fixed margins whose artists have classes and titles."""
+    """Matplotlib figure whose artists get CSS classes and titles."""
 
     def __init__(
         self, size: tuple[float, float], margins: tuple[float, float, float, float]
@@ -172,7 +172,7 @@ class Drawing:
 
 
 class View(NamedTuple):
-    """A property of cases: its key in the data, and labels of it, of zero, and of larger values."""
+    """A property of cases with its key in the data, its label, and labels of zero and infinity."""
 
     key: str
     label: str
@@ -196,7 +196,10 @@ VIEWS = (
 def scatters(
     implementations: Sequence[Data], view: View, bounds: Mapping[str, float]
 ) -> list[Markup]:
-    """Draw the worst angle and rate error of each decade; `bounds` in units of 2^-53."""
+    """Draw the worst angle and rate error in each decade of a property of cases.
+
+    `bounds` are in units of 2^-53.
+    """
     return [
         _scatter(implementations, view, measure, label, bounds[measure])
         for measure, label in Y_LABELS.items()
@@ -274,7 +277,7 @@ def _title(name: str, exponent: float, cell: Data) -> str:
 def histograms(
     implementations: Sequence[Data], strata: Sequence[str], measure: str, bound: float
 ) -> list[tuple[str, Markup]]:
-    """Draw for each stratum how often errors have each size, a row of bars an implementation.
+    """Draw a histogram of the errors in each stratum, with a row of bars per implementation.
 
     All have one axis, so that they can be compared.  The highest bar of a row is as high as the
     row.  `bound` is in units of 2^-53.
@@ -319,7 +322,7 @@ def histograms(
 
 
 def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
-    """Return the left and right place of the bar of a half octave, or of a slot."""
+    """Return the left and right end of the bar of a half octave or a slot."""
     if math.isfinite(exponent):
         return axis.at(exponent), axis.at(exponent + STEP)
     middle, half = axis.at(exponent), abs(axis.at(axis.low + STEP) - axis.at(axis.low)) / 2

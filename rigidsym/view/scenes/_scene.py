@@ -33,7 +33,7 @@ def line(points: np.ndarray, name: str, colour: str, width: float, **how: object
 
 
 def sketch(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
-    """Return a curve through points (N, 3) of four bytes a number, without hover text."""
+    """Return a curve through points (N, 3) in floats of four bytes, without hover text."""
     return _curve(_single(points), name, colour, width, {"hoverinfo": "skip", **how})
 
 
@@ -66,7 +66,7 @@ def skin(points: np.ndarray, colour: str, opacity: float) -> Trace:
 
 
 def _single(points: np.ndarray) -> np.ndarray:
-    """Round to six digits in four bytes, which is as much as can be seen."""
+    """Round coordinates to six digits, as floats of four bytes."""
     size = float(np.nanmax(np.abs(points), initial=0.0)) or 1.0
     return (np.round(points / size, 6) * size + 0.0).astype(np.float32)
 
@@ -135,9 +135,9 @@ def figure(traces: Sequence[Trace], title: str, labels: Sequence[str], half: flo
 def with_slider(
     figure: "Figure", times: np.ndarray, moving: Sequence[int], frames: Sequence[Sequence[Any]]
 ) -> "Figure":
-    """Add a slider with a frame for each time; frames replace the traces of the indices `moving`.
+    """Add a frame for each time, a slider, and buttons that play and stop the frames.
 
-    Buttons play and stop the frames.
+    moving: the indices of the traces that frames replace.
     """
     figure.frames = [
         {"name": str(k), "data": list(data), "traces": list(moving)}

@@ -1,4 +1,4 @@
-"""Plotly figures that carry a still image of themselves, for readers that run no scripts."""
+"""Plotly figures that have a still image, for readers without scripts."""
 
 import io
 import math
@@ -21,7 +21,7 @@ _THINNER = 0.4
 
 
 class Picture(Figure):
-    """A figure whose output in a notebook is interactive, and has a JPEG for all other readers.
+    """Plotly figure that also gives notebooks a JPEG, for readers without scripts.
 
     It is no PNG, because JupyterLab's extension would show that instead of the figure.
     """
@@ -44,7 +44,7 @@ class Picture(Figure):
 
 
 def still(picture: Figure) -> bytes:
-    """Return a JPEG of a plotly figure as it is before anything is turned or moved.
+    """Return a JPEG of the initial view of a plotly figure.
 
     Lines, points, surfaces and triangles are drawn, scenes beside each other.  Raises KeyError for
     other traces, and ImportError without matplotlib.
