@@ -1,4 +1,4 @@
-"""Debian's Chromium, without a window, for tests that look at pages."""
+"""Headless Chromium for tests of pages."""
 
 import shutil
 from contextlib import contextmanager
@@ -29,7 +29,7 @@ FLAGS = (
 
 @contextmanager
 def chromium(profile):
-    """A browser with the profile of a fresh folder, which fetches nothing on its own."""
+    """Yield a browser that keeps its profile in a folder and fetches nothing on its own."""
     options = webdriver.ChromeOptions()
     options.binary_location = BROWSER
     for flag in (*FLAGS, f"--user-data-dir={profile}"):

@@ -1,4 +1,4 @@
-"""HTML as it has to be: a page or a representation for notebooks, read by its elements."""
+"""Checks that a page or card is well-formed HTML."""
 
 import re
 from html.parser import HTMLParser
@@ -7,7 +7,7 @@ VOID = {"br", "meta"}
 
 
 class Elements(HTMLParser):
-    """Elements with their attributes, refusing what is not closed in order."""
+    """HTML elements with their attributes; tags that are not closed in order fail."""
 
     def __init__(self, text):
         super().__init__()
@@ -34,7 +34,7 @@ class Elements(HTMLParser):
 
 
 def well_formed(text):
-    """The words of a representation that is well formed and in the colours of the page."""
+    """Return the words of a card, after checks that it is well formed and has no fixed colours."""
     elements = Elements(text)
     assert not elements.all("script")
     assert not re.search(r"[: ](black|white)[;\" ]|#000|#fff", text)

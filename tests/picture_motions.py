@@ -1,4 +1,4 @@
-"""A motion of every regime, and pictures of them that several tests look at."""
+"""A motion of every regime, and pictures of them that several tests share."""
 
 from functools import cache
 

@@ -49,8 +49,9 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
     period = motion.period or 0.0
     if math.isfinite(period):
         return 0.0, period
-    exact = PreciseMotion(*(motion.exact[name] for name in ("inertia", "omega0", "attitude0")))
-    constants = exact.constants(("lambda_", "u"), CONSTANT_DIGITS)
+    given = motion.exact
+    precise = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
+    constants = precise.constants(("lambda_", "u"), CONSTANT_DIGITS)
     rate = float(constants["lambda_"])
     middle, far = -float(constants["u"]) / rate, FAR / rate
     return middle - far, middle + far

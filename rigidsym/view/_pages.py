@@ -18,11 +18,8 @@ Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 
 def render(template: str, **values: object) -> str:
     """Render a template; in HTML, text is escaped unless it is `Markup`."""
-    return (
-        _environment()
-        .get_template(template)
-        .render(values, series=SERIES, series_on_dark=SERIES_ON_DARK)
-    )
+    found = _environment().get_template(template)
+    return found.render(values, series=SERIES, series_on_dark=SERIES_ON_DARK)
 
 
 @cache

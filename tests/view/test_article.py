@@ -1,4 +1,4 @@
-"""A derivation as an article: every step in every form, and LaTeX that compiles."""
+"""Articles have every step in every form, and their LaTeX compiles."""
 
 import re
 import shutil

@@ -1,4 +1,4 @@
-"""Values as terminals and notebooks show them: well formed, escaped, repeatable, and short."""
+"""Texts and cards of values are well formed, escaped, reproducible and short."""
 
 import copy
 import json
@@ -213,33 +213,32 @@ def test_transfers_and_manoeuvres_take_a_line(found):
     assert repr(found.manoeuvre).startswith(f"<Manoeuvre {asked}, inertia=")
 
 
-def test_a_transfer_shows_its_bursts_and_its_residual():
-    best = planned().best
-    shown = card_of(best)
-    assert str(best.motion.regime) in shown
-    assert r"({-0.01119},\ {-0.007836},\ 0.01407)" in shown
-    assert "< 10^{-1" in shown
-
-
-def test_limits_and_spins_are_shown_where_they_are_given():
-    limited = planned(max_rate="0.3", max_burst="0.01", target_spin=(0, 0, "0.01"))
-    shown = card_of(limited)
-    assert r"\Omega(T^+) = (0,\ 0,\ 0.01)" in shown
-    assert "start_spin" not in shown
-    assert "max_rate" in shown
-    assert "max_burst" in shown
+@pytest.mark.parametrize(
+    ("asked", "of_plan", "of_best", "absent"),
+    [
+        ({}, [], [r"({-0.01119},\ {-0.007836},\ 0.01407)", "< 10^{-1"], []),
+        (
+            {"max_rate": "0.3", "max_burst": "0.01", "target_spin": (0, 0, "0.01")},
+            [r"\Omega(T^+) = (0,\ 0,\ 0.01)", "max_rate", "max_burst"],
+            [],
+            ["start_spin"],
+        ),
+        ({"target": START}, ["rest"], ["rest"], []),
+    ],
+)
+def test_plans_and_transfers_show_what_belongs_to_them(asked, of_plan, of_best, absent):
+    plan = planned(**asked)
+    shown, best = card_of(plan), card_of(plan.best)
+    assert str(plan.best.motion.regime) in best
+    assert all(text in shown for text in of_plan)
+    assert all(text in best for text in of_best)
+    assert not any(text in shown for text in absent)
 
 
 def test_rounding_beside_a_spin_is_not_shown():
     shown = card_of(planned((0, 0, 0, 1)).best)
     assert shown.count(r"(0,\ 0,\ ") == 4
     assert "10^{-2" not in shown
-
-
-def test_nothing_to_do_is_shown():
-    still = planned(START)
-    assert "rest" in card_of(still)
-    assert "rest" in card_of(still.best)
 
 
 def tracked(length):

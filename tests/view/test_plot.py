@@ -1,4 +1,4 @@
-"""motion.plot: the right data, labelled with units, without touching pyplot's state."""
+"""`motion.plot` draws the right data with units, without pyplot."""
 
 import re
 import subprocess

@@ -1,4 +1,4 @@
-"""Interactive pictures: numbers of their traces, controls, and the stills beside them."""
+"""Interactive pictures show the numbers of the motion, and have a still image."""
 
 import base64
 import sys

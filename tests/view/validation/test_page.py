@@ -1,4 +1,4 @@
-"""The HTML report: whole, escaped, without anything from outside, and the same every time."""
+"""The HTML report is complete, escaped and reproducible, and loads nothing."""
 
 import copy
 import re

@@ -1,4 +1,4 @@
-"""The HTML report as a browser shows it: Debian's chromium and chromium-driver packages."""
+"""The HTML report in Chromium: layout, colours, links, and no requests."""
 
 import json
 
@@ -59,7 +59,7 @@ def browser(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def addresses(tmp_path_factory):
-    """The pages as files, by name."""
+    """The URLs of the pages, by name."""
     folder, found = tmp_path_factory.mktemp("pages"), {}
     for name, make in PAGES.items():
         path = folder / f"{name}.html"
@@ -79,7 +79,7 @@ def show(browser, address, width, scheme):
 
 
 def requests(browser, address):
-    """What a page asked for, itself included; the browser's own pages do so too."""
+    """Return the URLs that a page requested, its own included."""
     told = (json.loads(entry["message"])["message"] for entry in browser.get_log("performance"))
     sent = (one["params"] for one in told if one["method"] == "Network.requestWillBeSent")
     return {params["request"]["url"] for params in sent if params["documentURL"] == address}
