@@ -1,9 +1,10 @@
-"""The comparison of methods: errors within radii, the separatrix met exactly, the same bytes."""
+"""Comparison of methods: errors within radii, motions on the separatrix, and equal bytes."""
 
 import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from fractions import Fraction
+from itertools import product
 
 import pytest
 from mpmath import mp
@@ -32,6 +33,12 @@ def found(quickly):
     return compare(SHORT, [20, 10, 20, 150])
 
 
+@pytest.fixture
+def near_and_on(monkeypatch):
+    """Compare at two distances from the separatrix alone."""
+    monkeypatch.setattr(comparison, "DISTANCES", ("1e-1", "0"))
+
+
 def without_seconds(found):
     data = json.loads(found.to_json())
     for measurement in data["by_digits"] + data["by_distance"]:
@@ -40,12 +47,10 @@ def without_seconds(found):
 
 
 def test_every_method_at_every_setting_once(found):
-    assert [(m.digits, m.method) for m in found.by_digits] == [
-        (d, name) for d in (10, 20, 150) for name in NAMES
-    ]
-    assert [(m.distance, m.method) for m in found.by_distance] == [
-        (d, name) for d in DISTANCES for name in NAMES
-    ]
+    by_digits = [(m.digits, m.method) for m in found.by_digits]
+    by_distance = [(m.distance, m.method) for m in found.by_distance]
+    assert by_digits == [*product((10, 20, 150), NAMES)]
+    assert by_distance == [*product(DISTANCES, NAMES)]
 
 
 def test_errors_are_as_small_as_asked_for_and_within_the_radii(found):
@@ -61,6 +66,7 @@ def test_errors_are_as_small_as_asked_for_and_within_the_radii(found):
         assert m.seconds > 0
 
 
+@pytest.mark.usefixtures("near_and_on")
 def test_a_wrong_method_is_seen(monkeypatch):
     exact = comparison.integrate
 
@@ -98,6 +104,7 @@ def test_the_plot_is_one_and_the_same_for_the_same_numbers(found):
     assert len(lines) == 4 * len(NAMES)
 
 
+@pytest.mark.usefixtures("near_and_on")
 def test_what_takes_too_long_is_not_run(monkeypatch):
     monkeypatch.setattr(comparison, "QUADRATURE_DIGITS", 15)
     monkeypatch.setattr(comparison, "TAYLOR_WORK", 50)
@@ -119,10 +126,11 @@ def test_bodies_without_a_separatrix(inertia, rates):
 
 
 def test_bad_cases_are_one_line():
-    with pytest.raises(InputError, match="times = "):
-        compare(replace(PAPER, times=()))
-    with pytest.raises(InputError, match="digits = 0"):
-        compare(PAPER, [0])
     uncertain = TorqueFreeMotion(("0.0109 +/- 1e-9", "0.04", "0.0506"), PAPER.motion.omega0)
-    with pytest.raises(InputError, match="only enclose"):
-        compare(replace(PAPER, motion=uncertain))
+    for case, digits, message in (
+        (replace(PAPER, times=()), [15], "times = "),
+        (PAPER, [0], "digits = 0"),
+        (replace(PAPER, motion=uncertain), [15], "only enclose"),
+    ):
+        with pytest.raises(InputError, match=message):
+            compare(case, digits)
