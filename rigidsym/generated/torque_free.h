@@ -22,7 +22,7 @@ Lines of code:
     476  19 %  follow facts of the ledger, each named on its line
     595  24 %  follow classical formulas, each with its reference
     102   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1271  52 %  are the runtime, written by hand
+   1287  52 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest fc62ed07d1a0c72d5bccf5dd73e24d2f4fef603a12576fca8e6116bcf4c8dd46
+digest 11adf346177c6378239c6539a5ed0a1c0882c9f6f2575988787c51166dc3cabc
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -55,7 +55,8 @@ below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
-long. */
+long.  With -DTORQUE_FREE_FMA=0 every processor and compiler computes the same bits; compilers that
+fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off. */
 
 #ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H

@@ -22,7 +22,7 @@ Lines of code:
     299  18 %  follow facts of the ledger, each named on its line
     317  19 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    986  59 %  are the runtime, written by hand
+   1002  59 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
 uniqueness of solutions.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 56011c098d6097162495cdb1c9a464fd70cdf7836464ef83a5f0f189aadc4024
+digest 8a3bd110c75d7502fbd8ee9d1cea21a5b9d910f1a2654766f305598e7a2eeadc
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -56,7 +56,8 @@ below -O2 -fno-math-errno needs -DTORQUE_FREE_PI_LANES=1.
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
-long. */
+long.  With -DTORQUE_FREE_PI_FMA=0 every processor and compiler computes the same bits; compilers that
+fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off. */
 
 #ifndef TORQUE_FREE_PI_H
 #define TORQUE_FREE_PI_H

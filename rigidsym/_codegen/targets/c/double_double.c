@@ -21,7 +21,20 @@ typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
    and Rideau, ACM TOMS 49(1), 2023). */
 typedef struct { double hi, lo; } double_double;
 
+/* -DTORQUE_FREE_FMA=0 computes without fused multiply-add, and so has the same bits on every processor;
+   -DTORQUE_FREE_FMA=1 computes with it, by the C library where the processor has none.  By default the
+   faster one is chosen. */
+#if defined(TORQUE_FREE_FMA)
+#define BITS_ARE_CHOSEN 1
+#else
+#define BITS_ARE_CHOSEN 0
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#define TORQUE_FREE_FMA 1
+#else
+#define TORQUE_FREE_FMA 0
+#endif
+#endif
+#if TORQUE_FREE_FMA
 #define fused(a, b, c) fma((a), (b), (c))
 #define product_error(a, b, p) fma((a), (b), -(p))
 #else

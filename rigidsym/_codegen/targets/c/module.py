@@ -50,7 +50,8 @@ below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
-long."""
+long.  With -DTORQUE_FREE_FMA=0 every processor and compiler computes the same bits; compilers that
+fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off."""
 _STEP_NOTES = """\
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
