@@ -12,7 +12,7 @@ from rigidsym.language._expression import to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper._answers import Question, asked, question, telling
+from rigidsym.proof.paper._answers import Question, asked, question, without_trivial
 from rigidsym.proof.paper._printed import in_names
 from rigidsym.proof.paper._shared import SEEN_FROM_SPACE
 
@@ -187,7 +187,7 @@ def ask(builder: LedgerBuilder, number: str, whole: Question) -> None:
     if whole.context not in builder.ledger.contexts:
         builder.open(_context(builder, whole))
     context = builder.ledger.contexts[whole.context]
-    whole = telling(whole, context.definitions, context.rates or {})
+    whole = without_trivial(whole, context.definitions, context.rates or {})
     said = (whole.context, whole.lhs, whole.rhs)
     if not any((f.context, f.lhs, f.rhs) == said for f in builder.ledger.facts.values()):
         equations = list(zip(whole.lhs, whole.rhs, strict=True))

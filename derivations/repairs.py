@@ -8,7 +8,7 @@ that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra._repairs import repairs
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper._answers import question, telling
+from rigidsym.proof.paper._answers import question, without_trivial
 
 # A line, which of its equations fails, and where that holds what the paper prints: a side of it,
 # or a definition.
@@ -41,7 +41,7 @@ def _refuted(builder: LedgerBuilder, number: str, left: str) -> list[tuple[str, 
     printed = {equation.number: equation for equation in EQUATIONS}
     asked = [question(printed[number].latex, sense, printed) for sense in printed[number].senses]
     told = [
-        telling(whole, context.definitions, context.rates or {})
+        without_trivial(whole, context.definitions, context.rates or {})
         for whole in asked
         for context in [builder.ledger.contexts[whole.context]]
     ]

@@ -57,7 +57,7 @@ _NOT_RUN = {
     "tests/cli/test_cli.py runs it for a case of its own": (
         "rigidsym methods", "rigidsym methods --digits 50 1000",
     ),
-    "minutes of Coq, which .ci/coq runs; tests/proof/coq/test_theorems.py checks theorems": (
+    "minutes of Coq, which .ci/coq runs; tests/proof/coq/test_coq.py checks theorems": (
         "bash .ci/coq", "make -C DIR plain", "rigidsym export coq -o DIR --check",
     ),
     "tests/notebooks/test_notebooks.py executes notebooks": (

@@ -59,7 +59,7 @@ class Theory:
 
     @property
     def names(self) -> list[str]:
-        """All names in the order of the list of atoms."""
+        """All names in the order of their indices."""
         return list(self.index)
 
     def unit(self, text: str, proof: str) -> None:
@@ -75,7 +75,7 @@ class Theory:
         self.ring.relations += (value.numerator,)
 
     def premise(self, tree: Tree, proof: str) -> None:
-        """Add a quantity that vanishes by a fact; it is divided by before all relations."""
+        """Add a quantity that vanishes by a fact, as a divisor that precedes all relations."""
         numerator = self.read(tree).numerator
         self._step(f"Relation {data(tree, self.index)}", proof)
         self.extra += (numerator,)
@@ -95,7 +95,7 @@ class Theory:
     def alias(self, name: str, own: str, tree: Tree, proof: str) -> None:
         """Add a second name for an expression.
 
-        If the expression has a name of our own, the normal form is that of our name.
+        If this context has a name of its own for the expression, that name's normal form is used.
         """
         value = self.read(tree)
         self.index[name] = len(self.index) + 1

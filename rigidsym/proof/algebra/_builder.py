@@ -107,7 +107,7 @@ class LedgerBuilder:
         point: Point,
         source: Iterable[str] = (),
     ) -> Fact:
-        """Refute equations at a rational point.
+        """Prove that equations do not always hold, by a rational point.
 
         `point` overrides values of the context's witness.
         """

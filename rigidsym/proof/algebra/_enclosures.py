@@ -231,10 +231,10 @@ def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) 
             return False
     free = [name for name in context.generators if name in points[0]]
     with ctx.workprec(FEWER_BITS):
-        return _everywhere(context, fact, free)
+        return _at_drawn_points(context, fact, free)
 
 
-def _everywhere(context: Context, fact: Fact, free: Sequence[str]) -> bool:
+def _at_drawn_points(context: Context, fact: Fact, free: Sequence[str]) -> bool:
     """Return whether balls confirm a fact at `COUNT` drawn points.
 
     Raises KernelError if too few draws are points of the context.

@@ -24,7 +24,7 @@ PRECISION = 192
 TOLERANCE = "1e-30"
 
 
-def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
+def check_point(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
     """Refuse an equation unless the balls of both sides agree at a point of its context."""
     with ctx.workprec(PRECISION):
         values = Values(given, numbers(given, point))
@@ -156,7 +156,7 @@ DUE, MOST = 40, 400
 BITS, ALIKE = 128, "1e-18"
 
 
-def look_elsewhere(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
+def check_drawn_points(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
     """Refuse an equation that fails at one of many points drawn by a hash of the claim."""
     free = [name for name in given.generators if name in free]
     seen = 0

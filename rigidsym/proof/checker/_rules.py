@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from flint import fmpq_mpoly
 
-from rigidsym.proof.checker._enclosures import enclose, look_elsewhere
+from rigidsym.proof.checker._enclosures import check_drawn_points, check_point
 from rigidsym.proof.checker._language import is_name
 from rigidsym.proof.checker._records import Claim, Hypotheses, Refused, fill, fits, load
 from rigidsym.proof.checker._ring import Quotient, Ring
@@ -46,7 +46,7 @@ class Accepted:
         if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
             raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
         if fact.kind in ("equal", "root", "nonnegative"):
-            check_news(self, fact)
+            check_nontrivial(self, fact)
         grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
         if fact.grade != (earned := min(grades, key=WORST_TO_BEST.index)):
             raise Refused(f"claims {fact.grade}, has earned {earned}")
@@ -180,9 +180,9 @@ def assumption(so_far: Accepted, fact: Claim) -> str:
         raise Refused("whole is no list of names")
     _gaps(so_far, fact)
     for point in points:
-        enclose(so_far.theories[fact.context].given, fact, point)
+        check_point(so_far.theories[fact.context].given, fact, point)
     if points:
-        look_elsewhere(so_far.theories[fact.context].given, fact, [*points[0]], whole)
+        check_drawn_points(so_far.theories[fact.context].given, fact, [*points[0]], whole)
     return "ENCLOSED" if points else "ASSUMED"
 
 
@@ -199,10 +199,10 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
 }
 
 
-def check_news(so_far: Accepted, fact: Claim) -> None:
+def check_nontrivial(so_far: Accepted, fact: Claim) -> None:
     """Refuse a fact with a component that is trivial or a definition of its context."""
     for lhs, rhs in _pairs(fact.lhs, fact.rhs):
-        if so_far.theories[fact.context].says(lhs, rhs):
+        if so_far.theories[fact.context].states(lhs, rhs):
             raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
 
 
@@ -290,24 +290,24 @@ def check(text: str, specification: str = "") -> int:
 
 def grades(text: str, specification: str = "") -> dict[str, int]:
     """Check a ledger and count its facts by grade; Refused if anything is wrong or missing."""
-    with _blaming("ledger"):
+    with _naming("ledger"):
         contexts, claims, published = load(text)
     accepted = Accepted()
     for entry in contexts:
-        with _blaming("context", entry, "name"):
+        with _naming("context", entry, "name"):
             accepted.open(fill(Hypotheses, entry))
     for entry in claims:
-        with _blaming("fact", entry, "id"):
+        with _naming("fact", entry, "id"):
             accepted.accept(fill(Claim, entry))
     given = {name: theory.given for name, theory in accepted.theories.items()}
-    with _blaming("specification"):
+    with _naming("specification"):
         Catalogue(given, accepted.facts, published).require(specification)
     found = [fact.grade for fact in accepted.facts.values()]
     return {grade: found.count(grade) for grade in reversed(WORST_TO_BEST) if grade in found}
 
 
 @contextmanager
-def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
+def _naming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
     """Convert any error in this block into a one-line Refused that names the entry."""
     try:
         yield

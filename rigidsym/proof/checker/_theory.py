@@ -80,7 +80,7 @@ class Theory:
             self._nonnegative.add(form)
         return shown
 
-    def says(self, lhs: str, rhs: str) -> bool:
+    def states(self, lhs: str, rhs: str) -> bool:
         """Return whether both sides are equal forms, or a definition or rate of the context."""
         left, right = map(Forms().read, (lhs, rhs))
         return left == right or self._has_for(left) == right or self._has_for(right) == left

@@ -9,7 +9,7 @@ from typing import Any
 
 from rigidsym.proof.kernel._language import KernelError, is_name
 from rigidsym.proof.kernel._ring import Ring
-from rigidsym.proof.kernel._rules import RULES, Admitted, Encloses, check_news
+from rigidsym.proof.kernel._rules import RULES, Admitted, Encloses, check_nontrivial
 from rigidsym.proof.kernel._statement import Context, Fact, Grade, weakest
 
 SCHEMA = "rigidsym.ledger/4"
@@ -51,7 +51,7 @@ class Ledger(Admitted):
         if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
             raise KernelError(f"rule {fact.rule} does not state this from so many premises")
         if fact.kind in ("equal", "root", "nonnegative"):
-            check_news(self, fact)
+            check_nontrivial(self, fact)
         supports = [self.facts[premise].grade for premise in fact.premises]
         if fact.grade != (earned := weakest([rule(self, fact), *supports])):
             raise KernelError(f"claims {fact.grade}, has earned {earned}")

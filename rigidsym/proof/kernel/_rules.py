@@ -201,7 +201,7 @@ def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
 
 
-def check_news(admitted: Admitted, fact: Fact) -> None:
+def check_nontrivial(admitted: Admitted, fact: Fact) -> None:
     """Refuse a fact whose sides are equal trees or equal by the context's definitions."""
     same = [(parse(a), parse(b)) for a, b in said(admitted.contexts[fact.context]).items()]
     for sides in zip(fact.lhs, fact.rhs, strict=True):

@@ -78,7 +78,7 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """Return this context with a name zero, positive and negative; witnesses are kept."""
+        """Return this context for a zero, a positive and a negative name; the witness is kept."""
         zero = replace(self, relations=(*self.relations, name))
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))

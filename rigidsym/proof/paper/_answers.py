@@ -56,7 +56,7 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
     return Question(sense.context, found.definitions, lhs, rhs)
 
 
-def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
+def without_trivial(whole: Question, definitions: Texts, rates: Texts) -> Question:
     """Drop the equations of a question that are trivial or definitions of its context."""
     known: dict[Expression, Expression] = {
         Name(name): parse_text(text) for name, text in definitions.items()
@@ -137,11 +137,11 @@ class Answers:
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
             return Answer(asked, None)
-        asked = telling(asked, context["definitions"], context["rates"] or {})
+        asked = without_trivial(asked, context["definitions"], context["rates"] or {})
         return Answer(asked, self.facts.get((asked.context, asked.lhs, asked.rhs)))
 
 
-def together(answers: Iterable[Answer]) -> bool | None:
+def all_hold(answers: Iterable[Answer]) -> bool | None:
     """Return whether all answers hold; None if one is open."""
     held = [answer.holds for answer in answers]
     return None if None in held else all(held)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from rigidsym.proof.paper._answers import Answer, Answers, Data, ids, together
+from rigidsym.proof.paper._answers import Answer, Answers, Data, all_hold, ids
 from rigidsym.proof.paper._counterexample import Counterexample, counterexample
 from rigidsym.proof.paper._equation import Equation, Reading, Root, Sense
 from rigidsym.proof.paper._proof import PROOF
@@ -156,21 +156,21 @@ def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
     readings = tuple(
         Read(
             reading,
-            together(found),
+            all_hold(found),
             ids(found, "equal"),
             ids(found, "unequal"),
             first_failure(found),
         )
         for reading, found in read
     )
-    that_hold = [answer for _, found in read if together(found) for answer in found]
+    that_hold = [answer for _, found in read if all_hold(found) for answer in found]
     proofs = mended or [*here, *that_hold]
     covered = {unit for condition in equation.conditions for unit in condition.units}
     beyond = (f"{unit} != 0" for unit in needed_units(proofs, answers) if unit not in covered)
     conditions = (*needed, *beyond)
     ruling = ruling_of(
-        together(here),
-        together(mended) if mended else False,
+        all_hold(here),
+        all_hold(mended) if mended else False,
         [each.holds for each in readings],
         conditions,
     )
@@ -188,7 +188,7 @@ def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
         repaired_by=ids(mended, "equal"),
         needed_by={x: (*ids(by, "equal"), *ids(by, "unequal")) for x, by in needed.items()},
         readings=readings,
-        right_with=tuple(x for x, y in equation.with_mended.items() if together(answered(y))),
+        right_with=tuple(x for x, y in equation.with_mended.items() if all_hold(answered(y))),
         counterexample=first_failure([*here, *supports]),
         repairs=tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number),
         mutants=dict(sorted(mutants.items())),

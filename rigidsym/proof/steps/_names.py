@@ -102,7 +102,7 @@ def positive(expression: Expr) -> Expr:
 
 
 def _side(side: Expr) -> tuple[int, Expr]:
-    """Return the sign and shortest form of a product whose factors begin with a plus."""
+    """Return a product's sign and its shortest form, whose factors begin with a plus."""
     sign, factors = 1, []
     for factor in Mul.make_args(side):
         base, power = factor.as_base_exp()

@@ -1,4 +1,4 @@
-"""Export to Coq: it accepts the exported theorems and refuses false ones."""
+"""Theorems exported to Coq, which Coq accepts, and false ones, which it refuses."""
 
 import json
 import re

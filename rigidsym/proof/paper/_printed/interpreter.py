@@ -316,7 +316,7 @@ def translate(
             else:
                 definitions[defines[defined(left)]] = to_text(found.real)
     stated: list[tuple[Expression, Expression]] = []
-    meaning = growth if differentiated else Interpreter.value
+    meaning = derivative if differentiated else Interpreter.value
     for left, right in lines:
         if defined(left) not in defines:
             sides = alike(meaning(interpreter, left), meaning(interpreter, right))
@@ -357,7 +357,7 @@ def defined(left: Expression) -> str:
     return to_text(left)
 
 
-def growth(interpreter: Interpreter, tree: Expression) -> Value:
+def derivative(interpreter: Interpreter, tree: Expression) -> Value:
     """Return the time derivative of a formula; that of an integral is its integrand.
 
     A factor before an integral is required to be constant.
@@ -367,13 +367,13 @@ def growth(interpreter: Interpreter, tree: Expression) -> Value:
         return known
     match tree:
         case Call("at", (inner, Name("t"))):
-            return growth(interpreter, inner)
+            return derivative(interpreter, inner)
         case Call("integral", (integrand,)):
             return interpreter.value(integrand)
         case Operation("+", left, right):
-            return add(growth(interpreter, left), growth(interpreter, right))
+            return add(derivative(interpreter, left), derivative(interpreter, right))
         case Operation("-", left, right):
-            return subtract(growth(interpreter, left), growth(interpreter, right))
+            return subtract(derivative(interpreter, left), derivative(interpreter, right))
         case Operation("*", factor, Call("integral", (integrand,))):
             constant = interpreter.value(factor)
             interpreter.ask(constant.each(rate), constant.each(lambda _: Number(0)))
