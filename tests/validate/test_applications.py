@@ -1,18 +1,23 @@
-"""Campaigns of applications: cases, goals, and the truth about torques."""
+"""Campaigns of applications: cases, goals, the truth about torques, and covariances of fits."""
 
 from random import Random
 
 import numpy as np
 import pytest
+from scipy.stats import binom, chi2
 
-from rigidsym._cli import main
+import rigidsym
 from rigidsym.errors import InputError
-from rigidsym.splitting import Trajectory
+from rigidsym.validate import _fits as fits
 from rigidsym.validate import _torques as torques
 from rigidsym.validate._applications import Application, Goal, Outcome
 from rigidsym.validate._torques import APPLICATION, Case, reference
 
 GOAL = Goal(refused=0.02, most=3.0, part=0.99, worst=10.0)
+SEED = 1
+LEVEL, CHANCE = 0.95, 0.01
+# Of fifty ordinary fits.
+MOST_FLAGGED = 10
 
 
 def outcomes(*shares):
@@ -43,9 +48,8 @@ def test_rows_say_how_strata_do():
 def test_cases_are_those_of_a_seed_and_differ():
     one, same, other = (APPLICATION.draw("pulse", 3, seed) for seed in (1, 1, 2))
     assert one.omega0 == same.omega0 != other.omega0
-    assert one.torque(0.1, np.array(one.q0), np.zeros(3)).tolist() == pytest.approx(
-        same.torque(0.1, np.array(one.q0), np.zeros(3)).tolist()
-    )
+    pushed = (x.torque(0.1, np.array(one.q0), np.zeros(3)).tolist() for x in (one, same))
+    assert next(pushed) == pytest.approx(next(pushed))
 
 
 def test_a_stratum_that_does_not_exist_is_refused():
@@ -68,10 +72,9 @@ def test_the_truth_about_a_jump_on_a_sphere():
 
 
 def test_strata_are_what_they_say():
-    """Torques of several strata at the breaks that they say."""
+    """Torques of several strata jump at the breaks that they say, and are as narrow."""
     for index in range(20):
-        random = Random(index)
-        case = torques.jump(random)
+        case = torques.jump(Random(index))
         q, zero = np.array(case.q0), np.zeros(3)
         for t in case.breaks:
             before, after = (case.torque(s, q, zero) for s in (t * (1 - 1e-12), t * (1 + 1e-12)))
@@ -87,34 +90,91 @@ def test_strata_are_what_they_say():
     assert torques.rest(Random(1)).omega0 == (0.0, 0.0, 0.0)
 
 
-def test_torques_are_measured_by_the_command(capsys):
-    assert main(["validate", "--torques", "--cases", "1", "--stratum", "jump"]) == 0
-    printed = capsys.readouterr().out
-    assert "rigidsym validate --torques" in printed
-    assert "jump:0" in printed
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("--torques --cases 1 --stratum jump", ["rigidsym validate --torques", "jump:0"]),
+        ("--fits --stratum uniform --cases 2", ["uniform"]),
+    ],
+)
+def test_applications_are_measured_by_the_command(command, words, run):
+    printed = run(f"validate {command}").out
+    assert all(word in printed for word in words)
 
 
-def test_an_estimate_that_is_wrong_is_noticed(monkeypatch, capsys):
+def test_an_estimate_that_is_wrong_is_noticed(monkeypatch, run):
     """Steps that are a hundredth of those that the tolerance asks for."""
     true = torques.integrate
 
-    def careless(*arguments, step, tolerance, **options) -> Trajectory:
+    def careless(*arguments, step, tolerance, **options):
         return true(*arguments, step=step, tolerance=1e3 * tolerance, **options)
 
     monkeypatch.setattr(torques, "integrate", careless)
-    command = ["validate", "--torques", "--cases", "3", "--stratum", "kink", "--stratum", "smooth"]
-    assert main(command) == 1
-    assert "broken: " in capsys.readouterr().err
+    command = "validate --torques --cases 3 --stratum kink --stratum smooth"
+    assert "broken: " in run(command, status=1).err
 
 
 @pytest.mark.parametrize(
     ("options", "line"),
     [
-        (["numpy"], "targets = given: is not for --torques"),
-        (["--digits", "30"], "digits = given: is not for --torques"),
-        (["--stratum", "storm"], "stratum = storm: must be one of"),
+        ("numpy --torques", "targets = given: is not for --torques"),
+        ("--torques --digits 30", "digits = given: is not for --torques"),
+        ("--torques --stratum storm", "stratum = storm: must be one of"),
+        ("--sensitivity --json", "json = given: is not for --sensitivity"),
+        ("numpy-pi --sensitivity", "target = numpy-pi: its module has no sensitivities"),
     ],
 )
-def test_options_that_mean_nothing_are_refused(options, line, capsys):
-    assert main(["validate", "--torques", *options]) == 2
-    assert line in capsys.readouterr().err
+def test_options_that_mean_nothing_are_refused(options, line, refused):
+    assert line in refused(f"validate {options}")
+
+
+# Fits where linear errors bend: a truth lies where the covariance says, or the fit is flagged.
+
+
+def test_a_fit_of_each_stratum_is_covered_or_flagged():
+    found = list(fits.APPLICATION.outcomes(1, SEED))
+    assert {one.stratum for one in found} == {*fits.APPLICATION.strata}
+    assert list(fits.APPLICATION.goal.broken(found)) == []
+    assert any(one.share is not None for one in found)
+
+
+@pytest.mark.slow
+def test_more_fits_are_covered_or_flagged():
+    found = list(fits.APPLICATION.outcomes(8, SEED))
+    assert list(fits.APPLICATION.goal.broken(found)) == []
+    ordinary = fits.APPLICATION.outcomes(50, SEED, ["uniform"])
+    assert sum(one.share is None for one in ordinary) <= MOST_FLAGGED
+
+
+def fitted(stratum, index):
+    case = fits.APPLICATION.draw(stratum, index, SEED + 1)
+    fit = rigidsym.fit(case.times, attitudes=case.seen, sigma=fits.SIGMA, guess=case.truth)
+    return case.truth, fit
+
+
+@pytest.mark.slow
+def test_distances_that_are_not_flagged_are_those_of_chi2():
+    squares = freedoms = 0
+    for index in range(100):
+        truth, fit = fitted("uniform", index)
+        if not fit.nonlinearity.flagged:
+            square, freedom = fits.distance(fit, truth)
+            squares, freedoms = squares + square, freedoms + freedom
+    assert chi2.sf(squares, freedoms) > CHANCE / 2
+    assert chi2.cdf(squares, freedoms) > CHANCE / 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stratum", ["uniform", "near separatrix", "near prolate", "near oblate"])
+def test_intervals_hold_as_many_truths_as_they_say(stratum):
+    """One rate of each fit, since those of a fit go together."""
+    held = []
+    for index in range(100):
+        truth, fit = fitted(stratum, index)
+        place = 3 + index % 3
+        if np.isfinite(fit.sigma[place]):
+            lower, upper = fit.intervals(LEVEL)[place]
+            held.append(lower <= float(truth.exact["omega0"][place - 3]) <= upper)
+    count = len(held)
+    assert count > 50
+    assert binom.ppf(CHANCE / 2, count, LEVEL) <= sum(held) <= binom.isf(CHANCE / 2, count, LEVEL)

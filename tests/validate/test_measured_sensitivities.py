@@ -8,7 +8,6 @@ import pytest
 from sensitivity_oracle import differences
 
 from rigidsym import _engines as engines
-from rigidsym._cli import main
 from rigidsym.validate import _sensitivities as sensitivities
 from rigidsym.validate._implementations import missing
 from rigidsym.validate._sensitivities import (
@@ -59,15 +58,16 @@ def test_enclosures_are_what_differences_tend_to(stratum):
     assert np.nanmax(wrong) < 1e-14, COLUMNS[int(np.nanargmax(np.nanmax(wrong, axis=0)))]
 
 
-def test_enclosures_measure_nothing_of_themselves():
-    for worst in by_stratum(enclosed, references(cases=2, strata=FEW)):
-        assert worst.error == 0
-        assert worst.is_within
+@pytest.fixture(scope="module")
+def few():
+    """Two cases of each of a few strata with their true columns."""
+    return references(cases=2, strata=FEW)
 
 
-def test_one_row_a_stratum_is_measured():
-    found = list(by_stratum(enclosed, references(cases=1, strata=FEW)))
+def test_enclosures_measure_nothing_of_themselves(few):
+    found = list(by_stratum(enclosed, few))
     assert [worst.stratum for worst in found] == [name for name in STRATA if name in FEW]
+    assert all(worst.error == 0 and worst.is_within for worst in found)
 
 
 FAULTS = {
@@ -82,9 +82,10 @@ FAULTS = {
 
 
 @pytest.mark.parametrize("fault", FAULTS)
-def test_faults_are_noticed(fault):
-    truth = references(cases=2, strata=FEW[:3])
-    found = list(by_stratum(lambda s: FAULTS[fault](enclosed(s)), truth))
+def test_faults_are_noticed(fault, few):
+    truth = {name: few[name] for name in FEW[:3]}
+    known = {id(case.sample): case.columns for cases in truth.values() for case in cases}
+    found = list(by_stratum(lambda sample: FAULTS[fault](known[id(sample)]), truth))
     assert not any(worst.is_within for worst in found)
 
 
@@ -145,35 +146,21 @@ def test_no_bound_is_wider_than_it_has_to_be(stratum):
 @pytest.mark.parametrize("stratum", ["paper", "near spin, middle"])
 def test_a_bound_is_kept_and_broken(stratum):
     """Within it an error passes, beyond it not."""
-
-    def wrong(size):
-        return lambda sample: enclosed(sample) * (1 + size)
-
+    truth = references(cases=1, strata=(stratum,))
     for share, kept in ((0.9, True), (1.1, False)):
-        truth = references(cases=1, strata=(stratum,))
-        found = by_stratum(wrong(share * bound_of(stratum)), truth)
+        size = 1 + share * bound_of(stratum)
+        found = by_stratum(lambda sample, size=size: enclosed(sample) * size, truth)
         assert [worst.is_within for worst in found] == [kept]
 
 
-def test_modules_are_measured_by_the_command(capsys):
-    arguments = ["--stratum", "uniform", "--stratum", "near separatrix", "--cases", "2"]
-    assert main(["validate", "numpy", "--sensitivity", *arguments]) == 0
-    printed = capsys.readouterr()
+def test_modules_are_measured_by_the_command(run):
+    strata = "--stratum uniform --stratum 'near separatrix'"
+    printed = run(f"validate numpy --sensitivity {strata} --cases 2")
     assert "near separatrix:" in printed.out
     assert "broken" not in printed.err
 
 
-def test_a_broken_bound_is_named(monkeypatch, capsys):
+def test_a_broken_bound_is_named(monkeypatch, run):
     monkeypatch.setattr(sensitivities, "BOUND", 1e-18)
-    assert main(["validate", "numpy", "--sensitivity", "--stratum", "uniform", "--cases", "1"]) == 1
-    assert "broken: numpy: uniform: " in capsys.readouterr().err
-
-
-def test_options_of_campaigns_are_refused(capsys):
-    assert main(["validate", "--sensitivity", "--json"]) == 2
-    assert "json = given: is not for --sensitivity" in capsys.readouterr().err
-
-
-def test_modules_without_sensitivities_are_refused(capsys):
-    assert main(["validate", "numpy-pi", "--sensitivity"]) == 2
-    assert "target = numpy-pi: its module has no sensitivities" in capsys.readouterr().err
+    command = "validate numpy --sensitivity --stratum uniform --cases 1"
+    assert "broken: numpy: uniform: " in run(command, status=1).err

@@ -1,29 +1,25 @@
-"""The validation: reproducible, honest about what it tested, and able to fail."""
+"""Reports on modules and on a user's integrator: reproducible, complete, and able to fail."""
 
-import dataclasses
 import json
 import math
 import pickle
+from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 
-from rigidsym import InputError
-from rigidsym._engines import EngineError, engine
-from rigidsym.validate import _implementations as implementations
-from rigidsym.validate import validate
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym._engines import engine
+from rigidsym.validate import STRATA, draw, examine, measure_case, validate
+from rigidsym.validate import _finding as finding
 from rigidsym.validate._bounds import BOUNDS, MEASURES
 from rigidsym.validate._campaign import DISAGREEMENT, ORACLES
-from rigidsym.validate._finding import measure_case
-from rigidsym.validate._measure import measure
-from rigidsym.validate._oracle import distance, enclose
 from rigidsym.validate._report import ValidationReport
-from rigidsym.validate.strata import STRATA, Sample, count, draw
+from rigidsym.validate.strata import count, in_doubles
 from rigidsym.view._validation import page
 
 TARGETS = ("numpy", "c")
-UNIFORM = draw("uniform", 3, 5)
-SPIN = Sample("spin", 0, (1.0, 2.0, 2.5), (0.0, 0.0, 0.5), (1.0, 0.0, 0.0, 0.0), (0.0, 30.0))
 
 
 @pytest.fixture(scope="module")
@@ -68,10 +64,8 @@ SIX = ("paper", "uniform", "separatrix", "branch switch", "sphere", "near separa
 
 def test_reports_are_deterministic_for_any_number_of_workers():
     alone, several = (validate(cases=6, seed=5, workers=n, strata=SIX) for n in (1, 3))
-    assert (
-        dataclasses.replace(alone, run={}).to_json()
-        == dataclasses.replace(several, run={}).to_json()
-    )
+    texts = {replace(one, run={}).to_json() for one in (alone, several)}
+    assert len(texts) == 1
     other = validate(["numpy"], cases=2, seed=6, strata=["uniform"])
     assert other.to_data()["worst"] != alone.to_data()["worst"]
 
@@ -110,96 +104,10 @@ def test_what_tested_nothing_and_oracles_that_disagree_fail(report, key, worst, 
     elif worst is None:
         del tally.cells[key]
     else:
-        tally.cells[key] = dataclasses.replace(tally.cells[key], worst=worst)
+        tally.cells[key] = replace(tally.cells[key], worst=worst)
     found = ValidationReport(report.campaign, tally)
     assert found.complaints == (complaint,)
     assert not found.passed
-
-
-class Altered:
-    """NumPy's engine with something done to its states."""
-
-    def __init__(self, change):
-        self.engine, self.change = engine("numpy"), change
-
-    def prepare(self, *state):
-        return self.engine.prepare(*state)
-
-    def states(self, prepared, t):
-        return self.change(t, *self.engine.states(prepared, t))
-
-
-def refused(t, q, omega):
-    raise EngineError("t", "not today")
-
-
-# An interval begins there.
-MIDDLE = UNIFORM.times[len(UNIFORM.times) // 2]
-SCALAR = np.array([1.0, 0.0, 0.0, 0.0])
-
-
-@pytest.mark.parametrize(
-    ("change", "noticed", "not_noticed"),
-    [
-        # Longer, faster, turned, with the other sign, drifting, and no numbers.
-        (lambda t, q, w: (q * (1 + 2e-15), w), {"angle", "norm"}, {"omega", "energy"}),
-        (lambda t, q, w: (q, w * (1 + 4e-15)), {"omega"}, {"angle", "norm", "jump"}),
-        (lambda t, q, w: (q[:, [1, 0, 2, 3]] * (1, -1, 1, 1), w),
-         {"angle", "residual"}, {"omega", "norm", "jump"}),
-        (lambda t, q, w: (np.where(t > MIDDLE, -1, 1)[:, None] * q, w),
-         {"jump", "residual"}, {"omega", "norm"}),
-        (lambda t, q, w: (q + 1e-14 * np.sin(20 * t)[:, None] * SCALAR, w),
-         {"angle", "residual", "norm"}, {"omega"}),
-        (lambda t, q, w: (np.vstack([np.full(4, np.nan), q[1:]]), w),
-         {"angle", "norm", "jump"}, {"omega"}),
-        (refused, set(MEASURES), set()),
-    ],
-)  # fmt: skip
-def test_each_measure_notices_what_it_is_for(change, noticed, not_noticed):
-    found = measure(enclose(UNIFORM, 40), Altered(change))
-    beyond = {name for name, errors in found.items() if np.any(errors.share > 1)}
-    assert noticed <= beyond
-    assert not_noticed.isdisjoint(beyond)
-
-
-def test_drifts_are_judged_by_what_errors_of_the_rates_make_of_them():
-    tenth = Altered(lambda t, q, omega: (q, 1.1 * omega))
-    found = measure(enclose(UNIFORM, 40), tenth)
-    for name in ("energy", "momentum"):
-        np.testing.assert_allclose(found[name].units * 2**-53, 0.21, rtol=1e-9)
-        assert np.all(found[name].condition >= 2)
-
-
-def test_the_condition_tells_ill_conditioning_from_sloppiness():
-    """The angle of a spin is omega t, and on the separatrix errors of the inputs grow like e^t."""
-    spin = enclose(SPIN, 40).condition
-    assert spin["angle"][0] == 0
-    assert 15 <= spin["angle"][1] < 150
-    body = ((1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (1.0, 0.0, 0.0, 0.0), (10.0, 20.0, 30.0))
-    steep = enclose(Sample("separatrix", 0, *body), 40)
-    growth = np.diff(np.log(steep.condition["angle"])) / 10
-    # lambda of the rates, from H and K^2.
-    expected = math.sqrt(0.25 * 3.3125 / 4.5)
-    np.testing.assert_allclose(growth, expected, rtol=1e-3)
-    assert steep.distance == 0
-    found = measure_case(steep.sample, 40, ["numpy"])
-    assert found.share("numpy") < 1
-
-
-def test_the_distance_from_the_separatrix():
-    assert distance((1, 2, 3), (1, 0, 0)) == 1
-    assert distance((1, 2, 3), (0, 0, 0)) == 1
-    assert 0 < distance((4, 5, 9), (3, 1, 1 + 1e-9)) < 1e-8
-
-
-def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypatch):
-    monkeypatch.setattr(implementations.engines, "exactly", lambda name: Altered(refused))
-    report = validate(["numpy"], cases=1, strata=["uniform"])
-    assert not report.passed
-    data = json.loads(report.to_json())
-    assert data["implementations"][0]["strata"]["uniform"]["angle"]["units"] == "inf"
-    (failure,) = report.failures
-    assert failure.line.startswith("numpy: uniform:0: angle inf")
 
 
 @pytest.mark.parametrize(
@@ -228,12 +136,230 @@ def test_a_simplest_case_at_another_time_than_zero_is_reported(monkeypatch):
     assert failure.line in page(report.to_data())
 
 
-@pytest.mark.parametrize("digits", [20, 700])
-def test_the_condition_is_there_at_any_digits(digits):
-    found, expected = (enclose(UNIFORM, d).condition["angle"] for d in (digits, 40))
-    np.testing.assert_allclose(found, expected, rtol=1e-14)
+# A user's integrator: the truth passes, and whatever is wrong is a finding in the report.
+
+FEW = ("uniform", "spin")
 
 
-def test_bounds_are_stated_for_every_measure():
-    assert set(BOUNDS) == set(MEASURES)
-    assert BOUNDS["angle"] == BOUNDS["omega"] == 2e-15
+def exact(inertia, omega0, attitude0, times):
+    return TorqueFreeMotion(inertia, omega0, attitude0)(times)
+
+
+def few(integrator, **options):
+    return examine(integrator, **{"cases": 1, "strata": FEW, **options})
+
+
+def test_the_truth_passes_everywhere(monkeypatch):
+    monkeypatch.setattr(finding, "enclose", cache(finding.enclose))
+    for reach in (None, math.inf):
+        report = examine(exact, cases=2, seed=7, reach=reach)
+        assert report.complaints == ()
+        assert report.passed
+        assert report.campaign.strata == in_doubles()
+        assert set(report.by_stratum()) == set(in_doubles())
+
+
+def test_what_doubles_cannot_say_is_left_out():
+    exact_only = {"decimals", "needle", "nearest separatrix", "nearest sphere", "published"}
+    assert set(STRATA) - set(in_doubles()) == exact_only | {"nearest symmetric"}
+    assert not examine(exact, cases=1, strata=["decimals"]).passed
+
+
+def test_the_report_is_that_of_everybody():
+    report = few(exact, name="the truth", cases=2)
+    data = json.loads(report.to_json())
+    assert data["passed"] is True
+    assert data["command"] == (
+        "examine(the_truth, cases=2, digits=40, seed=1, strata=['uniform', 'spin'])"
+    )
+    assert [one["name"] for one in data["implementations"]] == ["peer the truth"]
+    assert data["worst"][0]["replay"].startswith("measure_case(draw('spin', ")
+    assert "| uniform | 2 | 44 |" in report.to_markdown()
+    assert "the truth" in page(data)
+    assert "the truth" in report._repr_html_()
+    assert repr(report) == f"<ValidationReport, passed: {data['command']}>"
+
+
+def test_what_a_function_gets():
+    asked = []
+
+    def heard(inertia, omega0, attitude0, times):
+        asked.append(times.copy())
+        assert [x.shape for x in (inertia, omega0, attitude0)] == [(3,), (3,), (4,)]
+        assert abs(np.linalg.norm(attitude0) - 1) < 1e-15
+        found = exact(inertia, omega0, attitude0, times)
+        for given in (inertia, omega0, attitude0, times):
+            given[:] = np.nan
+        return found
+
+    assert few(heard, reach=5.0).passed
+    assert {float(np.sign(times[0])) for times in asked} == {-1.0, 1.0}
+    for times in asked:
+        assert np.all(np.diff(np.abs(times)) > 0)
+        assert len({*np.sign(times)}) == 1
+
+
+def raising(error):
+    def raises(inertia, omega0, attitude0, times):
+        raise error
+
+    return raises
+
+
+def altered(change):
+    def alters(inertia, omega0, attitude0, times):
+        return change(*exact(inertia, omega0, attitude0, times))
+
+    return alters
+
+
+WRONG = {
+    "a key": (raising(KeyError("x")), "KeyError: 'x'"),
+    "two lines": (raising(RuntimeError("a\nb")), "RuntimeError: a b"),
+    "no words": (raising(ZeroDivisionError()), "ZeroDivisionError"),
+    "recursion": (raising(RecursionError("deep")), "RecursionError: deep"),
+    "transposed": (altered(lambda q, w: (q.T, w.T)), "q: shape (4, "),
+    "rates of four": (altered(lambda q, w: (q, q)), "omega: shape ("),
+    "one state": (altered(lambda q, w: (q[0], w[0])), "q: shape (4,)"),
+    "attitude alone": (altered(lambda q, w: q[:3]), "must be (q, omega)"),
+    "nothing": (lambda *given: None, "gives NoneType: must be (q, omega)"),
+    "words": (altered(lambda q, w: ([["a"] * 4] * len(q), w)), "q: must be real numbers"),
+    "complex": (altered(lambda q, w: (q + 1j, w)), "q: must be real numbers"),
+    "ragged": (altered(lambda q, w: ([[1.0], [1.0, 2.0]], w)), "q: must be real numbers"),
+    "too few arguments": (lambda inertia: None, "TypeError: "),
+    "NaN": (altered(lambda q, w: (np.full_like(q, np.nan), w)), "angle inf"),
+    "infinite": (altered(lambda q, w: (q, w * np.inf)), "inf of its bound"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_goes_wrong_is_said_for_each_stratum(name):
+    integrator, words = WRONG[name]
+    report = few(integrator)
+    assert not report.passed
+    assert len(report.complaints) == len(report.failures) == len(FEW)
+    for line in report.complaints:
+        assert words in line
+        assert "\n" not in line
+    assert {worst.error for worst in report.by_stratum().values()} == {math.inf}
+    assert json.loads(report.to_json())["complaints"] == [*report.complaints]
+    page(report.to_data())
+    report.to_markdown()
+
+
+def test_interrupts_are_not_caught():
+    with pytest.raises(KeyboardInterrupt):
+        few(raising(KeyboardInterrupt()))
+
+
+def test_what_fails_on_one_side_is_right_on_the_other():
+    def forward(inertia, omega0, attitude0, times):
+        if times[0] < 0:
+            raise ValueError("not backwards")
+        return exact(inertia, omega0, attitude0, times)
+
+    report = few(forward, strata=["uniform"])
+    assert "not backwards" in report.complaints[0]
+    worst = report.by_stratum()["uniform"]
+    assert (worst.error, worst.time < 0) == (math.inf, True)
+    found = measure_case(draw("uniform", 0, 1), 40, {"x": forward}).errors["x"]["angle"]
+    assert np.isinf(found.units[found.times < 0]).all()
+    assert np.all(found.share[found.times >= 0] <= 1)
+    assert np.all(found.values[found.times >= 0] < 2e-15)
+
+
+def test_errors_are_in_their_own_units_with_case_and_time():
+    report = few(altered(lambda q, w: (q, w * (1 + 1e-6))), strata=["uniform"])
+    worst = report.by_stratum("omega")["uniform"]
+    assert worst.error == pytest.approx(1e-6, rel=1e-6)
+    assert worst.time in draw(*worst.case, seed=1).times
+    assert report.by_stratum(name="alters")["uniform"].error < 2e-15
+    assert report.by_stratum(name="peer alters") == report.by_stratum()
+
+
+class Rotations:
+    """An object with a peer's methods, without a double-cover sign."""
+
+    name, version, reach, double_cover_sign = "rotations", "7", 20.0, False
+
+    def __init__(self):
+        self.engine = engine("numpy")
+
+    def prepare(self, *motion):
+        return self.engine.prepare(*motion)
+
+    def states(self, prepared, t):
+        assert max(map(abs, t)) < 1e6
+        q, omega = self.engine.states(prepared, np.asarray(t))
+        return np.copysign(1.0, q[:, 0])[:, None] * q, omega
+
+
+def test_an_object_says_itself_what_it_is():
+    report = few(Rotations(), strata=["uniform"])
+    assert report.by_stratum("angle")["uniform"].error < 2e-15
+    assert report.campaign.peers == ("rotations",)
+    assert report.campaign.peer_versions == ("7",)
+    assert (
+        few(Rotations(), strata=["uniform"], double_cover_sign=True).by_stratum()["uniform"].error
+        > 1
+    )
+    assert few(Rotations(), name="other").campaign.peers == ("other",)
+
+
+def test_validate_takes_no_part_in_it():
+    report = validate(["numpy"], cases=1, strata=["uniform"])
+    assert report.campaign.judged == ("numpy",)
+    assert set(report.by_stratum()) == {"uniform"}
+
+
+def test_progress_counts_cases():
+    told = []
+    few(exact, cases=2, progress=lambda done, total: told.append((done, total)))
+    assert told == [(k, 4) for k in range(1, 5)]
+
+
+@pytest.mark.parametrize(
+    ("integrator", "options", "line"),
+    [
+        (3, {}, "integrator = 3: must be a function of"),
+        (exact, {"name": ""}, "name = '': must be words"),
+        (exact, {"name": "../x"}, "name = '../x': must be words"),
+        (exact, {"name": 3}, "name = 3: must be words"),
+        (exact, {"name": "dop853"}, "name = dop853: is measured by that name already"),
+        (exact, {"name": "numpy"}, "name = numpy: is measured by that name already"),
+        (exact, {"reach": 0}, "reach = 0: must be a number above zero"),
+        (exact, {"reach": math.nan}, "reach = nan: must be a number above zero"),
+        (exact, {"reach": "far"}, "reach = 'far': must be a number above zero"),
+        (exact, {"cases": 0}, "cases = 0: must be a whole number, at least 1"),
+        (exact, {"cases": 1.5}, "cases = 1.5: must be a whole number, at least 1"),
+        (exact, {"digits": 3}, "digits = 3: must be at least 20"),
+        (exact, {"strata": ["foo"]}, "stratum = foo: must be one of"),
+    ],
+)
+def test_options_that_mean_nothing(integrator, options, line):
+    with pytest.raises(InputError) as caught:
+        few(integrator, **options)
+    assert str(caught.value).startswith(line)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [(("foo",), "measure = foo: must be one of: angle,"),
+     (("angle", "you"), "name = you: must be one of: exact")],
+)  # fmt: skip
+def test_what_was_not_measured_has_no_errors(arguments, line):
+    with pytest.raises(InputError) as caught:
+        few(exact, strata=["rest"]).by_stratum(*arguments)
+    assert str(caught.value).startswith(line)
+
+
+def test_lambdas_and_objects_have_names():
+    assert few(lambda *given: exact(*given)).campaign.peers == ("lambda",)
+
+    class Mine:
+        def __call__(self, *given):
+            return exact(*given)
+
+    assert few(Mine()).campaign.peers == ("Mine",)
+    assert set(FEW) < set(STRATA)
