@@ -1,4 +1,4 @@
-"""Campaigns of applications: random cases in strata, and true errors over promised ones.
+"""Campaigns that compare the true errors of an application with the errors it promises.
 
 An application is a table of strata, each with a function that draws a case, and a measure.
 """
@@ -18,7 +18,7 @@ HEADS = ("stratum", "cases", "refused", "median", "worst", "worst case", "far of
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """A case with its true error over the promised error; None if it was refused."""
+    """Result of one case: its true error over the promised error, None if it was refused."""
 
     stratum: str
     index: int
@@ -27,7 +27,7 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """Limits of a campaign.
+    """Limits that the results of a campaign must keep.
 
     refused: the part of cases that may be refused.  most: the share that `part` of the errors may
     reach at most.  worst: the share that all errors may reach at most.
@@ -54,7 +54,7 @@ class Goal:
 
 @dataclass(frozen=True, slots=True)
 class Application(Generic[Case]):
-    """Strata by name with the functions that draw their cases, a measure, and a goal.
+    """Application under test: functions that draw the cases of each stratum, a measure, and a goal.
 
     measure: returns the true error of a case over the promised one, None if it was refused.
     """
@@ -65,7 +65,7 @@ class Application(Generic[Case]):
     goal: Goal
 
     def draw(self, stratum: str, index: int, seed: int) -> Case:
-        """Return the case of an index, which is the same in every campaign of a seed."""
+        """Draw one case; the same seed, stratum and index always give the same case."""
         return self.strata[stratum](Random(f"{self.name}:{stratum}:{index}:{seed}"))
 
     def outcomes(self, cases: int, seed: int, strata: Collection[str] = ()) -> Iterator[Outcome]:
@@ -83,7 +83,7 @@ class Application(Generic[Case]):
                 yield Outcome(stratum, index, share)
 
     def rows(self, outcomes: Sequence[Outcome]) -> Iterator[tuple[str, ...]]:
-        """Yield a row of a table for each stratum, under `HEADS`."""
+        """Yield one table row per stratum, with the columns of `HEADS`."""
         for stratum in dict.fromkeys(x.stratum for x in outcomes):
             every = [x for x in outcomes if x.stratum == stratum]
             found = sorted((x.share, x.index) for x in every if x.share is not None)

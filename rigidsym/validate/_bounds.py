@@ -1,4 +1,4 @@
-"""Documented bounds: the measures of states, their meanings and units, and the largest errors."""
+"""Measures of errors, with their meanings and documented bounds."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ BOUND = 2e-15
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """A measure: its documented bound, its meaning, and the head of its column.
+    """Measure of errors, with its documented bound, its meaning and its column title.
 
     conditioned: the bound is times the condition number of the measured quantity.
     of_length: it is about the length of one quaternion, which is as wrong after a step as ever.

@@ -1,4 +1,4 @@
-"""Campaigns: cases in chunks, on any executor, with one result however they are shared out.
+"""Campaigns: cases measured in chunks by any executor, always with the same result.
 
 A campaign may be saved in a file, from which it is resumed.
 """
@@ -45,7 +45,7 @@ Chunk = tuple[str, int, int]
 
 @dataclass(frozen=True, slots=True)
 class Campaign:
-    """Everything that decides the results: equal campaigns have equal results."""
+    """Settings of a campaign; equal settings give equal results."""
 
     targets: tuple[str, ...]
     peers: tuple[str, ...]
@@ -67,7 +67,7 @@ class Campaign:
         peers: Sequence[str] = (),
         strata: Sequence[str] = (),
     ) -> "Campaign":
-        """Check the choices of a campaign; raise InputError for missing targets or peers."""
+        """Check the settings of a campaign; raise InputError for missing targets or peers."""
         targets, peers, strata = (
             (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
         )
@@ -92,7 +92,7 @@ class Campaign:
 
     @property
     def implementations(self) -> tuple[str, ...]:
-        """Targets, and peers with the word PEER before them."""
+        """Names of the measured implementations: targets, then peers with PEER as a prefix."""
         return (*self.targets, *(PEER + name for name in self.peers))
 
     @property
@@ -119,14 +119,14 @@ class Campaign:
 
     @classmethod
     def from_data(cls, data: report_data.Data) -> "Campaign":
-        """Return the campaign of plain data, the inverse of `to_data`."""
+        """Return the campaign that `to_data` has written."""
         values: Any = {name: tuple(x) if isinstance(x, list) else x for name, x in data.items()}
         return cls(**values)
 
 
 @dataclass(slots=True)
 class Progress:
-    """Finished part of a campaign: a tally, and the ranges of cases in it, by stratum.
+    """Results of a campaign so far: a tally, and the ranges of finished cases by stratum.
 
     With a directory, it is saved in a file there: every few seconds, whole or not at all.
     """
@@ -195,7 +195,7 @@ class Progress:
                 begin = stop
 
     def take(self, chunk: Chunk, tally: Tally) -> None:
-        """Count a chunk that was missing, wholly or, if interrupted, not at all."""
+        """Add a finished chunk; if interrupted, nothing of it is added."""
         stratum, *own = chunk
         merged = self.tally.copy()
         merged.merge(tally)
@@ -258,7 +258,7 @@ def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
 def add_case(
     tally: Tally, campaign: Campaign, stratum: str, index: int, implementations: Asked
 ) -> None:
-    """Measure and count one case; implementations as `measure_case` takes them."""
+    """Measure one case and add its errors to a tally."""
     sample = draw(stratum, index, campaign.seed)
     finding = measure_case(sample, campaign.digits, implementations)
     tally.count(finding.reference)

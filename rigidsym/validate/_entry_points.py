@@ -1,4 +1,4 @@
-"""Other ways to compute states: one time alone, a grid, a batch of bodies, many times at once.
+"""Comparison of an engine's entry points: single times, grids, batches, and many times at once.
 
 Callers also reuse arrays, pass outputs that are inputs, and mix bodies of all kinds.  All ways have
 to give the states at given times, within their errors.
@@ -45,14 +45,14 @@ LARGEST = 1020
 
 
 def is_due(index: int) -> bool:
-    """Return True if the ways are measured in a case of this index."""
+    """Return True if entry points are compared in a case of this index."""
     return index % SHARE in (0, 1)
 
 
 def differences(
     engine: Engine | Steps, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
 ) -> np.ndarray:
-    """Return for each way the largest difference from the states at given times.
+    """Return the largest difference of each entry point from the states at given times.
 
     Differences are of angle, and of rates over their size.  body: inertia, rates and attitude as
     float64 arrays, or None where doubles are not exact.
@@ -80,7 +80,7 @@ def differences(
 
 
 def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
-    """Return the states of the middle one of three bodies, at times of its own.
+    """Return the states of one body in a batch of three with different times.
 
     The others are another body, and the body itself at rest.
     """
@@ -94,7 +94,7 @@ def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
 
 
 def _apart(found: States, expected: States) -> float:
-    """Return the larger of the angle between attitudes and the relative difference of rates."""
+    """Return the largest angle between attitudes or relative difference of rates."""
     (q, omega), (q_there, omega_there) = found, expected
     angle = 2 * lengths(q - q_there, 0.0)
     relative = lengths(omega - omega_there, 0.0) / lengths(omega_there)
@@ -102,7 +102,7 @@ def _apart(found: States, expected: States) -> float:
 
 
 def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[States, States]]:
-    """Yield for each way of callers the states they get, and the states at the same times."""
+    """Yield pairs of states for ways to call an engine: the states found and those expected."""
     asked = np.append(times, 0.0)
     prepared = engine.prepare(*body)
     # The caller overwrites the arrays that it passed.
@@ -118,7 +118,7 @@ def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[
 
 
 def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States | None:
-    """Return the states of the last of some bodies, whose output shares memory with one input.
+    """Return states that are written to memory which one of the inputs shares.
 
     None where that is refused.
     """
@@ -135,7 +135,7 @@ def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States
 
 
 def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, States]:
-    """Return the states of a body among others, and its own; NaN for unexpected refusals."""
+    """Return states of a batch with impossible bodies, and those of each body alone."""
     inertia, omega0, attitude0 = body
     moments, rates = (COMPANY[:, k] * _size(x) for k, x in enumerate((inertia, omega0)))
     moments = np.vstack([batches.possible(moments, False, lenient=True), inertia])
@@ -158,7 +158,7 @@ def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, State
 
 
 def _size(values: np.ndarray) -> float:
-    """Return a power of two near the largest of these numbers, so that regimes are preserved.
+    """Return a power of two near the largest of these numbers, by which regimes do not change.
 
     COMPANY times it is finite and has all of its digits.
     """

@@ -1,4 +1,4 @@
-"""Executors of chunks: this process, others on this machine, or a Dask cluster."""
+"""Executors that run chunks in this process, in others on this machine, or on a Dask cluster."""
 
 import logging
 import os
@@ -25,7 +25,7 @@ Found = TypeVar("Found")
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """An executor, its name, and how many chunks it gets at once."""
+    """Executor with its name and the number of chunks that it gets at once."""
 
     executor: Executor
     ahead: int
@@ -34,7 +34,7 @@ class Place:
     def submit(
         self, work: Callable[Arguments, Found], *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """Submit work, for which the executor may have to start a process."""
+        """Submit work to the executor; interrupts wait while it may start a process."""
         with undisturbed():
             return self.executor.submit(work, *args, **kwargs)
 
@@ -45,7 +45,7 @@ class Here(Executor):
     def submit(
         self, fn: Callable[Arguments, Found], /, *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """Run the work, and return its result or exception."""
+        """Run the work at once, and return a future with its result or exception."""
         future: Future[Found] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
@@ -56,7 +56,7 @@ class Here(Executor):
 
 @contextmanager
 def undisturbed() -> Generator[None]:
-    """Delay interrupts until work is done; processes that it starts do not get them."""
+    """Delay interrupts until the block ends, and keep them from processes that it starts."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -76,7 +76,7 @@ def undisturbed() -> Generator[None]:
 
 
 def processes(count: int) -> ProcessPoolExecutor:
-    """Return a pool of fresh processes: forks would share locks and threads of this one."""
+    """Return a pool of processes that are spawned, since forks would share locks and threads."""
     return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
 
 
@@ -124,7 +124,7 @@ def cluster(address: str) -> Generator[Place]:
 
 
 def _begin() -> None:
-    """Leave interrupts to the parent process, and end with it."""
+    """Make a worker ignore interrupts, and exit when its parent process ends."""
     for number in _INTERRUPTS:
         signal.signal(number, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, _INTERRUPTS)

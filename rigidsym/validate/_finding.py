@@ -1,4 +1,4 @@
-"""Cases: measured by enclosure and all implementations, and kept in files.
+"""Measurement of single cases, and case files.
 
 `rigidsym propagate` reads case files, too.
 """
@@ -29,7 +29,7 @@ Asked = Iterable[str] | Mapping[str, Implementation | Function]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """The reference of a case, and errors by implementation and measure.
+    """Result of one case: its true states, and the errors of each implementation by measure.
 
     An implementation has no errors if no time is within its reach.
     """
@@ -43,7 +43,7 @@ class Finding:
         return self.reference.sample
 
     def to_data(self) -> dict[str, Any]:
-        """Return the schema rigidsym.case/2: exact inputs, and all errors in units of 2^-53."""
+        """Return data of schema rigidsym.case/2: exact inputs, and errors in units of 2^-53."""
         reference = self.reference
         return {
             "schema": SCHEMA,
@@ -64,17 +64,19 @@ class Finding:
         }
 
     def shares(self, name: str) -> dict[str, float]:
-        """Return the largest part of each documented bound that is used, by measure."""
+        """Return the largest error over its documented bound, by measure."""
         errors = self.errors.get(name, {})
         return {measure: float(np.max(x.share, initial=0.0)) for measure, x in errors.items()}
 
     def share(self, name: str) -> float:
-        """Return the largest part of any documented bound that is used."""
+        """Return the largest error over its documented bound, of all measures."""
         return max(self.shares(name).values(), default=0.0)
 
 
 def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding:
-    """Enclose and measure a case, at the times that are within an implementation's reach.
+    """Enclose the states of a case and measure implementations against them.
+
+    Each implementation is measured at the times that are within its reach.
 
     Parameters
     ----------
@@ -139,6 +141,6 @@ def read_case(path: str) -> Sample:
 
 
 def _simplest_type(value: Fraction) -> float | Fraction:
-    """Return a double if its value is the same."""
+    """Return a float if it has exactly this value, else the fraction."""
     nearest = float(value) if abs(value) < 2**1023 else 0.0
     return nearest if Fraction(nearest) == value else value

@@ -38,7 +38,7 @@ class Case:
 
 
 def simulated(stratum: str, random: Random) -> Case:
-    """Return attitudes of a motion of a stratum, at random times and with random errors."""
+    """Simulate observed attitudes of a motion that a stratum draws."""
     body = STRATA[stratum].body(random, random.randrange(100))
     inertia, omega = (np.array([float(x) for x in y]) for y in (body.inertia, body.omega0))
     moments, rates = inertia / np.max(inertia), omega / np.linalg.norm(omega)
@@ -54,7 +54,7 @@ def simulated(stratum: str, random: Random) -> Case:
 
 
 def measured(case: Case) -> float | None:
-    """Return the square of the distance of the truth over its allowed value.
+    """Fit a case; return the squared distance of the true motion over the allowed value.
 
     None where the fit warns: by a flag, by residuals that are too large, or by other motions that
     fit as well.
@@ -70,7 +70,7 @@ def measured(case: Case) -> float | None:
 
 
 def distance(found: Fit, truth: TorqueFreeMotion) -> tuple[float, int]:
-    """Return the square of the Mahalanobis distance of a truth, and its degrees of freedom.
+    """Return the squared Mahalanobis distance of a fit from the truth, with degrees of freedom.
 
     It is that of all quantities that have standard deviations.
     """

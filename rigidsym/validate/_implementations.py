@@ -1,4 +1,4 @@
-"""Implementations under test: the generated modules by target, steps, and peers."""
+"""Implementations under test by name: generated modules, steps and peers."""
 
 import json
 import threading
@@ -32,12 +32,12 @@ _OTHERS = np.array(
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """Steps with the methods that `measure` calls: each state is one step from the start."""
+    """Generated steps as an engine: each state is one step from the start."""
 
     stepper: Stepper
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion from float64 numbers: (3,), (3,) and (4,), the last of any length."""
+        """Prepare one motion from moments (3,), rates (3,) and a quaternion (4,) of any length."""
         inertia, q, omega = (np.array([x], float) for x in (inertia, attitude0, omega0))
         return inertia, q, omega
 
@@ -48,7 +48,7 @@ class Steps:
         return self._after(inertia, _rows(q, times), _rows(omega, times), times)
 
     def ways(self, prepared: Start, times: np.ndarray) -> Iterator[tuple[States, States]]:
-        """Yield for each way of callers the states they get, and the states at the same times."""
+        """Yield pairs of states for ways to call steps: the states found and those expected."""
         expected = self.states(prepared, times)
         # A call for each step.
         alone = [self._after(*prepared, times[k : k + 1]) for k in range(len(times))]
@@ -73,7 +73,7 @@ class Steps:
         return out
 
     def _among_others(self, prepared: Start, times: np.ndarray) -> States:
-        """Return steps that alternate with those of bodies of other kinds."""
+        """Return states from a call in which every second body is one of another kind."""
         # Powers of two near the sizes, of which quarters are doubles of full length.
         sizes = [np.frexp(np.max(np.abs(x)) or 1.0)[1] - 4 for x in prepared]
         scales = 2.0 ** np.clip(np.array(sizes, float), -1000, 1000)
@@ -116,7 +116,7 @@ def check_target(target: str) -> None:
 
 
 def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
-    """Return for each target why it cannot be measured on this machine; "" where it can."""
+    """Return the reason why each target cannot be measured here, "" if it can."""
     found = {}
     for target in targets:
         try:

@@ -1,4 +1,4 @@
-"""Errors of states by every measure, in units of 2^-53 and as shares of the documented bounds."""
+"""Measurement of errors of states, in units of 2^-53 and over the documented bounds."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ FARTHEST = 2.0**38
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Errors by one measure at times (N,): units of 2^-53, condition, and part of the bound."""
+    """Errors by one measure at times (N,), with condition numbers and shares of the bound."""
 
     times: np.ndarray
     units: np.ndarray
@@ -44,7 +44,7 @@ class Errors:
 def measure(
     reference: Reference, engine: Engine | Solver, bounds: Mapping[str, float] = BOUNDS
 ) -> dict[str, Errors]:
-    """Run an engine or a peer on a sample; errors of refused states are infinite."""
+    """Measure an engine or a peer on a sample; errors of states that it refuses are infinite."""
     times = np.array(reference.sample.times, dtype=float)
     try:
         with np.errstate(all="ignore"):
@@ -98,7 +98,7 @@ def _measured(
 
 
 def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
-    """Prepare a sample's motion; return it with its doubles, or None where they are not exact."""
+    """Prepare a sample's motion; return it with its inputs as doubles, or None if not exact."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
     exactly = getattr(engine, "prepare_exactly", None)
@@ -109,7 +109,7 @@ def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | N
 
 
 def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Return distances of rows from sums of two doubles; they are subtracted before rounding."""
+    """Return the distances of rows from rows that are sums of two doubles."""
     return lengths((given - exact[0]) - exact[1], 0.0)
 
 
@@ -138,7 +138,7 @@ def _errors(
     condition: ArrayLike = 1.0,
     allowance: float | np.ndarray = 1.0,
 ) -> Errors:
-    """Make the errors of a measure; NaN becomes infinite."""
+    """Build the errors of a measure; NaN counts as infinite."""
     times, values = np.array(times, dtype=float), np.array(values, dtype=float)
     values = np.where(np.isnan(values), np.inf, values)
     condition = np.where(np.isnan(condition), 1.0, np.broadcast_to(condition, values.shape))
@@ -148,14 +148,17 @@ def _errors(
 
 @dataclass(frozen=True, slots=True)
 class Quadrature:
-    """Times of the nodes (NODES,), and weights of exactly these times in an integral."""
+    """Quadrature rule: times of the nodes (NODES,) and weights for exactly these times."""
 
     nodes: np.ndarray
     weights: np.ndarray
 
     @classmethod
     def over(cls, begin: float, rate: float) -> "Quadrature":
-        """Make the rule of LENGTH rad at `rate` rad/s from a time, or where doubles are dense."""
+        """Build the rule over LENGTH rad at `rate` rad/s that begins at a time.
+
+        It begins earlier where doubles are too far apart for nodes.
+        """
         begin = float(np.clip(begin, -FARTHEST / rate, FARTHEST / rate))
         nodes = begin + (_LOBATTO + 1) * (LENGTH / rate / 2)
         half = (nodes[-1] - nodes[0]) / 2

@@ -1,4 +1,4 @@
-"""Oracles of a sample: enclosed states with condition numbers, and Taylor series to check them.
+"""Reference states of a sample: enclosures with condition numbers, checked by Taylor series.
 
 A condition number is the length (Frobenius norm) of a matrix: relative changes of rates, moments
 and the time turn into the small turn of the attitude, in rad, or the change of the rates over
@@ -31,7 +31,7 @@ SECOND_SHARE = 256
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """True states of a sample at N times: q (2, N, 4) and omega (2, N, 3) are sums of two doubles.
+    """True states of a sample at N times, q (2, N, 4) and omega (2, N, 3), as sums of two doubles.
 
     radius: bound on the errors of q, and of omega over |omega|, apart from the rounding of the
     second of the doubles (2^-105, more only where omega is near the least double).
@@ -100,31 +100,34 @@ def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Referen
 
 
 def column_digits(sample: Sample, digits: int) -> int:
-    """Return the digits in kg m^2 and rad/s that give `digits` in units of the inputs' own."""
+    """Return the digits that columns need to be correct to `digits` in the inputs' own units."""
     heavy = len(str(int(max(sample.inertia))))
     return digits + heavy + 2 * decades_below_one(sample.omega0)
 
 
 def precise_motion(sample: Sample) -> PreciseMotion:
-    """Return the motion of a sample, from the exact values of its numbers."""
+    """Return the motion of a sample with exact inputs."""
     return PreciseMotion(*sample.exact)
 
 
 def decades_below_one(omega0: Numbers) -> int:
-    """Return how many more digits balls need to be as small relative to the rates as to 1."""
+    """Return the number of zeros after the decimal point of the largest rate."""
     largest = max(abs(Fraction(x)) for x in omega0)
     return max(0, -math.floor(math.log10(largest))) if largest else 0
 
 
 def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
-    """Return |K^2 - 2 H c_b| over the sum of its terms' sizes: 0 on the separatrix, 1 far away."""
+    """Return the relative distance from the separatrix: 0 on it, 1 far away.
+
+    It is |K^2 - 2 H c_b| over the sum of the sizes of its terms.
+    """
     middle = sorted(inertia)[1]
     terms = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega0, strict=True))
     return float(abs(discriminant(inertia, omega0)) / terms) if terms else 1.0
 
 
 def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
-    """Return lengths of rows (N, k) -> (N,), safe from overflow; `of_zero` for rows of zeros."""
+    """Return the lengths (N,) of rows (N, k) without overflow, `of_zero` for rows of zeros."""
     largest = np.max(np.abs(vectors), axis=-1, initial=0.0)
     scale = np.where(largest == 0, 1.0, largest)
     length = scale * np.linalg.norm(vectors / scale[:, None], axis=-1)
@@ -132,7 +135,7 @@ def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
 
 
 def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.ndarray]:
-    """Return condition numbers of angle and of omega, (N,) each; infinite beyond binary64.
+    """Return the condition numbers of angle and omega, (N,) each; infinite beyond binary64.
 
     rows: of each time the list that `PreciseMotion.sensitivities` returns.
     """
@@ -153,18 +156,18 @@ def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.
 
 
 def _norms(rows: np.ndarray) -> np.ndarray:
-    """Return `lengths` of rows, infinite where an entry is."""
+    """Return the lengths of rows, infinite if an entry is."""
     infinite = np.isinf(np.max(np.abs(rows), axis=1, initial=0.0))
     return np.where(infinite, np.inf, lengths(np.where(infinite[:, None], 0.0, rows), 0.0))
 
 
 def is_due(index: int) -> bool:
-    """Return True if the second oracle checks a case of this index."""
+    """Return True if Taylor series check a case of this index."""
     return index % SECOND_SHARE in (0, 1)
 
 
 def disagreement(motion: PreciseMotion, backwards: bool) -> float:
-    """Return the largest distance of Taylor series from the balls, over AGREEMENT.
+    """Return the distance of Taylor series from the enclosures, over AGREEMENT.
 
     The series of the equations of motion use no elliptic function.  Compared is the state after
     SECOND_REACH radians.

@@ -1,4 +1,4 @@
-"""Report of a validation: errors, bounds and worst cases, as data, as Markdown and as tables."""
+"""Report of a validation, as data, as Markdown and as tables for terminals."""
 
 import json
 import re
@@ -34,7 +34,7 @@ Table = tuple[Sequence[str], Sequence[Sequence[str]]]
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """A broken bound: who, where, by which measure, and the simplest case found that breaks it.
+    """Broken bound, with the simplest case found that breaks it.
 
     said: the message with which a user's integrator refused the case, if it did.
     """
@@ -54,7 +54,7 @@ class Failure:
 
     @property
     def line(self) -> str:
-        """Stratum, case and figure in one line."""
+        """One line on the broken bound: target, case, measure and error."""
         bound = bounds_of(self.target)[self.measure]
         condition = " times its condition" if self.measure in CONDITIONED else ""
         return (
@@ -65,7 +65,7 @@ class Failure:
 
 @dataclass(frozen=True, slots=True)
 class Worst:
-    """The worst error of one measure in a stratum.
+    """Worst error by one measure in a stratum.
 
     error: rad, or relative (MEANINGS says which).  condition: the condition number there.
     case: (stratum, index), which `draw` takes.  time: s.
@@ -79,7 +79,7 @@ class Worst:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class ValidationReport:
-    """A campaign, its results, the worst cases in full, and how it was run."""
+    """Report of a campaign: results, worst cases and broken bounds."""
 
     campaign: Campaign
     tally: Tally
@@ -89,12 +89,12 @@ class ValidationReport:
 
     @property
     def passed(self) -> bool:
-        """True if every stratum was tested, all is within the bounds, and the oracles agree."""
+        """True if all strata were tested, all bounds are kept, and the oracles agree."""
         return not self.complaints
 
     @property
     def complaints(self) -> tuple[str, ...]:
-        """The reasons why it did not pass, a line each."""
+        """The reasons why the report did not pass, one line each."""
         listed = {(failure.target, failure.stratum) for failure in self.failures}
         lines = [failure.line for failure in self.failures]
         for stratum in self.campaign.strata:
@@ -112,13 +112,13 @@ class ValidationReport:
         return tuple(lines)
 
     def share(self, name: str, stratum: str) -> float:
-        """Return the largest part of a bound that is used in a stratum; infinite if untested."""
+        """Return the largest error over its bound in a stratum; infinite if untested."""
         expected = [m for m in MEASURES if m != "entry_points" or not name.startswith(PEER)]
         cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
     def agreement(self, stratum: str) -> float:
-        """Return the distance of the oracles, as a part of the distance that is allowed."""
+        """Return the distance of the oracles in a stratum over the allowed distance."""
         cell = self.tally.cells.get((ORACLES, DISAGREEMENT, "stratum", stratum))
         return float("inf") if cell is None else cell.worst
 
@@ -141,7 +141,7 @@ class ValidationReport:
         return self._options(f"--cases {campaign.cases}", *chosen)
 
     def _options(self, first: str, *last: str) -> str:
-        """Return targets and options that commands for the report and for a case have."""
+        """Return targets and options for a command, with some before and after the common ones."""
         campaign = self.campaign
         drawn = f"--digits {campaign.digits} --seed {campaign.seed}"
         peers = [f"--peer {name}" for name in campaign.peers]
@@ -158,7 +158,7 @@ class ValidationReport:
         return f"{kept} at {states} states of {len(strata)} strata: of what is allowed, {used}."
 
     def by_stratum(self, measure: str = "angle", name: str | None = None) -> dict[str, Worst]:
-        """Return the worst error in each stratum in which an implementation was measured.
+        """Return the worst error of an implementation in each stratum.
 
         Parameters
         ----------
@@ -190,7 +190,7 @@ class ValidationReport:
         return report_html(self)
 
     def to_data(self) -> report_data.Data:
-        """Return the schema rigidsym.validation/3; figures in units of 2^-53, to three digits."""
+        """Return plain data of schema rigidsym.validation/3, with errors in units of 2^-53."""
         campaign = self.campaign
         return {
             "schema": SCHEMA,
@@ -235,7 +235,7 @@ class ValidationReport:
         peer = name.startswith(PEER)
 
         def by_part(kind: str) -> report_data.Data:
-            """Return the parts of a view, and of each part the measures."""
+            """Return the cells of a view by part, then by measure."""
             parts: dict[str, dict[str, report_data.Data]] = {}
             for measure in MEASURES:
                 for part, cell in view(name, measure, kind).items():
@@ -243,7 +243,7 @@ class ValidationReport:
             return parts
 
         def by_measure(kind: str) -> report_data.Data:
-            """Return the measures that are drawn, and of each the parts of a view."""
+            """Return the cells of a view by measure, then by part."""
             return {m: {x: _cell(y) for x, y in view(name, m, kind).items()} for m in DRAWN}
 
         return {
@@ -268,7 +268,7 @@ class ValidationReport:
         }
 
     def _case(self, finding: Finding, file: str | None = None) -> report_data.Data:
-        """Return a case and the command that repeats it, by the case's file or its drawn name."""
+        """Return a case as plain data, with the command that measures it again."""
         sample, reference, campaign = finding.sample, finding.reference, self.campaign
         if user := campaign.user_integrator:
             drawn = f"draw({sample.stratum!r}, {sample.index}, {campaign.seed})"
@@ -289,15 +289,15 @@ class ValidationReport:
         }
 
     def to_json(self) -> str:
-        """Return `to_data` as text: the same for the same campaign, apart from `run`."""
+        """Return the report as JSON; equal campaigns give equal text, apart from `run`."""
         return as_json(self.to_data())
 
     def to_markdown(self) -> str:
-        """Return tables as Markdown."""
+        """Return the report as Markdown."""
         return markdown(self.to_data())
 
     def summary(self) -> Table:
-        """Return columns and rows for a terminal: a stratum a row.
+        """Return a table of the results, with a row for each stratum.
 
         For each implementation: worst angle and rates, and the part of a bound used.
         """
@@ -319,7 +319,7 @@ class ValidationReport:
 
 
 def case_table(finding: Finding) -> Table:
-    """Return columns and rows for a terminal: errors of one case, a time a row."""
+    """Return a table of the errors of one case, with a row for each time."""
     columns = ["t (s)", "turned (rad)", "condition"]
     for name in finding.errors:
         columns += [f"{name}: angle", "rates"]
@@ -337,7 +337,7 @@ def case_table(finding: Finding) -> Table:
 
 
 def markdown(data: report_data.Data) -> str:
-    """Return tables as Markdown, from data of the schema rigidsym.validation/3."""
+    """Return the report as Markdown, from its data."""
     bounds = (
         (
             head,
@@ -386,7 +386,7 @@ def markdown(data: report_data.Data) -> str:
 
 
 def _row(found: report_data.Data, stratum: report_data.Data) -> list[str]:
-    """Return the row of an implementation in a stratum."""
+    """Return the table row of an implementation in a stratum."""
     name, share = stratum["name"], float(found["share"][stratum["name"]])
     errors = found["strata"].get(name, {})
     cells = [_shown(errors.get(measure), measure in DRAWN) for measure in MEASURES]
@@ -404,17 +404,20 @@ def _shown(cell: report_data.Data | None, conditioned: bool) -> str:
 
 
 def _variable(name: str) -> str:
-    """Return a name that Python accepts."""
+    """Return a Python identifier for the name of an integrator."""
     return re.sub(r"\W", "_", name)
 
 
 def as_json(data: report_data.Data) -> str:
-    """Return data of a report as text, in the order of its keys."""
+    """Return the data of a report as JSON with sorted keys."""
     return json.dumps(data, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
 def _cell(cell: Cell) -> report_data.Data:
-    """Return a cell; of shares, `units` is the part of the bound, `count` the errors beyond it."""
+    """Return a cell as plain data.
+
+    In cells of shares, `units` is the share of the bound, and `count` the errors beyond it.
+    """
     stratum, index, time = cell.place
     return {
         "count": cell.count,
@@ -436,7 +439,7 @@ def _worst(found: Errors) -> report_data.Data:
 
 
 def _figure(value: report_data.Figure) -> report_data.Figure:
-    """Round a float to three digits; "inf" for numbers that JSON does not have."""
+    """Round a float to three digits; infinity and NaN become text for JSON."""
     if not isinstance(value, float):
         return value
     text = f"{value:.3g}"

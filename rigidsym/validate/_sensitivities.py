@@ -1,4 +1,4 @@
-"""Errors of sensitivities, column by column against enclosures, in every stratum.
+"""Measurement of sensitivities against enclosures, column by column.
 
 A column is what the small turn eta, in rad, and the rates, over |omega0|, change by with an input,
 in units of the input's own: 1 rad of the attitude at t = 0, |omega0| of the rates, a moment of
@@ -28,7 +28,7 @@ DIGITS, CASES, SEED = 25, 15, 1
 LARGEST, LEAST = 2.0**500, 2.0**-300
 # |omega0 t| in rad from which on columns by the moments are measured by their own length.
 EARLY = 1.0
-# Shorter columns are enclosed once more, to digits of LEAST.
+# Columns below this length are enclosed once more.
 _SHORT = 1e-8
 HEADS = ("worst error", "documented", "case", "column", "t, s", "columns measured", "times refused")
 COLUMNS = (*(f"{x}{k}" for x in ("eta", "omega", "c") for k in (1, 2, 3)), "t")
@@ -38,7 +38,7 @@ Sensitive = Callable[[Sample], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Wider:
-    """A bound, the reason why it is no narrower, and the number of a case that comes near it."""
+    """Wider bound of a stratum, with its reason and a case that comes near it."""
 
     bound: float
     why: str
@@ -75,7 +75,7 @@ def bound_of(stratum: str) -> float:
 
 @dataclass(frozen=True, slots=True)
 class StratumErrors:
-    """The largest error of a stratum, with its case, column and time.
+    """Largest error of sensitivities in a stratum, with its case, column and time.
 
     measured: the number of columns.  refused: the number of times without numbers.
     """
@@ -89,20 +89,20 @@ class StratumErrors:
     refused: int
 
     def row(self) -> tuple[str, ...]:
-        """Return a row under `HEADS`."""
+        """Return the table row with the columns of `HEADS`."""
         sizes = f"{self.error:.1e}", f"{bound_of(self.stratum):.0e}"
         where = f"{self.stratum}:{self.case}", self.column, f"{self.time:.3g}"
         return *sizes, *where, str(self.measured), str(self.refused)
 
     @property
     def is_within(self) -> bool:
-        """True if something was measured, and no error is above the documented bound."""
+        """True if columns were measured and all errors are within the documented bound."""
         return self.measured > 0 and self.error <= bound_of(self.stratum)
 
 
 @dataclass(frozen=True, slots=True)
 class ColumnsReference:
-    """A sample with its true columns (N, 6, 10), and the lengths (N, 10) that errors are over."""
+    """Sample with true columns (N, 6, 10), and lengths (N, 10) to which errors are relative."""
 
     sample: Sample
     columns: np.ndarray
@@ -122,14 +122,14 @@ class ColumnsReference:
 
 
 def share(engine: Engine, reference: ColumnsReference) -> float:
-    """Return the largest part of its bound that a column of an engine uses in a case.
+    """Return the largest error of an engine's columns over the bound in a case.
 
     It is infinite where a column is missing.
     """
     found = of_engine(engine)(reference.sample)
     wrong = errors(found, reference.columns, reference.lengths)
     # Where one column leaves binary64, a module has no numbers for the others.
-    asked = _is_asked(reference.lengths).all(axis=1, keepdims=True)
+    asked = (reference.lengths < LARGEST).all(axis=1, keepdims=True)
     if np.any(asked & np.isnan(wrong)):
         return math.inf
     return float(np.nanmax(wrong, initial=0.0)) / bound_of(reference.sample.stratum)
@@ -138,7 +138,7 @@ def share(engine: Engine, reference: ColumnsReference) -> float:
 def references(
     cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
 ) -> dict[str, list[ColumnsReference]]:
-    """Return the cases of each stratum with their true columns, for all implementations."""
+    """Compute the true columns of the first cases of each stratum."""
     found: dict[str, list[ColumnsReference]] = {}
     for sample in samples(cases, seed):
         if not strata or sample.stratum in strata:
@@ -149,7 +149,7 @@ def references(
 def by_stratum(
     sensitive: Sensitive, truth: Mapping[str, Iterable[ColumnsReference]]
 ) -> Iterator[StratumErrors]:
-    """Yield the errors of an implementation, stratum by stratum.
+    """Yield the largest error of an implementation in each stratum.
 
     sensitive: returns the columns (N, 6, 10) of a sample as `columns` does, NaN for none.
     """
@@ -169,7 +169,7 @@ def by_stratum(
 def errors(
     found: np.ndarray, expected: np.ndarray, lengths: np.ndarray | None = None
 ) -> np.ndarray:
-    """Return errors of columns (N, 6, 10) over lengths (N, 10); NaN where there are no numbers.
+    """Return relative errors (N, 10) of columns (N, 6, 10); NaN where there are no numbers.
 
     Lengths are by default those of the expected columns.  Infinite numbers have infinite errors.
     """
@@ -177,33 +177,28 @@ def errors(
     with np.errstate(all="ignore"):
         wrong = np.linalg.norm(found - expected, axis=1) / lengths
     given = ~np.isnan(found).any(axis=1)
-    return np.where(_is_asked(lengths) & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
+    return np.where((lengths < LARGEST) & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
 
 
 def _lengths(expected: np.ndarray) -> np.ndarray:
-    """Return the lengths (N, 10) of columns."""
+    """Return the lengths (N, 10) of columns (N, 6, 10)."""
     with np.errstate(all="ignore"):
         return np.maximum(np.linalg.norm(expected, axis=1), LEAST)
 
 
-def _is_asked(lengths: np.ndarray) -> np.ndarray:
-    return np.isfinite(lengths) & (lengths < LARGEST)
-
-
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
-    """Return the true columns (N, 6, 10), each to `digits` digits of `LEAST` or of 1."""
-    found = _enclosed(sample, digits)
-    is_short = _lengths(found).min(initial=1.0) < _SHORT
-    return _enclosed(sample, digits - math.floor(math.log10(LEAST))) if is_short else found
-
-
-def _enclosed(sample: Sample, digits: int) -> np.ndarray:
-    motion, times = precise_motion(sample), list(map(Fraction, sample.times))
-    found = motion.sensitivities(times, column_digits(sample, digits))
-    rows = np.array([[float(x) for x in row[7:]] for row in found])
-    blocks = np.split(rows, [27, 54, 57], axis=-1)
-    turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
-    return columns(sample, turns, rates, *blocks[2:])
+    """Enclose the true columns (N, 6, 10) of a sample."""
+    motion, times, found = precise_motion(sample), list(map(Fraction, sample.times)), np.empty(0)
+    # Short columns once more, to digits of LEAST.
+    for more in (0, -math.floor(math.log10(LEAST))):
+        balls = motion.sensitivities(times, column_digits(sample, digits + more))
+        rows = np.array([[float(x) for x in row[7:]] for row in balls])
+        blocks = np.split(rows, [27, 54, 57], axis=-1)
+        turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
+        found = columns(sample, turns, rates, *blocks[2:])
+        if _lengths(found).min(initial=1.0) >= _SHORT:
+            break
+    return found
 
 
 def columns(
@@ -213,7 +208,7 @@ def columns(
     attitude_t: np.ndarray,
     rates_t: np.ndarray,
 ) -> np.ndarray:
-    """Return columns (N, 6, 10) in units of the inputs' own.
+    """Assemble columns (N, 6, 10) in the inputs' own units.
 
     attitude and rates: sensitivities (N, 3, 9); attitude_t and rates_t: those by time (N, 3).
     """
@@ -228,7 +223,7 @@ def columns(
 
 
 def of_engine(engine: Engine | Solver) -> Sensitive:
-    """Return a function that computes sensitivities by the module of an engine, NaN if refused.
+    """Return a function that computes the columns of a sample by an engine.
 
     Raises EngineError for a module that has none.
     """

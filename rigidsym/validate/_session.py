@@ -1,4 +1,4 @@
-"""Files of the command `validate`: a campaign is begun or resumed, and its results are written."""
+"""Files of the command `validate`: unfinished campaigns, reports, cases and recorded errors."""
 
 import json
 import re
@@ -55,7 +55,7 @@ def _short(value: object) -> str:
 
 
 def write(report: ValidationReport, directory: Path) -> Path:
-    """Write JSON, Markdown, the page and a case file of each failure; return the page's path."""
+    """Write a report and the case files of its failures; return the path of its page."""
     data = report.to_data()
     # Case files of an earlier report would be taken for this one's.
     for old in directory.glob(f"{FAILURES}/*/*.toml"):
@@ -69,7 +69,7 @@ def write(report: ValidationReport, directory: Path) -> Path:
 
 
 def replay(name: str, campaign: Campaign) -> Finding:
-    """Measure one case, by a name such as "uniform:7" or by a case file.
+    """Measure one case, given by a name such as "uniform:7" or by a case file.
 
     Raises InputError for names of neither.
     """
@@ -88,7 +88,7 @@ def replay(name: str, campaign: Campaign) -> Finding:
 
 
 def record(report: ValidationReport) -> Path:
-    """Keep the worst errors by stratum for the heads of the modules that codegen prints.
+    """Record the worst errors by stratum, which codegen prints in the heads of modules.
 
     They belong to one version of the code: its digest is kept with them, and a head has none where
     they belong to another version.  Raises InputError unless today's code was measured.

@@ -1,4 +1,4 @@
-"""Tallies: the counts and worst errors of a campaign, in the same memory for any number of cases.
+"""Tallies: counts and worst errors of a campaign, in memory that does not grow with its cases.
 
 A tally is one flat table of cells.  Merging adds counts and takes the worst, so that tallies give
 the same result merged in any order and grouping.
@@ -25,7 +25,7 @@ DRAWN = ("angle", "omega")
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """A number of errors, the worst of them in units of 2^-53, its place and its condition."""
+    """Number of errors, with the worst of them, its place and its condition number."""
 
     count: int
     worst: float
@@ -33,14 +33,14 @@ class Cell:
     condition: float
 
     def merged(self, other: "Cell") -> "Cell":
-        """Return both together; of equal errors the one whose place comes first."""
+        """Return the cell of both; of equal errors it keeps the one whose place comes first."""
         worst = min(self, other, key=lambda cell: (-cell.worst, cell.place))
         return Cell(self.count + other.count, worst.worst, worst.place, worst.condition)
 
 
 @dataclass(slots=True)
 class Tally:
-    """Cells by key, and how many cases and states of each stratum there were."""
+    """Table of cells by key, with the numbers of cases and states by stratum."""
 
     cells: dict[Key, Cell] = field(default_factory=dict)
     cases: dict[str, int] = field(default_factory=dict)
@@ -65,7 +65,7 @@ class Tally:
             self._draw(target, measure, reference, errors[measure])
 
     def _draw(self, target: str, measure: str, reference: Reference, found: Errors) -> None:
-        """Add each state to the views that plots show: decades, and half octaves of the error."""
+        """Add each state to the views that are plotted: by decades, and by sizes of the error."""
         sample, away = reference.sample, decade(reference.distance)
         for k in range(len(found.times)):
             cell = _cell(sample.stratum, sample.index, found, k)
@@ -93,7 +93,7 @@ class Tally:
                 mine[name] = mine.get(name, 0) + more
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
-        """Return the parts of a view, in the order of their names."""
+        """Return the cells of a view by the names of its parts, sorted."""
         begin = (target, measure, view)
         found = sorted(key for key in self.cells if key[:3] == begin)
         return {key[3]: self.cells[key] for key in found}
@@ -109,7 +109,7 @@ class Tally:
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> "Tally":
-        """Return the tally of plain data, the inverse of `to_data`."""
+        """Return the tally that `to_data` has written."""
         cells = {}
         for *key, count, worst, name, index, time, condition in data["cells"]:
             place = (name, index, float.fromhex(time))
@@ -126,7 +126,7 @@ def decade(value: float) -> str:
 
 
 def half_octave(units: float) -> str:
-    """Return the power of the square root of two below a number of units, in halves.
+    """Return the largest half-integer power of two below a number of units.
 
     "0" for less than a thousandth, where the radii of the balls begin to matter.
     """
@@ -141,7 +141,7 @@ def _cell(stratum: str, index: int, found: Errors, k: int) -> Cell:
 
 
 def _beyond(worst: Cell, found: Errors) -> Cell:
-    """Return the largest part of the bound, and the number of errors beyond it."""
+    """Return a cell with the largest share of the bound and the number of errors beyond it."""
     k = int(np.argmax(found.share))
     place = (*worst.place[:2], float(found.times[k]))
     count = int(np.sum(found.share > 1))

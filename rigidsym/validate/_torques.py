@@ -1,4 +1,4 @@
-"""Campaign of `integrate` with a tolerance: torques that are not smooth, narrow or stiff.
+"""Campaign that compares errors of `integrate` with its tolerance, for difficult torques.
 
 The reference is SciPy's Dormand-Prince method of order 8, restarted wherever the torque jumps or
 bends.
@@ -30,7 +30,7 @@ Vector = tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A body under a torque, and the arguments of `integrate`.
+    """Body under a torque, with the arguments of `integrate`.
 
     breaks: times at which the torque is not smooth, s.  discontinuities: those that are passed on.
     """
@@ -49,7 +49,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """A random body that turns by some angle in the span, and random torques on it."""
+    """Random body, and a source of random torques on it."""
 
     inertia: Vector
     q0: Vector
@@ -75,7 +75,7 @@ class _Body:
         )
 
     def pushed(self, profile: Profile, breaks: Vector = (), seconds: float | None = None) -> "Case":
-        """Apply a torque by a profile of time.
+        """Return a case with a torque whose size follows a profile of time.
 
         It changes the rates by a part of themselves in one radian, or in `seconds`.
         """
@@ -106,7 +106,7 @@ class _Body:
 
 
 def kink(random: Random, at_rest: bool = False) -> Case:
-    """Draw a sine cut at zero, the size of a sine, or a zigzag."""
+    """Draw a torque with kinks: a sine cut at zero, the modulus of a sine, or a zigzag."""
     body = _Body.drawn(random, at_rest)
     rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.7), random.uniform(0, 6)
     zeros = _zeros(rate, phase, body.span)
@@ -122,7 +122,7 @@ def kink(random: Random, at_rest: bool = False) -> Case:
 
 
 def jump(random: Random, at_rest: bool = False) -> Case:
-    """Draw levels that jump at some times, or the sign of a sine."""
+    """Draw a torque that jumps: between random levels, or by the sign of a sine."""
     body = _Body.drawn(random, at_rest)
     if random.random() < 0.3:
         rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.5), random.uniform(0, 6)
@@ -144,7 +144,10 @@ _PULSES: list[tuple[Profile, Vector]] = [
 
 
 def pulse(random: Random, at_rest: bool = False) -> Case:
-    """Draw boxes, bells or half sines, 1/200 to 1/5 of the span wide at half their height."""
+    """Draw a torque with short pulses: boxes, bells or half sines.
+
+    They are 1/200 to 1/5 of the span wide at half their height.
+    """
     body = _Body.drawn(random, at_rest)
     pulses = []
     for _ in range(random.randint(1, 3)):
@@ -159,7 +162,7 @@ def pulse(random: Random, at_rest: bool = False) -> Case:
 
 
 def stiff(random: Random) -> Case:
-    """Draw damping, a spring or an oscillation, far faster than the body, in part of the span."""
+    """Draw a stiff torque: damping, a spring or an oscillation far faster than the body."""
     body = _Body.drawn(random)
     begin, end = sorted(random.uniform(0, body.span) for _ in range(2))
     quick = 10 ** random.uniform(1, 2.5) / body.span
@@ -179,7 +182,10 @@ def stiff(random: Random) -> Case:
 
 
 def facing(random: Random) -> Case:
-    """Draw a torque on one side of the body while it is lit: kinks or jumps by attitude."""
+    """Draw a torque that acts while one side of the body is lit.
+
+    It has kinks or jumps that depend on the attitude.
+    """
     body = _Body.drawn(random)
     inertia = np.array(body.inertia)
     light, normal, push = (np.array(_unit(random, 3)) for _ in range(3))
@@ -195,12 +201,12 @@ def facing(random: Random) -> Case:
 
 
 def rest(random: Random) -> Case:
-    """Draw a body at rest, under one of the other torques."""
+    """Draw a body at rest under a torque with kinks, jumps or pulses."""
     return random.choice([kink, jump, pulse])(random, True)
 
 
 def smooth(random: Random) -> Case:
-    """Draw a sine, for comparison."""
+    """Draw a smooth torque, for comparison."""
     body = _Body.drawn(random)
     rate = body.rate * 10 ** random.uniform(-1, 0.5)
     return body.pushed(lambda t: math.sin(rate * t + 1.0))
@@ -228,7 +234,7 @@ def measured(case: Case, engine: str = "c") -> float | None:
 
 
 def error(case: Case, q: np.ndarray, omega: np.ndarray) -> float:
-    """Return the largest rotation from the reference, rad, or relative difference of rates."""
+    """Return the largest error of attitude, rad, or of the rates, relative."""
     true_q, true_omega = reference(case)
     turns = np.linalg.norm(rotation_vectors(product(conjugate(true_q), q)), axis=-1)
     size = np.max(np.linalg.norm(true_omega, axis=-1))
@@ -280,7 +286,7 @@ def _unit(random: Random, size: int) -> Vector:
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Return components along the body's axes, by Python's numbers: small arrays are slow."""
+    """Return the body components of a vector; Python's floats are faster than small arrays."""
     (a, b, c, d), (x, y, z) = q.tolist(), vector.tolist()
     u, v, w = 2 * (y * d - z * c), 2 * (z * b - x * d), 2 * (x * c - y * b)
     return np.array(

@@ -1,4 +1,4 @@
-"""Validation from start to report: of generated modules, and of a user's integrator."""
+"""Validation of generated modules and of a user's integrator, from cases to a report."""
 
 import math
 import os
@@ -57,7 +57,7 @@ def validate(
     workers: int | None = 1,
     progress: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure generated modules on `cases` samples of every stratum, or of those named.
+    """Measure generated modules on samples of all strata.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def examine(
     double_cover_sign: bool | None = None,
     progress: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure a user's integrator as the generated modules are measured, in this process.
+    """Measure a user's integrator as the generated modules are measured.
 
     It has to keep the bounds of the generated modules for the report to pass; `by_stratum` of the
     report has its errors.  Exceptions, wrong shapes and NaN count as infinite errors, and their
@@ -192,7 +192,7 @@ def reported(
     user: Mapping[str, UserIntegrator] | None = None,
     messages: Mapping[tuple[str, int], str] | None = None,
 ) -> ValidationReport:
-    """Return the report of a campaign; its worst cases are measured once more, in full.
+    """Return the report of a campaign, for which its worst cases are measured again.
 
     user: a user's integrator by its name; messages: its messages by case.
     """
@@ -237,7 +237,7 @@ def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, in
 
 
 def simplest(sample: Sample, fails: Fails) -> Sample:
-    """Return a sample that fails as the given one does, while none of its simpler neighbours does.
+    """Simplify a sample as long as it fails.
 
     At most TRIALS neighbours are tried.
     """
@@ -251,7 +251,7 @@ def simplest(sample: Sample, fails: Fails) -> Sample:
 
 
 def _simpler(sample: Sample) -> Iterator[Sample]:
-    """Yield neighbours with one time, without an attitude, or with one simpler number.
+    """Yield samples with one time only, without an attitude, or with one simpler number.
 
     Simpler numbers are 0, 1, -1, and then decimals of few digits.
     """
@@ -270,7 +270,7 @@ def _simpler(sample: Sample) -> Iterator[Sample]:
 
 
 def _is_bounded(sample: Sample) -> bool:
-    """Return True if the documented bounds hold for a sample: other samples may be refused.
+    """Return True if a sample is in the domain of the documented bounds.
 
     Its body can exist, and its times are not beyond those that modules follow.
     """
@@ -286,7 +286,7 @@ def _is_bounded(sample: Sample) -> bool:
 def environment(
     campaign: Campaign, place: str, seconds: float, states: int
 ) -> dict[str, Figure | None]:
-    """Return versions, machine, time and memory: all of a report that differs from run to run."""
+    """Return the part of a report that differs from run to run: versions, machine, time, memory."""
     compiler = {}
     if any(x.startswith("c") for x in campaign.targets):
         from rigidsym._engines.build import find

@@ -1,4 +1,4 @@
-"""Costs of the forms of the solution: theta functions, the third kind, Fourier series."""
+"""Comparison of three forms of the solution by cost and error."""
 
 from rigidsym.validate._forms.compare import COLUMNS, STRATA_COLUMNS, FormCosts, compare_forms
 

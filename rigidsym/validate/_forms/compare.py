@@ -1,4 +1,4 @@
-"""Comparison of the forms on motions nearer and nearer to the separatrix: time, work, size, error.
+"""Time, operations, size and error of each form of the solution near the separatrix.
 
 Errors are measured in every stratum, too.  Times are medians of repetitions on this machine, and
 only their ratios mean anything: in C where a form is generated, and in NumPy for all three.
@@ -49,7 +49,7 @@ _A_TERM, _SERIES = 3, 4
 
 @dataclass(frozen=True, slots=True)
 class FormCost:
-    """Cost of one form on one motion; None where it cannot compute it, or is not generated in C.
+    """Cost of one form on one motion; figures that do not exist are None.
 
     plan_us: time of the plan in C, of Fourier series by mpmath.
     """
@@ -83,7 +83,7 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class StratumError:
-    """Errors of one form in a stratum: how many cases it serves, and the worst errors in these.
+    """Worst errors of one form in a stratum, and the number of cases that it can compute.
 
     angle: rad.  omega: over |omega|.  None where it serves no case.
     """
@@ -102,7 +102,7 @@ class StratumError:
 
 
 def _shown(figures: Iterable[float | None], spec: str) -> list[str]:
-    """Return figures in a format, and nothing for None."""
+    """Format figures; None becomes an empty string."""
     return ["" if x is None else format(x, spec) for x in figures]
 
 
@@ -111,7 +111,7 @@ STRATA_COLUMNS = ("stratum", "form", "served", "angle, rad", "rates")
 
 @dataclass(frozen=True, slots=True)
 class FormCosts:
-    """The measurements, the bytes of generated C by form, and errors by stratum."""
+    """Costs by form and motion, sizes of the generated C, and errors by stratum."""
 
     code_bytes: dict[str, int]
     costs: tuple[FormCost, ...]
@@ -168,7 +168,7 @@ class FormCosts:
 def compare_forms(
     progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
 ) -> FormCosts:
-    """Measure all forms, in `cases` cases of each stratum; without a C compiler none is in C."""
+    """Measure all forms; without a C compiler, figures of C are None."""
     costs = []
     for motion in map(_Motion.off, AWAY):
         costs += [_generated(form, motion) for form in (THETA, PI)]
@@ -194,7 +194,7 @@ def compare_forms(
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """A motion off the separatrix, and its true states (q, omega) at some times."""
+    """Motion near the separatrix, with its true states at some times."""
 
     away: float
     precise: PreciseMotion
@@ -216,7 +216,7 @@ class _Motion:
 
     @property
     def branch(self) -> str:
-        """The functions that generated modules use for it."""
+        """The branch of the generated modules that computes this motion."""
         return "circular" if self.parameter <= 0.5 else "hyperbolic"
 
 
@@ -279,13 +279,13 @@ def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
 
 
 def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepared) -> float:
-    """Return the nanoseconds for a state, of many at once."""
+    """Return the time per state in nanoseconds, for many states at once."""
     times = np.linspace(0.0, _SPAN, _TIMES)
     return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES
 
 
 def _seconds(run: Callable[[], object]) -> float:
-    """Return the median of some repetitions, after one that is not counted."""
+    """Return the median time of some runs after a first one that is not counted."""
     return median(repeat(run, number=1, repeat=_REPEATS + 1)[1:])
 
 
@@ -308,7 +308,7 @@ def _operations(expression: Expression, known: Mapping[str, Function]) -> int:
 
 
 def constant_bytes(form: str, branch: str) -> int:
-    """Return the size of the constants that a plan keeps for a branch, in doubles of 8 bytes."""
+    """Return the size in bytes of the constants that a prepared motion keeps."""
     by_name = {function.name: function for function in functions(sealed(), form)}
     return 8 * len(flat_results(by_name[f"_{branch}_constants"]))
 

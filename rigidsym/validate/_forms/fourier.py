@@ -1,4 +1,4 @@
-"""Fourier series of the motion in v over NumPy arrays; a plan computes the coefficients.
+"""States by Fourier series, evaluated with NumPy.
 
 sn, cn and dn are multiples of series with the ledger's coefficients a(k), q being the nome of m.
 The factors follow from values that are 1: sn a quarter period after u = 0, cn and dn at u = 0.
@@ -38,7 +38,7 @@ _LIMIT = [[mpmath.mpf(0)], *([mpmath.mpf(1)] for _ in range(3))]
 
 @dataclass(frozen=True, slots=True)
 class Fourier:
-    """Rates in half turns as two doubles, coefficients of psi, sn, cn and dn, and constants."""
+    """Prepared Fourier series of one motion."""
 
     v: tuple[float, float, float]
     psi: tuple[float, float, float]
@@ -75,7 +75,7 @@ class Fourier:
 
 
 class Series:
-    """An engine by Fourier series; it refuses motions of more than MOST terms."""
+    """Engine by Fourier series, which refuses motions that need more than MOST terms."""
 
     def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Fourier:
         """Plan a motion from exact numbers or float64."""
@@ -94,7 +94,7 @@ class Series:
 
 @cache
 def state() -> Callable[..., tuple[np.ndarray, ...]]:
-    """Return the generated function for a state."""
+    """Return the function that computes states, generated from the ledger's formulas."""
     function = fourier.state(sealed())
     namespace: dict[str, Any] = dict(vars(torque_free))
     exec("\n".join(emit.function_lines(function).text), namespace)
@@ -102,7 +102,7 @@ def state() -> Callable[..., tuple[np.ndarray, ...]]:
 
 
 def plan(motion: PreciseMotion) -> Fourier | None:
-    """Return the series of a moving body, with as many terms as doubles need.
+    """Compute the series of a motion with as many terms as doubles need.
 
     None for more than MOST terms, and where rates are constant or not periodic.
     """
@@ -122,7 +122,7 @@ def plan(motion: PreciseMotion) -> Fourier | None:
 
 
 def _series(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> list[list[mpmath.mpf]] | None:
-    """Return the coefficients, or None for more than MOST of each."""
+    """Return the coefficients of all series, or None if they need more than MOST terms."""
     if known["m_c"] == 1:
         return _LIMIT
     formulas = sequence("theta").up_to(frozenset(_OF_SHIFT))
@@ -162,7 +162,7 @@ def _made(
     rates: tuple[mpmath.mpf, mpmath.mpf],
     series: list[list[mpmath.mpf]],
 ) -> Fourier:
-    """Return the series from rates of v and of psi/2 in half turns, starting with the motion."""
+    """Assemble the prepared series from the rates of v and psi/2 in half turns."""
     polhode, (v, half_psi) = motion.polhode, rates
     v_0 = known["phase"] * v / known["mu"]
     start = sum(c * mpmath.sin(2 * k * mpmath.pi * v_0) for k, c in enumerate(series[0], 1))
@@ -179,7 +179,7 @@ def _made(
 
 
 def _coefficients(q: mpmath.mpf, b: mpmath.mpf, rho: int, terms: int) -> list[list[mpmath.mpf]]:
-    """Return coefficients of sin 2kv in psi/2, sin and cos (2k-1)v in sn and cn, cos 2kv in dn."""
+    """Return the Fourier coefficients of psi/2, sn, cn and dn."""
     whole = [mpmath.mpf(k) for k in range(1, terms + 1)]
     halves = [k - mpmath.mpf(1) / 2 for k in whole]
     rest = [
@@ -202,7 +202,7 @@ def _coefficient(e: int, x: mpmath.mpf) -> mpmath.mpf:
 
 
 def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
-    """Return (hi + lo) t + start less pairs of half turns; t hi is exact, by parts of 27 digits."""
+    """Return (hi + lo) t + start reduced to one turn, with an exact product of t and hi."""
     upper = 134217729.0 * t - (134217729.0 * t - t)
     upper_hi = 134217729.0 * hi - (134217729.0 * hi - hi)
     product = hi * t

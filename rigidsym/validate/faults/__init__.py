@@ -1,4 +1,4 @@
-"""Faults put into the generated modules on purpose, to see that the validation notices them."""
+"""Injection of faults into generated modules, to test that validation detects them."""
 
 from rigidsym.validate.faults._drawn import all_faults
 from rigidsym.validate.faults._fault import BY_HAND, KINDS, Fault, StaleFaultError

@@ -1,4 +1,4 @@
-"""Detection of a fault by a stratum: a faulty module is measured until a case breaks a bound.
+"""Detection of faults: a faulty module is measured until a case breaks a bound.
 
 Faults in states and steps are looked for in states, those in sensitivities in their columns.  The
 installed modules stay as they are.
@@ -43,22 +43,25 @@ _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 
 def mutated_engine(fault: Fault) -> Engine | Steps:
-    """Return the engine that runs a faulty module; raises StaleFaultError as `Fault.applied`."""
+    """Return an engine that runs the module with a fault."""
     return on_text(fault.target, faulty(fault), fault.options)
 
 
 def faulty(fault: Fault) -> str:
-    """Return the installed module of a fault's target with the fault."""
+    """Return the text of the installed module with a fault."""
     return fault.applied(installed(FILES[fault.target]))
 
 
 def installed(name: str) -> str:
-    """Return a generated file as it is in the package."""
+    """Return the text of a generated file of the package."""
     return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
 
 
 def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | Steps:
-    """Return the engine of a target on another text of its module, compiled with more options."""
+    """Return the engine of a target that runs another text of its module.
+
+    options: of the compiler, beyond the usual ones.
+    """
     language, form = split(target)
     if language == "numpy":
         module: Any = ModuleType("torque_free")
@@ -83,7 +86,7 @@ class Detection:
 def references(
     stratum: str, cases: int, digits: int, seed: int, shown_in: str = "states"
 ) -> list[Any]:
-    """Enclose the numbers of a stratum's cases that show a fault.
+    """Compute the true states, steps or sensitivities of a stratum's cases.
 
     shown_in: "states" and "steps" have a `Reference` for each case, "sensitivities" a
     `ColumnsReference`; see `Fault.shown_in`.
@@ -97,7 +100,7 @@ def references(
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
-    """Return at most one detection of a fault from each stratum."""
+    """Return the first detection of a fault in each stratum that detects it."""
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
     found = (first(engine, stratum, bounds) for stratum in strata)
     return [detection for detection in found if detection]

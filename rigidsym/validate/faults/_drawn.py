@@ -1,4 +1,4 @@
-"""Faults drawn from the derived lines: one change in the tree of a let, or in a named number.
+"""Faults drawn from derived code: one change in the expression of a let, or of a constant.
 
 A change leaves a double a double and an extended number one, so that no other line changes.  For a
 form that is not the default, faults are drawn from the lines that the default does not print.
@@ -51,7 +51,7 @@ HARMLESS = {change: why for why, listed in tomllib.loads(_TABLE).items() for cha
 
 
 class Change(NamedTuple):
-    """A change of an expression: kind of fault, description, result, and the part it is about."""
+    """Change of an expression, with its kind and description."""
 
     kind: str
     done: str
@@ -72,7 +72,7 @@ _SERIES: dict[str, tuple[Callable[[int], float], float]] = {
 
 @dataclass(frozen=True, slots=True)
 class _Printer:
-    """Printing of a target: functions, their first lines, constants, and the end of code."""
+    """Printer of a target's functions and constants."""
 
     lines: Callable[[Function], Lines]
     begins: Callable[[Function], str]
@@ -80,7 +80,7 @@ class _Printer:
     note: str
 
     def code(self, line: str) -> str:
-        """Return a line without the equations behind it."""
+        """Return a line without its comment on equations."""
         return line.partition(self.note)[0]
 
 
@@ -135,7 +135,7 @@ def all_faults() -> tuple[Fault, ...]:
 
 @cache
 def drawn(target: str) -> tuple[Fault, ...]:
-    """Return the first EACH faults of each kind in states and in columns, but harmless ones."""
+    """Return up to EACH faults of each kind that are not harmless."""
     counts, chosen = Counter[tuple[str, bool]](), []
     for fault in every(target):
         kind = fault.kind, fault.in_sensitivities
@@ -186,7 +186,7 @@ def _of_function(target: str, printer: _Printer, function: Function) -> Iterator
 
 
 def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
-    """Return the line of each let, as the function prints it in place of its own lets."""
+    """Return the printed line of each of these lets in place of a function's own."""
     printed = printer.lines(replace(function, lets=lets))
     return [printer.code(printed.text[number]) for number in printed.lets]
 
@@ -248,7 +248,7 @@ def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator
 
 
 def is_lost(constant: Constant, other: Constant) -> bool:
-    """Return True if no motion can show that a coefficient of a series is another one."""
+    """Return True if a change of a series coefficient is too small for any motion to show."""
     family, _, number = constant.name.rpartition("_")
     if family not in _SERIES:
         return False

@@ -1,4 +1,4 @@
-"""Faults: small changes of a generated text, and the table of those that are written by hand."""
+"""Faults as small changes of generated text, and the table of faults written by hand."""
 
 import re
 import tomllib
@@ -65,7 +65,7 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """The numbers that show the fault: states, sensitivities, or steps."""
+        """The kind of numbers that show the fault: states, sensitivities or steps."""
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 

@@ -1,4 +1,4 @@
-"""Every fault against every stratum, in processes that may crash, and the report."""
+"""Injection of all faults, measured in processes that may crash, and its report."""
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -34,7 +34,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """A fault, and a detection of each stratum that caught it."""
+    """Result of one fault: its detections, at most one per stratum."""
 
     fault: Fault
     detections: tuple[Detection, ...]
@@ -47,7 +47,7 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class FaultReport:
-    """All faults of some targets against all strata."""
+    """Report on the detection of all faults of some targets."""
 
     targets: tuple[str, ...]
     strata: tuple[str, ...]
@@ -123,7 +123,7 @@ class FaultReport:
         return json.dumps(self.to_data(), indent=1, sort_keys=True) + "\n"
 
     def to_markdown(self) -> str:
-        """Return two tables: the catches of each stratum, and the strata that caught each fault."""
+        """Return tables of the catches of each stratum and of each fault as Markdown."""
         total = len(self.outcomes)
         strata = [(x, f"{self.caught(x)} of {total}", str(self.alone(x))) for x in self.strata]
         faults = []
@@ -143,7 +143,7 @@ class FaultReport:
         )
 
     def _which(self, strata: tuple[str, ...]) -> str:
-        """Name the strata, or those that are missing if they are fewer; abbreviate long lists."""
+        """Return a short list of strata, or of the missing ones if those are fewer."""
         if len(strata) <= _NAMED:
             return ", ".join(strata) or "NOT CAUGHT"
         others = [name for name in self.strata if name not in strata]
@@ -211,7 +211,7 @@ def inject(
 def _until_a_crash(
     faults: Sequence[Fault], enclosed: References
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
-    """Yield faults and detections until a process crashes; None for all that ran at that time."""
+    """Yield faults with their detections until a process crashes, None if it may be the cause."""
     waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
     lost = False
     with processes(processors()) as pool:
@@ -231,7 +231,7 @@ def _until_a_crash(
 
 
 def _alone(fault: Fault, enclosed: References) -> list[Detection]:
-    """Return the detections of a fault, with a process of its own for each stratum."""
+    """Measure a fault that may crash, with a new process for each stratum."""
     found = []
     for stratum in enclosed[fault.shown_in]:
         try:

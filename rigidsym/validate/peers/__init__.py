@@ -1,4 +1,4 @@
-"""Peers: other programs for the same motions, to be measured on the same strata.
+"""Other programs for the same motions, measured on the same strata.
 
 Each is run at the best settings that we found for it, on float64 numbers as a user would give them.
 """

@@ -14,9 +14,10 @@ from rigidsym.validate.peers._protocol import Start, checked, needed
 
 
 def rates(y: Sequence[Any], c: Sequence[Any], half: Any = 0.5) -> list[Any]:
-    """Return the right sides of (3) and (5): y is q, scalar first, then omega; c are the moments.
+    """Return the derivatives of q and omega by the equations of motion (3) and (5).
 
-    Numbers of any kind, or heyoka's expressions; half is 1/2 of that kind.
+    y is q, scalar first, then omega; c are the moments.  All are numbers of any kind, or
+    heyoka's expressions; half is 1/2 of that kind.
 
     >>> rates([1.0, 0.0, 0.0, 0.0, 0.0, 0.5, 2.0], [1.0, 2.0, 3.0])
     [-0.0, 0.0, 0.25, 1.0, -1.0, 0.0, -0.0]
@@ -32,7 +33,7 @@ def rates(y: Sequence[Any], c: Sequence[Any], half: Any = 0.5) -> list[Any]:
 
 
 class Integrator(ABC):
-    """A solver whose method `follow` goes one way from t = 0."""
+    """Base of solvers that integrate in one direction from t = 0."""
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
         """Check the start of a motion, as `Peer` does."""
@@ -76,7 +77,7 @@ _TOLERANCE = 100 * float(np.finfo(float).eps)
 
 
 class ScipyPeer(Integrator):
-    """SciPy's `solve_ivp` by one of its methods, at 2.2e-14 of unit quaternions and of |omega0|."""
+    """SciPy's `solve_ivp` by one of its methods, at a relative tolerance of 2.2e-14."""
 
     reach, double_cover_sign = _REACH, True
 
@@ -120,7 +121,7 @@ _MOST_STEPS = 20 * int(_FAR)
 
 
 class HeyokaPeer(Integrator):
-    """heyoka's `taylor_adaptive` at 1e-16, its best; compiled once, for all bodies.
+    """heyoka's `taylor_adaptive` at tolerance 1e-16, its best, compiled once for all bodies.
 
     The tolerance is relative to the largest of q and omega: at fast rates q is less accurate.
     """

@@ -60,7 +60,7 @@ class OrekitPeer:
 
 @dataclass(frozen=True, slots=True)
 class _Java:
-    """Java of one process: its classes by name, the base of its exceptions, an epoch and a frame.
+    """Java of one process, with the classes of Orekit that a motion needs.
 
     The epoch and the frame need none of Orekit's data files.
     """

@@ -1,4 +1,4 @@
-"""Protocol of all peers, and the checked numbers that they start from."""
+"""Interface of peers, and checks of their inputs."""
 
 import math
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ class Solver(Protocol):
     """
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion from float64 numbers: (3,), (3,) and (4,), the last of any length."""
+        """Prepare one motion from moments (3,), rates (3,) and a quaternion (4,) of any length."""
         ...
 
     def states(self, prepared: Prepared, t: ArrayLike) -> States:
@@ -31,7 +31,7 @@ class Solver(Protocol):
 
 
 class Peer(Solver, Protocol):
-    """Another program that computes the states of a motion, from the numbers as a user gives them.
+    """Another program that computes the states of a motion, with its name and limits.
 
     Nothing is rescaled or corrected on the way, but the attitude at t = 0 is normalised.  Both
     methods raise EngineError for what the peer refuses; a state that it fails to reach is NaN.  One
@@ -66,7 +66,7 @@ class Start:
 
     @classmethod
     def of(cls, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> "Start":
-        """Check numbers as a peer gets them; raise EngineError where no motion starts so."""
+        """Check the inputs of a peer; raise EngineError if they are no motion."""
         moments, rates = _vector("inertia", inertia, 3), _vector("omega0", omega0, 3)
         quaternion = _vector("attitude0", attitude0, 4)
         if min(moments) <= 0:
@@ -82,7 +82,7 @@ class Start:
 
     @property
     def state(self) -> Floats:
-        """Attitude, then rates."""
+        """The state (7,): attitude, then rates."""
         return (*self.attitude0, *self.omega0)
 
 

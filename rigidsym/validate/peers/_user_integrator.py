@@ -1,4 +1,4 @@
-"""A user's own integrator as a peer: its errors are results of the report, never a traceback."""
+"""User's integrators as peers, whose exceptions become results of the report."""
 
 import math
 import re
@@ -28,7 +28,7 @@ _NAME = re.compile(r"[\w.+-]+( [\w.+-]+)*")
 
 @dataclass(slots=True)
 class UserIntegrator:
-    """A peer whose failures, of whatever kind, are refusals; `said` keeps their messages."""
+    """Peer by a user's integrator, whose exceptions are refusals with a message in `said`."""
 
     peer: Solver
     name: str
@@ -78,7 +78,7 @@ class UserIntegrator:
 
 @dataclass(frozen=True, slots=True)
 class _OfFunction(Integrator):
-    """A solver by a function of body, rates, attitude and times that leave zero on one side.
+    """Solver by a user's function, which is called once for each direction of time.
 
     A state at t = 0 is the given one.  Where the function fails on one side, its states are NaN.
     """
@@ -112,7 +112,7 @@ def _rows(field: str, values: object, shape: tuple[int, int]) -> np.ndarray:
 
 
 def _tried(said: list[str], work: Callable[[], Given]) -> Given:
-    """Run the user's code; note the message of any error, and raise EngineError instead."""
+    """Run the user's code; keep the message of any exception and raise EngineError instead."""
     try:
         return work()
     except Exception as error:

@@ -16,26 +16,26 @@ __all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "sample
 
 
 def count(stratum: str, cases: int) -> int:
-    """Return the number of cases of a stratum: `cases`, or all where it has fewer."""
+    """Return `cases`, or the size of the stratum if it is smaller."""
     size = STRATA[stratum].size
     return cases if size is None else min(cases, size)
 
 
 @cache
 def in_doubles() -> tuple[str, ...]:
-    """Return the strata whose numbers are all doubles, for programs that take doubles."""
+    """Return the strata whose numbers are all doubles."""
     return tuple(name for name in STRATA if draw(name, 0, 0).in_doubles)
 
 
 def samples(cases: int, seed: int) -> Iterator[Sample]:
-    """Yield `cases` samples of every stratum, or all where it has fewer."""
+    """Yield the first `cases` samples of every stratum."""
     for stratum in STRATA:
         for index in range(count(stratum, cases)):
             yield draw(stratum, index, seed)
 
 
 def draw(stratum: str, index: int, seed: int) -> Sample:
-    """Draw one sample, which is always the same.
+    """Draw one sample of a stratum; the same arguments always give the same sample.
 
     Parameters
     ----------

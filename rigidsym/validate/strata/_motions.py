@@ -1,4 +1,4 @@
-"""Bodies that can exist, and their rates: any, at an edge, near one, and on the separatrix.
+"""Strata: functions that draw bodies and rates, and the table of all strata.
 
 A nearly symmetric body circulates about one of its two similar axes only where it hardly turns
 about the third; in some cases it does that little, by the root of what the moments differ by.
@@ -55,7 +55,7 @@ def decimals(random: Random) -> list[Fraction]:
 def mixed(
     random: Random, inertia: Sequence[float | Fraction], omega: Sequence[float | Fraction]
 ) -> Motion:
-    """Return the motion with its axes in a random order, and random signs of its rates."""
+    """Permute the axes of a motion at random, with random signs of its rates."""
     return _ordered(inertia, omega, random.choice(ORDERS), random.choice(SIGNS))
 
 
@@ -75,7 +75,7 @@ def uniform(random: Random, index: int) -> Motion:
 
 
 def every_order_and_sign(random: Random, index: int) -> Motion:
-    """Draw the 48 orders of the axes and quadrants of the rates in turn; both change each time."""
+    """Draw the 48 combinations of axis orders and signs of the rates in turn."""
     order = index % len(ORDERS)
     sign = (index // len(ORDERS) + order) % len(SIGNS)
     positive = [random.uniform(0.1, 1) for _ in range(3)]
@@ -88,7 +88,7 @@ def rest(random: Random, index: int) -> Motion:
 
 
 def scaled(inertia: float, rate: float) -> Body:
-    """Return a source of any bodies, in units of inertia and of rates."""
+    """Return a function that draws any body in other units of inertia and rates."""
 
     def draw(random: Random, index: int) -> Motion:
         return _times(uniform(random, index), inertia, rate)
@@ -116,7 +116,7 @@ _GRID = 2.0**-40
 
 
 def symmetric(random: Random, index: int) -> Motion:
-    """Draw two equal moments, both kinds in turn; in every second case some rates are zero."""
+    """Draw a symmetric body, prolate or oblate in turn, and often with rates of zero."""
     third = random.uniform(0.1, 0.99) if index % 2 else random.uniform(1.01, 2)
     pattern = PATTERNS[index // 4 % len(PATTERNS)] if index // 2 % 2 else PATTERNS[0]
     omega = [x * some for x, some in zip(rates(random), pattern, strict=True)]
@@ -131,13 +131,13 @@ def sphere(random: Random, index: int) -> Motion:
 
 
 def flat(random: Random, index: int) -> Motion:
-    """Draw two moments whose sum is exactly the third."""
+    """Draw a flat body: two of its moments add up to the third exactly."""
     x, y = (random.randint(2**35, 2**40) * _GRID for _ in range(2))
     return mixed(random, [x, y, x + y], rates(random))
 
 
 def spin(random: Random, index: int) -> Motion:
-    """Draw one rate that is not zero, about the three axes in turn."""
+    """Draw a spin about one axis, each axis in turn."""
     omega = [0.0, 0.0, 0.0]
     omega[index % 3] = random.gauss(0, 1)
     return mixed(random, sorted(body(random)), omega)
@@ -152,7 +152,7 @@ _FAINTEST = Fraction(1, 10**125)
 
 
 def near_prolate(random: Random, index: int) -> Motion:
-    """Draw larger moments that differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a body whose larger moments differ by 1e-1 to 2e-16 of themselves."""
     split = decade(index, 1, _LAST)
     lone, *others = rates(random)
     lone *= random.choice((1, 1, math.sqrt(split)))
@@ -160,7 +160,7 @@ def near_prolate(random: Random, index: int) -> Motion:
 
 
 def near_oblate(random: Random, index: int) -> Motion:
-    """Draw smaller moments that differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a body whose smaller moments differ by 1e-1 to 2e-16 of themselves."""
     split = decade(index, 1, _LAST)
     *others, lone = rates(random)
     lone *= random.choice((1, 1, math.sqrt(split)))
@@ -168,13 +168,13 @@ def near_oblate(random: Random, index: int) -> Motion:
 
 
 def near_sphere(random: Random, index: int) -> Motion:
-    """Draw moments that differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a body whose three moments differ by 1e-1 to 2e-16 of themselves."""
     size = decade(index, 1, 15)
     return mixed(random, [1 + size * random.uniform(-1, 1) for _ in range(3)], rates(random))
 
 
 def nearest_symmetric(random: Random, index: int) -> Motion:
-    """Draw two moments that differ by a power of ten from 1e-17 to 1e-300, both kinds."""
+    """Draw a body with two moments that differ by a power of ten from 1e-17 to 1e-300."""
     third = random.choice((random.randint(15, 95), random.randint(115, 200)))
     split = exact_decade(index, 17, 300)
     *others, lone = decimals(random)
@@ -184,14 +184,14 @@ def nearest_symmetric(random: Random, index: int) -> Motion:
 
 
 def nearest_sphere(random: Random, index: int) -> Motion:
-    """Draw moments that differ by some powers of ten from 1e-17 to 1e-250."""
+    """Draw a body whose moments differ by multiples of a power of ten, 1e-17 to 1e-250."""
     step = exact_decade(index, 17, 250)
     inertia = _sized(random, [1 + k * step for k in random.sample(range(-9, 10), 3)])
     return mixed(random, inertia, decimals(random))
 
 
 def exact_decimals(random: Random, index: int) -> Motion:
-    """Draw moments that differ by 1e-2 to 1e-19, or, in every third case, a separatrix."""
+    """Draw decimals: moments that differ by 1e-2 to 1e-19, or a motion on the separatrix."""
     if index % 3 == 0:
         inertia = [Fraction(x, 10) for x in (4, 5, 9)]
         omega = [Fraction(3, 10), Fraction(random.randint(-99, 99), 100), Fraction(1, 10)]
@@ -203,13 +203,13 @@ def exact_decimals(random: Random, index: int) -> Motion:
 
 
 def _sized(random: Random, inertia: list[Fraction]) -> list[Fraction]:
-    """Return the moments in other units, so that no difference is a sum of two doubles."""
+    """Multiply moments by a random decimal, so that no difference is a sum of two doubles."""
     size = Fraction(random.randint(1, 999), 1000)
     return [size * moment for moment in inertia]
 
 
 def near_spin(axis: int, last: float) -> Body:
-    """Return a source of spins about the axis-th smallest inertia, tilted by 1e-1 to 10^-last."""
+    """Return a function that draws spins about one axis, tilted by 1e-1 to 10^-last."""
 
     def draw(random: Random, index: int) -> Motion:
         tilt = decade(index, 1, last)
@@ -223,14 +223,14 @@ def near_spin(axis: int, last: float) -> Body:
 
 
 def rod(random: Random, index: int) -> Motion:
-    """Draw one moment that is 1e-1 to 1e-15 of the others."""
+    """Draw a rod: one moment is 1e-1 to 1e-15 of the others."""
     thin = decade(index, 1, 15)
     inertia = [thin, 1.0, 1 + thin * random.uniform(0.1, 0.9)]
     return mixed(random, inertia, rates(random))
 
 
 def needle(random: Random, index: int) -> Motion:
-    """Draw one moment that is 1e-1 to 1e-59 of the others, which differ by less."""
+    """Draw a needle in exact decimals: one moment is 1e-1 to 1e-59 of the others."""
     thin = exact_decade(index, 1, 59)
     inertia = [thin, Fraction(1), 1 + thin * Fraction(random.randint(1, 10), 10)]
     return mixed(random, _sized(random, inertia), rates(random))
@@ -246,7 +246,10 @@ Point = tuple[list[int], tuple[int, int]]
 
 @cache
 def points() -> tuple[Point, ...]:
-    """Return all bodies of coprime whole moments up to _MOST, with the least whole rates x, z."""
+    """Return bodies of coprime whole moments with whole rates on the separatrix.
+
+    Moments are at most _MOST; the rates x, z are the least that are whole.
+    """
     found = []
     for high in range(3, _MOST + 1):
         for middle in range(2, high):
@@ -261,7 +264,7 @@ def points() -> tuple[Point, ...]:
 
 
 def _on_separatrix(random: Random) -> tuple[list[float], list[float]]:
-    """Draw doubles of many digits on the separatrix, axes by inertia."""
+    """Draw doubles exactly on the separatrix, with axes sorted by inertia."""
     whole, (x, z) = random.choice(points())
     moment, rate = ((random.getrandbits(_BITS) | 1) * 2.0**-_BITS for _ in range(2))
     middle = random.choice((0.0, 1e-3, 1.0, 1.0, 1e3)) * random.gauss(0, 1)
@@ -269,12 +272,12 @@ def _on_separatrix(random: Random) -> tuple[list[float], list[float]]:
 
 
 def separatrix(random: Random, index: int) -> Motion:
-    """Draw doubles that are exactly on the separatrix."""
+    """Draw a motion of doubles exactly on the separatrix."""
     return mixed(random, *_on_separatrix(random))
 
 
 def beside_separatrix(random: Random, index: int) -> Motion:
-    """Draw doubles of which one number is one ulp away from the separatrix."""
+    """Draw a motion on the separatrix, and change one number by one ulp."""
     inertia, omega = _on_separatrix(random)
     numbers = random.choice((inertia, omega))
     k = random.choice((0, 1, 2)) if numbers is inertia else random.choice((0, 2))
@@ -283,7 +286,7 @@ def beside_separatrix(random: Random, index: int) -> Motion:
 
 
 def near_separatrix(random: Random, index: int) -> Motion:
-    """Draw one rate that is away from the separatrix by 1e-1 to 1e-16 of itself."""
+    """Draw a motion with one rate 1e-1 to 1e-16 of itself off the separatrix."""
     low, middle, high = sorted(body(random))
     fast = random.uniform(0.3, 1)
     slow = fast * math.sqrt(high * (high - middle) / (low * (middle - low)))
@@ -292,7 +295,7 @@ def near_separatrix(random: Random, index: int) -> Motion:
 
 
 def nearest_separatrix(random: Random, index: int) -> Motion:
-    """Draw one rate that is away from the separatrix by 1e-17 to 1e-250 of itself."""
+    """Draw a motion with one rate 1e-17 to 1e-250 of itself off the separatrix."""
     inertia, (x, z) = random.choice(points())
     distance = random.choice((-1, 1)) * exact_decade(index, 17, 250)
     middle = Fraction(random.randint(1, 999), 100)
@@ -300,7 +303,7 @@ def nearest_separatrix(random: Random, index: int) -> Motion:
 
 
 def branch_switch(random: Random, index: int) -> Motion:
-    """Draw k_1^2 at 1/2 but for 3e-1 to 1e-16 of it, on either side, at any phase.
+    """Draw a motion whose k_1^2 is near 1/2, where the modules change their series.
 
     k_1 is the modulus after one Landen step.  The modules use circular series up to k_1^2 = 1/2 and
     hyperbolic ones beyond: the truncation errors of both are largest there.
@@ -354,13 +357,13 @@ def special_values(random: Random, index: int) -> Motion:
 
 
 def special_attitudes(random: Random, index: int) -> Motion:
-    """Draw quaternions of half turns and no turns, of lengths from 1e-300 to 1e300."""
+    """Draw any body with a special attitude: no turn or half a turn, of any length."""
     motion = uniform(random, index)
     return Motion(motion.inertia, motion.omega0, ATTITUDES[index * 31 % len(ATTITUDES)])
 
 
 def extreme_scales(random: Random, index: int) -> Motion:
-    """Draw moments from the least subnormal to near the largest double, fast and slow."""
+    """Draw whole moments times powers of two, up to the limits of doubles."""
     whole, _ = VALUES[random.randrange(len(VALUES))]
     exponent = round(spread(index, -1074, 1018))
     inertia = [math.ldexp(x, exponent) for x in whole]

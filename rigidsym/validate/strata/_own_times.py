@@ -1,4 +1,4 @@
-"""Strata whose times belong to the motion: published ones, zeros of rates, quarter periods.
+"""Published motions, and times at zeros of rates and at quarter periods.
 
 A rate about the middle axis is zero where the argument of the Jacobi functions is an even number
 of quarter periods K(m), and a third one where it is an odd number; the rate about the axis that
@@ -31,7 +31,7 @@ def paper(random: Random, index: int) -> Motion:
 
 
 def paper_times(random: Random, index: int, motion: Motion) -> Floats:
-    """Return every tenth of the paper's times, and late ones: always the same, for its one case."""
+    """Return every tenth of the paper's times, and late ones."""
     return tuple(map(float, paper_case().times[::10])) + late(Random("paper"), motion, 50)
 
 
@@ -50,7 +50,7 @@ def published_motion(random: Random, index: int) -> Motion:
 
 
 def published_times(random: Random, index: int, motion: Motion) -> Floats:
-    """Return t = 0, the published times both ways, others where these are few, and late ones."""
+    """Return the published times of a motion and their negatives, and late times."""
     known = {sign * float(Fraction(t)) for t in published()[index]["times"] for sign in (-1, 1)}
     listed = (0.0, *sorted(known))
     some = (listed + turns(50)(random, index, motion)[1:])[: max(len(listed), _ENOUGH)]
@@ -58,7 +58,7 @@ def published_times(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def zeros(random: Random, index: int, motion: Motion) -> Floats:
-    """Return t = 0, and times around a zero of each rate that has any: ulps and 1e-9 of it away.
+    """Return times on both sides of zeros of the rates, from one ulp to 1e-9 away.
 
     The last zero of each rate, where an ulp is a hundredth of a radian, is enclosed by two more.
     """
@@ -83,7 +83,7 @@ def zeros(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def quarters(random: Random, index: int, motion: Motion) -> Floats:
-    """Return t = 0, and the neighbours of early and late multiples of the quarter period."""
+    """Return times on both sides of early and late multiples of the quarter period."""
     quarter, _ = _quarter_and_origin(motion)
     last = int(MAX_ANGLE / (motion.turning * float(quarter)))
     numbers = [1, random.randint(2, 8), int(last ** random.random()), int(last**0.5), last]
@@ -96,7 +96,7 @@ def quarters(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def _quarter_and_origin(motion: Motion) -> tuple[mpf, mpf]:
-    """Return the quarter period, and the time at which the argument was zero, both in s."""
+    """Return the quarter period and the time of argument zero, both in s."""
     exact = PreciseMotion(fractions(motion.inertia), fractions(motion.omega0), fractions(IDENTITY))
     known = exact.constants(("lambda_", "u", "k_c"), _DIGITS)
     with mp.workdps(_DIGITS + 5):

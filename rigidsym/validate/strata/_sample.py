@@ -1,4 +1,4 @@
-"""Strata and their samples: the types, numbers spread over ranges, and times by angle turned."""
+"""Types of strata and samples, numbers spread over ranges, and times by angle."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -26,7 +26,7 @@ _LATEST = 2.0**1023
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """Inertia (3) and rates (3), and the attitude (4) where the stratum chooses it."""
+    """Motion that a stratum draws: inertia (3), rates (3) and perhaps an attitude (4)."""
 
     inertia: Numbers
     omega0: Numbers
@@ -40,7 +40,7 @@ class Motion:
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """A case of a stratum: inertia (3), rates (3), attitude (4) and times."""
+    """Case of a stratum: inertia (3), rates (3), attitude (4) and times."""
 
     stratum: str
     index: int
@@ -72,7 +72,7 @@ Times = Callable[[Random, int, Motion], Floats]
 
 @dataclass(frozen=True, slots=True)
 class Stratum:
-    """A source of cases by index; `about` is one line that says what it covers, and how far.
+    """Source of cases by index, with a line `about` on what it covers.
 
     size: how many different cases there are, or None for any number.
     """
@@ -90,7 +90,7 @@ def fractions(values: Numbers) -> Exact:
 
 
 def stepped(sample: Sample) -> Sample:
-    """Return the sample with numbers rounded to doubles, and times halved until |omega0 t| <= 2 pi.
+    """Return the sample in doubles, with times halved until |omega0 t| <= 2 pi.
 
     A step is measured on such samples.
     """
@@ -105,7 +105,7 @@ def stepped(sample: Sample) -> Sample:
 
 
 def share(index: int, base: int = 2) -> float:
-    """Return the index-th of a sequence that fills [0, 1] evenly, both ends first.
+    """Return a term of a sequence that fills [0, 1] evenly and begins with both ends.
 
     After the ends it is van der Corput's, whose bases make independent coordinates.
 
@@ -123,22 +123,22 @@ def share(index: int, base: int = 2) -> float:
 
 
 def spread(index: int, first: float, last: float, base: int = 2) -> float:
-    """Return a number from first to last, both included, by `share`."""
+    """Return a term of a sequence that fills the interval from first to last evenly."""
     return first + (last - first) * share(index, base)
 
 
 def decade(index: int, first: float, last: float) -> float:
-    """Return a double from 10^-first to 10^-last, evenly over the decades."""
+    """Return a term of a sequence of doubles, 10^-first to 10^-last, evenly over decades."""
     return 10.0 ** -spread(index, first, last)
 
 
 def exact_decade(index: int, first: int, last: int) -> Fraction:
-    """Return an exact power of ten from 10^-first to 10^-last."""
+    """Return a term of a sequence of exact powers of ten, 10^-first to 10^-last."""
     return Fraction(1, 10 ** round(spread(index, first, last)))
 
 
 def turns(most: float) -> Times:
-    """Return a source of times: 0, evenly up to `most` rad either way, by decades, and late."""
+    """Return a function that draws early times, up to `most` rad, and late times."""
 
     def times(random: Random, index: int, motion: Motion) -> Floats:
         sign = random.choice((-1, 1))
@@ -151,14 +151,14 @@ def turns(most: float) -> Times:
 
 
 def late(random: Random, motion: Motion, first: float) -> Floats:
-    """Return times by decades from `first` rad of turning to the last allowed, and one near it."""
+    """Draw late times, from `first` rad of turning to the last allowed."""
     angles = [first * (MAX_ANGLE / first) ** random.random() for _ in range(_LATE)]
     angles.append(MAX_ANGLE * random.uniform(0.5, 1))
     return _alternating(random.choice((-1, 1)), angles, motion)
 
 
 def _alternating(sign: int, angles: Sequence[float], motion: Motion) -> Floats:
-    """Return the times at which these angles are turned, with alternating signs.
+    """Return the times at which the body has turned by these angles, with alternating signs.
 
     Times end with the doubles: rates below 1e-294 rad/s turn less far than others.
     """
