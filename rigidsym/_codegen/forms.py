@@ -14,7 +14,7 @@ FORMS = {
 
 
 def checked(form: str) -> str:
-    """Return the form; raise InputError for an unknown one."""
+    """Return a form; raise InputError for an unknown one."""
     if form not in FORMS:
         raise InputError("form", form, f"must be one of: {', '.join(FORMS)}")
     return form
@@ -36,7 +36,7 @@ def option(form: str) -> str:
 
 
 def key(target: str, form: str) -> str:
-    """Return the key of a module: its target, and its form where that is not the default."""
+    """Return the key of a module: its target, and its form unless that is the default."""
     return target if form == THETA else f"{target}-{form}"
 
 

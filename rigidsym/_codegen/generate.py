@@ -1,4 +1,4 @@
-"""`generate(target)`: the files of a numeric module, as values; writing them is separate."""
+"""Generation of the files of a numeric module."""
 
 import hashlib
 import json
@@ -16,7 +16,7 @@ from rigidsym.solution import Solution, sealed
 
 
 class Manifest(TypedDict):
-    """The module's key, a digest of all that decides it, and the digests of its files by name."""
+    """Manifest of a module: its key, its digest, and the digests of its files."""
 
     target: str
     digest: str
@@ -25,7 +25,7 @@ class Manifest(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class Generated:
-    """The files of a target by name, the map from lines to equations, and a manifest."""
+    """Generated module: files by name, the map from lines to equations, and a manifest."""
 
     files: Mapping[str, str]
     map: Mapping[str, list[Place]]
@@ -37,18 +37,18 @@ class Generated:
         return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
 
     def texts(self) -> dict[str, str]:
-        """Return every file to write, the map among them."""
+        """Return the texts of all files to write, with the map."""
         stem = str(self.manifest["target"])
         described = {"manifest": self.manifest, "lines": self.map}
         return {**self.files, f"{stem}.map.json": json.dumps(described, indent=1) + "\n"}
 
     def write(self, directory: str | Path) -> list[Path]:
-        """Write all files into a directory, each moved into place whole; returns their paths."""
+        """Write all files to a directory; return their paths."""
         return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
 
 
 def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
-    """Generate the numeric module of a target, from the sealed ledger unless a solution is given.
+    """Generate the numeric module of a target from the sealed ledger, or from a given solution.
 
     form: "theta" or "pi", in which the solution is written.  Raises InputError (a ValueError) for
     an unknown target or form.

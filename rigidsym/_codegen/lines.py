@@ -1,4 +1,4 @@
-"""Printed lines, the lets behind them, and how many lines are of each kind, in any language."""
+"""Printed lines with their lets, their comments, and counts of lines by kind."""
 
 import re
 from collections import Counter
@@ -10,7 +10,7 @@ from typing import TypedDict
 from rigidsym._codegen.forms import STEP, THETA, split
 from rigidsym._codegen.ir import KINDS, Function, Let
 
-# And what the theta form has beside them.
+# The hand-written sensitivities of the theta form.
 SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
 _COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
 MEANINGS = {
@@ -22,7 +22,7 @@ MEANINGS = {
 
 
 class Place(TypedDict):
-    """A derived line, counted from 1: what it is, its equations and facts, as JSON has them."""
+    """A derived line in the map: its number from 1, kind, equations and facts."""
 
     line: int
     kind: str
@@ -32,14 +32,14 @@ class Place(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class Lines:
-    """A piece of a module, and the let behind each line that derives from one, by its number."""
+    """Lines of a module, and the let behind each derived line, by its number."""
 
     text: tuple[str, ...]
     lets: Mapping[int, Let]
 
     @classmethod
     def plain(cls, text: str) -> "Lines":
-        """Make a piece of underived text; a line feed at its end ends the last line."""
+        """Make lines of a text that is not derived."""
         return cls(tuple(text.removesuffix("\n").split("\n")), {})
 
     def kinds(self) -> Iterator[str]:
@@ -48,7 +48,7 @@ class Lines:
 
 
 def joined(pieces: Iterable[Lines]) -> Lines:
-    """Join pieces, one after the other."""
+    """Join pieces into one."""
     text: list[str] = []
     lets: dict[int, Let] = {}
     for piece in pieces:
@@ -59,14 +59,14 @@ def joined(pieces: Iterable[Lines]) -> Lines:
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """The files of a target, the lets behind the lines of each, and the digest of it all."""
+    """Files of a target, the lets behind their lines, and the digest of all files."""
 
     files: Mapping[str, str]
     lets: Mapping[str, Mapping[int, Let]]
     digest: str
 
     def places(self) -> dict[str, list[Place]]:
-        """Return the derived lines of each file, counted from 1, with equations and facts."""
+        """Return the map of each file's derived lines."""
         return {
             name: [
                 {
@@ -82,7 +82,7 @@ class Module:
 
 
 def comment(let: Let) -> str:
-    """Return the comment of a let: its kind, its facts, then equations and references."""
+    """Return the comment of a let: kind, facts, equations and references."""
     return note(let.kind, let.facts, let.source)
 
 
@@ -98,7 +98,7 @@ def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
 
 
 def flat_results(function: Function) -> list[str]:
-    """Return the results of a function as doubles, two where one is split."""
+    """Return the names of a function's results as doubles, two where a result is split."""
     return [
         flat
         for name in function.results
@@ -120,7 +120,7 @@ RUNTIMES = {
 
 
 def shares(kinds: Iterable[str], module: str) -> str:
-    """Return how many lines of a module, given by its key, are of each kind, a row each."""
+    """Return a table of the number of lines of each kind in a module, given by its key."""
     found = Counter(kinds)
     counts = {kind: found[kind] for kind in KINDS} | {"runtime": handwritten(module)}
     whole = sum(counts.values())
@@ -132,17 +132,15 @@ def shares(kinds: Iterable[str], module: str) -> str:
 
 
 def handwritten(module: str) -> int:
-    """Count the lines that a module has from runtimes, without blank lines and comments."""
+    """Count the hand-written lines of a module, without blank lines and comments."""
     target, form = split(module)
     names = RUNTIMES.get(module if form == STEP else target, ())
     if form == THETA and target in SENSITIVITIES:
         names = (*names, SENSITIVITIES[target])
-    return sum(_lines_of_code(name, _COMMENT[target]) for name in names)
-
-
-def _lines_of_code(name: str, comment: str) -> int:
-    whole = resources.files("rigidsym._codegen").joinpath(name).read_text("utf-8")
-    code = re.sub(comment, "", whole, flags=re.DOTALL)
-    # Other files, where this one names them, are counted by themselves.
-    code = re.sub(r"@\w+\.c@", "", code)
+    texts = (
+        resources.files("rigidsym._codegen").joinpath(name).read_text("utf-8") for name in names
+    )
+    # Other files, where one names them, are counted by themselves.
+    without = re.compile(rf"{_COMMENT[target]}|@\w+\.c@", re.DOTALL)
+    code = "\n".join(without.sub("", text) for text in texts)
     return sum(bool(line.strip()) for line in code.splitlines())

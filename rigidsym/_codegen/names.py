@@ -1,4 +1,4 @@
-"""Names that several functions share: quantities by axis, and what branches have in common."""
+"""Names of quantities that several functions share."""
 
 from rigidsym.solution import _partition as partition
 from rigidsym.solution._formulas import AXES

@@ -1,4 +1,4 @@
-"""From a generated line to its facts and equations, and back, by the map that each module has."""
+"""Trace of a generated line to its facts and equations, and back, by the module's map."""
 
 import json
 import re
@@ -12,11 +12,11 @@ from rigidsym.errors import InputError
 
 
 class TraceError(LookupError):
-    """A line or an equation that has nothing behind it."""
+    """Error for a line, or an equation, that nothing can be traced to."""
 
 
 class _File(NamedTuple):
-    """A generated file, what its map tells of its lines, and the lines."""
+    """A generated file: its lines, and the map of those that are derived."""
 
     name: str
     target: str
@@ -25,7 +25,7 @@ class _File(NamedTuple):
 
 
 def _files() -> Iterator[_File]:
-    """Yield every generated file of this installation that has derived lines."""
+    """Yield the generated files of this installation that have derived lines."""
     home = resources.files("rigidsym.generated")
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
         if entry.name.endswith(".map.json"):
@@ -37,10 +37,10 @@ def _files() -> Iterator[_File]:
 
 
 def told(place: str) -> list[str]:
-    """Describe FILE:LINE, or FILE.
+    """Describe a generated line, given as FILE:LINE, or the lines of a FILE.
 
-    Of a line: its code, what it is, the facts, definitions, readings and choices of signs it is by,
-    and equations.  Of a file: how many lines are what.  Raises TraceError where nothing is derived.
+    For a line: code, kind, facts, definitions, readings, choices of signs, and equations.  For a
+    file: the numbers of lines by kind.  Raises TraceError where nothing is derived.
     """
     file, colon, number = place.rpartition(":")
     if colon and not (file and number.isdecimal()):
@@ -72,7 +72,7 @@ def _of_line(file: _File, line: int) -> list[str]:
 
 
 def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
-    """Return FILE:LINE and code for every generated line that an equation stands behind.
+    """Return FILE:LINE and code of every generated line that rests on an equation.
 
     printed: the numbers of the paper, which say whether there is such an equation.  Raises
     TraceError where there is no such line.
@@ -90,7 +90,7 @@ def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
 
 
 def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> str:
-    """Return an explanation for a number that no line names."""
+    """Return the message for a number that no line rests on."""
     shown = f"({number})" if number[:1].isdigit() else number
     if number in printed:
         others = f"; lines rest on {', '.join(traced)}"

@@ -1,4 +1,4 @@
-"""Functions of a numeric module, made of the solution's formulas in order."""
+"""Functions of a numeric module, made of the solution's formulas."""
 
 from rigidsym._codegen.functions.assembly import constants, finished, functions, stated
 

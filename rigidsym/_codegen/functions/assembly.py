@@ -1,4 +1,4 @@
-"""From the solution to the functions a target prints.
+"""Assembly of the functions that targets print.
 
 A motion's constants come from extended numbers: `_initial_state` finds the invariants and the
 descended functions at t = 0, and, by the modulus, `_circular_constants` or `_hyperbolic_constants`
@@ -31,7 +31,7 @@ from rigidsym.solution import Solution
 
 
 def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """Return all functions of a form, in an order in which each calls those before it."""
+    """Return all functions of a form; each calls only functions before it."""
     return tuple(map(finished, stated(solution, form)))
 
 
@@ -40,7 +40,7 @@ def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
 
     def cited(let: Let) -> Let:
-        """Put the equations that the facts of a line carry before its references."""
+        """Put the equations of a line's facts before its references."""
         equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
         return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
 
@@ -91,7 +91,7 @@ def _pi(solution: Solution) -> tuple[Function, ...]:
 
 
 def finished(function: Function) -> Function:
-    """Keep the lines that the results need, without powers and with common parts shared."""
+    """Drop unused lines, replace powers by products, and share common parts."""
     formulas = live(function.lets, function.results)
     done = replace(function, lets=share(products(formulas)), formulas=formulas)
     numbers = {constant.name for constant in constants() if constant.lo is not None}

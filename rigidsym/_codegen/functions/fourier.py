@@ -1,4 +1,4 @@
-"""The state by Fourier series: what is made of sn, cn, dn and psi/2 once the series are summed.
+"""The state from sn, cn, dn and psi/2 that Fourier series give.
 
 No module flies by it: `rigidsym compare-forms` runs it beside those that do.
 """
@@ -14,7 +14,7 @@ CONSTANTS = (*INERTIA, *AMPLITUDES, "K", "p_0", "p_a", "p_b", "p_d", "tau")
 
 
 def state(solution: Solution) -> Function:
-    """State rates and attitude by sn, cn, dn and psi, which the series give."""
+    """Make the function of rates and attitude, given sn, cn, dn and psi."""
     signs = tuple(sign for sign in SIGNS if sign != "rho")
     given = (*SUMMED, *CONSTANTS, *signs)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)

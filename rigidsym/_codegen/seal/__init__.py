@@ -1,4 +1,4 @@
-"""The seal: the kernel decides, formula by formula, that what is printed is what was derived.
+"""The seal: the kernel decides that the printed code is the derived code, formula by formula.
 
 Code generation selects, renames, shares, folds and multiplies out.  Each module here undoes some of
 these and compares with the ledger, or with what a special function states:
@@ -28,7 +28,7 @@ __all__ = ["is_equal", "seal", "seal_text"]
 
 
 def seal(solution: Solution, form: str = THETA) -> int:
-    """Decide every formula that generated code stands for; return how many decisions there were.
+    """Decide all formulas of the generated code with the kernel; return the number of decisions.
 
     Raises InputError, naming it, for the first formula that the lines do not give.
     """

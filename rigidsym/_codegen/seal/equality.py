@@ -26,7 +26,7 @@ DIFFERS = "what is printed is not what was derived"
 
 
 def is_equal(left: Expression, right: Expression) -> bool:
-    """Return True where two expressions are equal as rational functions of names and calls."""
+    """Return True if two expressions are equal as rational functions of names and calls."""
     if left == right:
         return True
     atoms: dict[Call, str] = {}
@@ -69,7 +69,7 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
-    """Open a ring of the kernel; its sample point consists of primes, where no unit vanishes."""
+    """Open a ring of the kernel with primes as its sample point."""
     primes = (n for n in count(101) if all(n % d for d in range(2, isqrt(n) + 1)))
     witness = dict(zip(generators, map(str, primes), strict=False))
     return Context("seal", tuple(generators), witness, units=units).open()

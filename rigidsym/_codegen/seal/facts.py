@@ -1,4 +1,4 @@
-"""Formulas that name a fact of the ledger are that fact, by the names that each function uses.
+"""Claims that each formula equals the fact of the ledger that it names.
 
 The renaming in `rigidsym._codegen` is what is decided: these tables are written down apart from it.
 """
@@ -52,13 +52,14 @@ _LAST = 5
 
 @dataclass(frozen=True, slots=True)
 class Meanings:
-    """by_context: by function and context, what the context's names are there.
+    """Tables that translate the ledger's names into those of functions.
 
-    parts: by function, formulas that are a part of their fact; `states` puts the parts together and
-    decides the whole.  made_from: the formula sequences that a function is made from: what they
-    prove is named with its fact there.  letters: modulus and complement of the functions that have
-    Landen's steps written out, by function and context.  values: by function and context, what
-    standard functions, called in a fact, are there; that they are, their bounds say.
+    by_context: by function and context, the meanings of the context's names there.  parts: by
+    function, formulas that are a part of their fact; `states` puts the parts together and decides
+    the whole.  made_from: by function, the formula sequences that it is made from; formulas that
+    these prove are named with their facts there.  letters: by function and context, modulus and
+    complement where Landen's steps are written out.  values: by function and context, the values of
+    standard functions that facts call; their proved bounds say that they are these.
     """
 
     by_context: Mapping[tuple[str, str], Names]
@@ -212,7 +213,7 @@ OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 
 
 def level(target: str, name: str, letters: tuple[str, str]) -> Names:
-    """Return the names of a Landen step that sets a target; levels are numbered from 1.
+    """Return the names on the Landen step that sets a target; levels are numbered from 1.
 
     >>> level("k_3", "k_next", ("k", "kc"))["kc"], level("s", "s", ("k", "kc"))["s_next"]
     ('kc_2', 's_2')
@@ -246,12 +247,12 @@ def claims(solution: Solution, functions: Iterable[Function], form: str = THETA)
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
-    """Return the formulas of all sequences by their facts in the ledger."""
+    """Return all formulas, keyed by their facts in the ledger."""
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
 def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
-    """Return the names that a function may set by facts of the ledger."""
+    """Return the names that a function sets and the ledger proves."""
     if place == "_ladder":
         return {f"K{n}" for n in range(landen.STEPS)}
     found = set()
@@ -264,7 +265,7 @@ def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
 
 
 def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
-    """Check that facts of a line carry the equations of the paper that it names."""
+    """Check that the facts of a line have the equations of the paper that it names."""
     for fact in let.facts:
         if fact not in ledger:
             raise InputError(place, let, f"{fact}: the ledger has no such formula")
@@ -285,7 +286,7 @@ def _claim(place: str, let: Let, formula: Formula, names: Meanings) -> Claim:
 
 
 def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    """Put the values of standard functions in place of their calls."""
+    """Replace calls of standard functions by their values."""
     if expression in values:
         return values[expression]
     return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))
@@ -293,17 +294,13 @@ def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> 
 
 def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping[str, Expression]:
     if place == "_ladder":
-        return _rung(place, let)
+        # K on a step of the ladder, by that on the step below.
+        if let.targets not in [(f"K{n}",) for n in range(landen.STEPS)]:
+            raise InputError(place, let, "is no quarter period of the ladder")
+        n = int(let.targets[0][1:])
+        said = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}
+        return {name: Name(text) for name, text in said.items()}
     said = names.by_context.get((place, formula.context), {})
     if (place, formula.context) in names.letters:
         said = level(let.targets[0], formula.name, names.letters[place, formula.context])
     return {name: parse(text) for name, text in said.items()}
-
-
-def _rung(place: str, let: Let) -> Mapping[str, Expression]:
-    """Return the names of K on a step of the ladder and on the step below."""
-    for n in range(landen.STEPS):
-        if let.targets == (f"K{n}",):
-            means = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}
-            return {name: Name(text) for name, text in means.items()}
-    raise InputError(place, let, "is no quarter period of the ladder")

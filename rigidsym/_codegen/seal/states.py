@@ -1,4 +1,4 @@
-"""Rows, gains and states together: the ledger's attitude and rates.
+"""Claims that rows, gains and states together are the ledger's attitude and rates.
 
 The constants multiply constants out; the state sums them up.  Put into each other they are the
 formulas of the ledger, where 1/N is the product of over_N and scale, Jacobi's functions are
@@ -45,7 +45,7 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Yield the claims on attitude, norm, phase and rates of each branch of the states."""
+    """Yield the claims on attitude, norm, phase and rates of each branch."""
     if form == STEP:
         return
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
@@ -79,7 +79,7 @@ def _attitude(
 def _norm(
     branch: str, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Claim:
-    """Claim that over_N times scale, both positive, squared and times W = N^2 is 1."""
+    """Return the claim (over_N scale)^2 W = 1, where both factors are positive and W = N^2."""
     scale = put(state["scale"], {"over": state["over"]})
     product = Operation("*", _squared(branch, constants["over_N"]), _squared(branch, scale))
     square = Operation("*", product, constants["W"])
@@ -87,7 +87,7 @@ def _norm(
 
 
 def _squared(place: str, positive: Expression) -> Expression:
-    """Return the square of a visibly positive expression: roots, their quotients, and 1."""
+    """Return the square of a root, of a quotient of roots, or of 1."""
     match positive:
         case Call("sqrt", (radicand,)):
             return radicand
@@ -127,7 +127,7 @@ def _rates(
 def _steady(
     solution: Solution, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Iterator[Claim]:
-    """Claim that half the angle is the phase."""
+    """Yield the claims that half the angle of constant rates is the phase."""
     ledger = by_fact(solution)
     angle = {"theta": ledger["definition steady.theta"].expression}
     phase = {n: put(parse(x), {"Lambda_rate": constants["Lambda_rate"]}) for n, x in _PHASE.items()}

@@ -1,4 +1,4 @@
-"""Structure of functions: the order of names, interfaces, and lines without what they share."""
+"""Checks of functions: order of names, interfaces, and lines after sharing is undone."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -80,18 +80,18 @@ _STEPS = {
 
 
 def check_order(functions: Iterable[Function], numbers: set[str]) -> None:
-    """Raise InputError, naming the line, for a name or a call that is out of order."""
+    """Raise InputError for the first line that uses a name or a function before it is set."""
     called: dict[str, Function] = {}
     for function in functions:
         for lets in (function.formulas, function.lets):
             _check_names(function, lets, numbers)
-            _check_use(function, lets)
             for let in lets:
                 _check_calls(function.name, let, called)
         called[function.name] = function
 
 
 def _check_names(function: Function, lets: tuple[Let, ...], numbers: set[str]) -> None:
+    """Check that every name is set once, before its use, and is used or returned."""
     known = {*function.parameters, *numbers}
     if len(set(function.parameters)) != len(function.parameters):
         raise InputError(function.name, ", ".join(function.parameters), "a name is given twice")
@@ -106,10 +106,6 @@ def _check_names(function: Function, lets: tuple[Let, ...], numbers: set[str]) -
     left = sorted(set(function.results) - known)
     if left:
         raise InputError(function.name, ", ".join(left), "is returned and never set")
-
-
-def _check_use(function: Function, lets: tuple[Let, ...]) -> None:
-    """Check that every line sets a name that is used later, or returned."""
     wanted = set(function.results)
     for let in reversed(lets):
         if not wanted.intersection(let.targets):
@@ -141,7 +137,7 @@ def _calls(expression: Expression) -> Iterator[Call]:
 
 
 def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
-    """Raise InputError for a function that is not as the runtimes expect it."""
+    """Raise InputError for a function with another interface than the runtimes expect."""
     by_name = {function.name: function for function in functions}
     if form == STEP:
         for name, (parameters, results) in _STEPS.items():
@@ -164,7 +160,7 @@ def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
 
 
 def _check_branch(branch: str, functions: Mapping[str, Function]) -> None:
-    """Check that angles take times, states take angles, and both take constants besides."""
+    """Check that angles take times, states take angles, and both take constants."""
     constants, angles, state = (
         functions[f"_{branch}_{part}"] for part in ("constants", "angles", "state")
     )
@@ -186,7 +182,7 @@ def _among(name: str, what: str, found: Iterable[str], known: Iterable[str]) -> 
 
 
 def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) -> Iterator[Claim]:
-    """Yield a claim for each formula of each function, and its lines."""
+    """Yield a claim for each formula that its lines give it."""
     for origin, function in zip(stated, functions, strict=True):
         _check_stated(origin, function)
         _check_shared(function)
@@ -204,7 +200,7 @@ def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) ->
 
 
 def _check_stated(origin: Function, function: Function) -> None:
-    """Check that formulas were left out, and nothing else was done to them."""
+    """Check that formulas are those stated, of which some may be left out."""
     later = iter(origin.lets)
     for formula in function.formulas:
         if formula not in later:
@@ -214,7 +210,7 @@ def _check_stated(origin: Function, function: Function) -> None:
 
 
 def _check_shared(function: Function) -> None:
-    """Check that a shared part names the facts of the lines that share it, and no other."""
+    """Check that a shared part names exactly the facts of the lines that use it."""
     formulas = {formula.targets[0] for formula in function.formulas}
     users: dict[str, set[str]] = {}
     for let in reversed(function.lets):

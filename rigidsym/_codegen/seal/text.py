@@ -1,8 +1,7 @@
-"""Printed files read back: text written by hand, digests, and the map of derived lines."""
+"""Checks of printed files: hand-written text, digests, and the map of derived lines."""
 
 import hashlib
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,7 +10,7 @@ from rigidsym._codegen.forms import split
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.generate import Generated
 from rigidsym._codegen.ir import KINDS
-from rigidsym._codegen.lines import Place, note
+from rigidsym._codegen.lines import note
 from rigidsym._codegen.targets import reader
 from rigidsym.errors import InputError
 from rigidsym.solution import Solution
@@ -20,7 +19,7 @@ _NOTE = re.compile(rf"(?:  # | /\* )((?:{'|'.join(KINDS)})\b.*?)(?: \*/)?$")
 
 
 def seal_text(generated: Generated, solution: Solution) -> int:
-    """Read the files of a module back; returns how many derived lines there are.
+    """Read the files of a module back; return the number of derived lines.
 
     Raises InputError, naming function or line, where one is not what the lets say or the map tells,
     where what is written by hand is not what the package brings, and where a digest is that of
@@ -35,7 +34,7 @@ def seal_text(generated: Generated, solution: Solution) -> int:
 
 @dataclass(frozen=True)
 class Between:
-    """The text of a file between two parts written by hand, and the number of its first line."""
+    """The text between two hand-written parts of a file, and the number of its first line."""
 
     file: str
     line: int
@@ -51,7 +50,7 @@ class Between:
 
 
 def between(file: str, text: str, first: str, last: str) -> Between:
-    """Return the text of a file between its first and its last part, which end with their lines.
+    """Return the text of a file between its first and its last part.
 
     Raises InputError, naming the line, where a part is not there word for word.
     """
@@ -74,7 +73,7 @@ def _check_by_hand(file: str, lines: list[str], number: int, wanted: str) -> Non
 
 
 def _check_digests(generated: Generated) -> None:
-    """Raise InputError for a digest that is not that of the files."""
+    """Raise InputError if a digest is not that of the files."""
     manifest, files = generated.manifest, dict(generated.files)
     found = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     for name in sorted({*found, *manifest["sha256"]}):
@@ -87,22 +86,13 @@ def _check_digests(generated: Generated) -> None:
 
 
 def _check_places(generated: Generated) -> None:
-    """Raise InputError, naming the line, where the map and the text differ."""
-    for name, text in generated.files.items():
-        told = {place["line"]: place for place in generated.map.get(name, ())}
-        _check_comments(name, text.split("\n"), told)
-
-
-def _check_comments(file: str, lines: list[str], told: Mapping[int, Place]) -> None:
-    noted = {number: _note(line) for number, line in enumerate(lines, 1) if _note(line)}
-    for number in sorted({*noted, *told}):
-        place = told.get(number)
-        said = note(place["kind"], place["facts"], place["equations"]) if place else "no line"
-        if said != noted.get(number, ""):
-            raise InputError(f"{file}:{number}", said, f"the line says {noted.get(number)}")
-
-
-def _note(line: str) -> str:
-    """Return the comment behind a line of code."""
-    found = _NOTE.search(line)
-    return found[1] if found else ""
+    """Raise InputError for the first line whose comment and map differ."""
+    for file, text in generated.files.items():
+        told = {place["line"]: place for place in generated.map.get(file, ())}
+        found = {number: _NOTE.search(x) for number, x in enumerate(text.split("\n"), 1)}
+        noted = {number: match[1] for number, match in found.items() if match}
+        for number in sorted({*noted, *told}):
+            place = told.get(number)
+            said = note(place["kind"], place["facts"], place["equations"]) if place else "no line"
+            if said != noted.get(number, ""):
+                raise InputError(f"{file}:{number}", said, f"the line says {noted.get(number)}")

@@ -23,18 +23,16 @@ def series_tail() -> Fraction:
 
 
 def constants() -> list[Constant]:
-    """Return 1/3, 1/5, ... as they are used."""
-    odd = [2 * n + 1 for n in range(1, _TERMS)]
-    return [_constant(f"over_{n}", Fraction(1, n), f"1/{n}", n <= 2 * _EXTENDED + 1) for n in odd]
-
-
-def _constant(name: str, value: Fraction, meaning: str, extended: bool) -> Constant:
-    hi = float(value)
-    return Constant(name, hi, float(value - Fraction(hi)) if extended else None, meaning)
+    """Return the named numbers 1/3, 1/5, ... of the series."""
+    found = []
+    for n in range(3, 2 * _TERMS, 2):
+        rest = float(Fraction(1, n) - Fraction(1 / n)) if n <= 2 * _EXTENDED + 1 else None
+        found.append(Constant(f"over_{n}", 1 / n, rest, f"1/{n}"))
+    return found
 
 
 def half_turns() -> Function:
-    """Return theta/pi where s = sin(theta), c = cos(theta) >= 0."""
+    """Make the function of theta/pi, given s = sin(theta) and c = cos(theta) >= 0."""
     lets = [let("t1 = s/(1 + c)", "DLMF 4.21.28")]
     lets += [let(f"t{k + 1} = t{k}/(1 + sqrt(1 + t{k}*t{k}))", "DLMF 4.21.28") for k in range(1, 4)]
     lets += _series("t4", "-", ARCTAN)
@@ -44,7 +42,7 @@ def half_turns() -> Function:
 
 
 def logarithm() -> Function:
-    """Return log x for x > 0."""
+    """Make the function log x for x > 0."""
     lets = [
         let("e = exponent(x)", "DLMF 4.8"),
         let("f = sqrt(mantissa(x))", "DLMF 4.8"),
@@ -57,7 +55,7 @@ def logarithm() -> Function:
 
 
 def _series(variable: str, sign: str, source: str) -> list[Let]:
-    """Return 1 +- z/3 + z^2/5 +- ..., z the square of the variable."""
+    """State 1 +- z/3 + z^2/5 +- ..., where z is the square of the variable."""
     names = [f"over_{2 * n + 1}" for n in range(1, _TERMS)]
     return [
         let(

@@ -1,4 +1,4 @@
-"""The integral of the third kind by Carlson's R_J, in doubles and a fixed number of duplications.
+"""The integral of the third kind by Carlson's R_J with a fixed number of duplications.
 
     integral of s^2/(1 - n s^2) du = (s^3/3) R_J(c^2, d^2, 1, 1 - n s^2)        (DLMF 19.25.14)
 
@@ -23,7 +23,10 @@ _DOUBLING, _TAYLOR, _ELEMENTARY = "DLMF 19.36.1", "DLMF 19.36.2", "DLMF 19.2.17"
 
 
 def third_kind() -> Function:
-    """State (s^3/3) R_J(c^2, d^2, 1, p) of c, d, p > 0; spread is (p - c^2)(p - d^2)(p - 1)/s^6."""
+    """Make the function (s^3/3) R_J(c^2, d^2, 1, p) for c, d, p > 0.
+
+    spread: (p - c^2)(p - d^2)(p - 1)/s^6.
+    """
     lets = [
         let("square = s*s", "DLMF 19.25.14"),
         let("e_0 = spread*(square*(square*square))", _DOUBLING),
@@ -46,7 +49,7 @@ def third_kind() -> Function:
 
 
 def _duplication(n: int) -> list[Let]:
-    """State one step: roots, the addition by R_C, and the next x, y, z, p and mean."""
+    """State one duplication: roots, the addition by R_C, and the next x, y, z, p and mean."""
     roots = [let(f"root_p_{n} = sqrt(p_{n})", _DOUBLING)]
     names = {"x": "c", "y": "d", "z": "1"} if n == 0 else {x: f"root_{x}_{n}" for x in "xyz"}
     if n:
@@ -74,7 +77,7 @@ def _arctangent(variable: str, terms: int) -> str:
 
 
 def _taylor() -> list[Let]:
-    """State the rest of R_J, over 3: the series in the elementary symmetric functions E."""
+    """State the remainder of R_J, over 3, as a series in elementary symmetric functions."""
     share, mean = 4**STEPS, f"mean_{STEPS}"
     return [
         let(f"scale = 1/({share}*{mean})", _TAYLOR),

@@ -27,7 +27,7 @@ _NAMES = [f"exponential_{k}" for k in range(TERMS)]
 
 
 def function() -> Function:
-    """State e^x for x <= 0, and 0 below -708, without branches, so that loops vectorise."""
+    """Make the function e^x for x <= 0 without branches, so that loops vectorise."""
     lets = (
         let("bounded = choose(least, x, x, least)", "DLMF 4.8"),
         let("n = nearest(bounded*log_2_inverse)", "DLMF 4.8"),
@@ -40,7 +40,7 @@ def function() -> Function:
 
 
 def constants() -> list[Constant]:
-    """Return the coefficients, and log 2 in two parts."""
+    """Return the named numbers: coefficients, and log 2 in two parts."""
     with mpmath.workdps(DIGITS):
         short = mpmath.floor(mpmath.ln2 * 2**_SHORT) / 2**_SHORT
         numbers = {
@@ -67,7 +67,7 @@ def coefficients(count: int) -> tuple[float, ...]:
 
 
 def bound(terms: Sequence[float]) -> float:
-    """Bound |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r."""
+    """Return a bound of |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r."""
     return distance(
         terms,
         lambda k: arb(1) / factorial(k + 3),

@@ -23,7 +23,7 @@ _MEANS_SOURCE = "DLMF 19.8.6"
 
 
 def modulus_left(steps: int = STEPS) -> Fraction:
-    """Bound the square of the modulus after the last step: k_next <= (k/(1 + kc))^2."""
+    """Bound the square of the modulus after the last step."""
     # k_next <= k^2/4/(1 - k^2/4)^2 follows from kc >= 1 - k^2, in rational numbers.
     k = Fraction(70711, 100000)
     for _ in range(steps):
@@ -32,14 +32,14 @@ def modulus_left(steps: int = STEPS) -> Fraction:
 
 
 def step(solution: Solution) -> Function:
-    """State one step, by the formulas of the ledger."""
+    """Make the function of one step, by the formulas of the ledger."""
     lets = select(solution.sequences["landen"], _AFTER, ())
     summary = "One step of Landen's descending transformation."
     return Function("_landen", summary, _GIVEN, lets, _AFTER, frozenset(_GIVEN))
 
 
 def ladder() -> Function:
-    """State all steps, and the quarter period upwards from the bottom, where it is pi/2."""
+    """Make the function of all steps down, and of the quarter period, which is pi/2 there."""
     lets, names = [], dict(zip(_GIVEN, _GIVEN, strict=True))
     for number in range(1, STEPS + 1):
         after = {name: f"{name}{number}" for name in _GIVEN}
@@ -61,7 +61,7 @@ def ladder() -> Function:
 
 
 def complete() -> Function:
-    """State K(k^2) and the sum of Q, by k' and 1 - n; for k' = 0 the numbers are not used."""
+    """Make the function of K(k^2) and the sum of Q, given k' and 1 - n."""
     lets: list[Let] = []
     for n in range(MEANS):
         lets += _mean_step(n)
@@ -74,14 +74,12 @@ def complete() -> Function:
 
 
 def _mean_step(n: int) -> list[Let]:
-    """State the means of a and g, and the next p and Q."""
+    """State one step: the means of a and g, and the next p and Q."""
     a, g, p, last = (f"{name}_{n}" for name in ("a", "g", "p", "Q"))
     if n == 0:
         a, g, p, last = "1", "kc", "sqrt(path)", "1"
     lets = [
-        let(f"product_{n} = {a}*{g}", _MEANS_SOURCE)
-        if n
-        else let(f"product_{n} = kc", _MEANS_SOURCE),
+        let(f"product_{n} = {a}*{g}" if n else "product_0 = kc", _MEANS_SOURCE),
         let(f"square_{n} = {p}*{p}" if n else "square_0 = path", _MEANS_SOURCE),
         let(f"sum_{n} = square_{n} + product_{n}", _MEANS_SOURCE),
         let(f"Q_{n + 1} = {last}*((square_{n} - product_{n})/sum_{n})/2", _MEANS_SOURCE),

@@ -1,4 +1,4 @@
-"""The nome by its series in (1 - root k')/(1 + root k')/2, one Landen step further down.
+"""The nome by its series, one Landen step further down.
 
 q(k_next) = q(k)^2, and with e = k^2/(2 (1 + k') (1 + root k')^2) at that level
 

@@ -14,7 +14,7 @@ _PIECES = 64
 
 
 def linear(terms: Mapping[str, int]) -> str:
-    """Return the sum of coefficient times name; the name "1" stands for the number.
+    """Return the text of a sum of names times whole numbers; the name "1" stands for the number.
 
     >>> linear({"1": 1, "a": -4, "b": 1, "c": 0})
     '1 - 4*a + b'
@@ -33,7 +33,7 @@ def linear(terms: Mapping[str, int]) -> str:
 
 
 def horner(variable: str, coefficients: Sequence[str]) -> str:
-    """Return the polynomial with these coefficients, lowest first.
+    """Return the text of a polynomial in nested form; coefficients are lowest first.
 
     >>> horner("x", ["a", "b", "c"])
     'a + x*(b + x*c)'
@@ -62,7 +62,7 @@ def distance(
     length: int = 30,
     weight: Callable[[arb], arb] = abs,
 ) -> float:
-    """Bound weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
+    """Return a bound of weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
 
     `weight` takes a ball of x.  Terms of the series fall by half at least from `length` on; the
     rest is expanded about the middles of pieces, in balls.

@@ -22,7 +22,7 @@ _RANGE = Fraction(0), _FARTHEST**2
 
 
 def constants() -> list[Constant]:
-    """Return the coefficients of the polynomials."""
+    """Return the named coefficients of the polynomials for sine and cosine."""
     series = (
         (_SINE, sine_coefficients(TERMS), "sin(pi f)/f"),
         (_COSINE, cosine_coefficients(TERMS), "cos(pi f)"),
@@ -118,7 +118,7 @@ def _near(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
 
 
 def sine_bound(coefficients: Sequence[float]) -> float:
-    """Bound |f (pi + z S(z)) - sin(pi f)|."""
+    """Return a bound of |f (pi + z S(z)) - sin(pi f)|."""
     return distance(
         coefficients,
         lambda k: _taylor(2 * k + 3),
@@ -128,7 +128,7 @@ def sine_bound(coefficients: Sequence[float]) -> float:
 
 
 def cosine_bound(coefficients: Sequence[float]) -> float:
-    """Bound |1 + z C(z) - cos(pi f)|."""
+    """Return a bound of |1 + z C(z) - cos(pi f)|."""
     return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
 
 

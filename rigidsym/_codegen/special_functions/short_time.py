@@ -1,4 +1,4 @@
-"""X, Y and J of a step for short times, by their Taylor series.
+"""Taylor series of X, Y and J for the short times from which a step is doubled.
 
 X' = Y and Y' = -e_1 X + 2 e_2 X^3 give X/t and Y as series in a = e_1 t^2 and b = e_2 t^4.  J, the
 integral of X^2/(1 - nu X^2) dt, is one in x = X^2 by 1/Y (Legendre's, DLMF 18.12.11) and the

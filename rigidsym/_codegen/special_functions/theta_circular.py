@@ -10,7 +10,9 @@ the rates and N^2 (Watson's identity).  h+ < 1 since b is below a quarter of the
 Q < 0.208, so p_8 is below 2^-62.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+
+from flint import fmpz_poly
 
 from rigidsym._codegen.ir import Let, let
 from rigidsym._codegen.special_functions.polynomials import horner, linear
@@ -21,7 +23,7 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.4"), "DLMF 20.7.14"
 
 
 def powers() -> list[Let]:
-    """Return p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
+    """State p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
     lets = [let("up1 = h_plus", *_SERIES), let("down1 = h_minus", *_SERIES)]
     lets += [let("step_up1 = h_plus*Q", *_SERIES), let("step_down1 = h_minus*Q", *_SERIES)]
     for k in range(2, SECULAR + 1):
@@ -35,7 +37,7 @@ def powers() -> list[Let]:
 
 
 def zeta() -> list[Let]:
-    """Return zeta = Im theta_4'/theta_4 at v = -i b, over the quarter period."""
+    """State zeta, which is g times Im theta_4'/theta_4 at v = -i b."""
     even = range(2, SECULAR + 1, 2)
     slope = linear({f"d{k}": -((-1) ** (k // 2)) * k for k in even})
     value = linear({"1": 1} | {f"p{k}": (-1) ** (k // 2) for k in even})
@@ -43,13 +45,14 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """Return the coefficients of the polynomials in x, from p_k, d_k and Q."""
+    """State the coefficients of the polynomials in x, from p_k, d_k and Q."""
     even, odd = range(2, STATE + 1, 2), range(1, STATE + 1, 2)
     signs = {k: (-1) ** (k // 2) for k in range(STATE + 1)}
-    cosines = {"1": _chebyshev(0)} | {f"p{k}": _scaled(_chebyshev(k // 2), signs[k]) for k in even}
-    sines = {f"d{k}": _scaled(_second(k // 2 - 1), 2 * signs[k]) for k in even}
-    odd_sines = {f"p{k}": _scaled(_over_sine(k // 2), signs[k]) for k in odd}
-    odd_cosines = {f"d{k}": _scaled(_over_cosine(k // 2), -signs[k]) for k in odd}
+    cosines = {"1": _cosine(0)} | {f"p{k}": signs[k] * _cosine(k // 2) for k in even}
+    sines = {f"d{k}": 2 * signs[k] * fmpz_poly.chebyshev_u(k // 2 - 1) for k in even}
+    odd_sines = {f"p{k}": signs[k] * _odd_sine(k // 2) for k in odd}
+    # cos (2n+1)v / cos v is (-1)^n sin (2n+1)v / sin v of -x.
+    odd_cosines = {f"d{k}": -_odd_sine(k // 2)(fmpz_poly([0, -1])) for k in odd}
     return [
         *_table("T4_re", cosines),
         *_table("T4_im", sines, "rho"),
@@ -60,25 +63,24 @@ def coefficients() -> list[Let]:
 
 
 def rates() -> list[Let]:
-    """Return theta_1 to theta_4 of real v and nome Q, the first two over 2 Q^(1/4)."""
-    lets = [let("Q2 = Q*Q", *_SERIES), let("Q4 = Q2*Q2", *_SERIES), let("Q6 = Q4*Q2", *_SERIES)]
-    lets += [let("Q9 = Q4*Q4*Q", *_SERIES), let("Q12 = Q6*Q6", *_SERIES)]
-    lets += [let("Q16 = Q12*Q4", *_SERIES), let("Q20 = Q16*Q4", *_SERIES)]
-    even = {"1": _chebyshev(0), "Q4": _scaled(_chebyshev(2), 2), "Q16": _scaled(_chebyshev(4), 2)}
-    odd = {"Q": _scaled(_chebyshev(1), 2), "Q9": _scaled(_chebyshev(3), 2)}
-    sines = {
-        name: _scaled(_over_sine(n), (-1) ** n)
-        for n, name in enumerate(("1", "Q2", "Q6", "Q12", "Q20"))
-    }
-    lets += _table("even", {name: row[::2] for name, row in even.items()})
-    lets += _table("odd", {name: row[1::2] for name, row in odd.items()})
-    lets += _table("sine_even", {name: row[::2] for name, row in sines.items()})
-    lets += _table("sine_odd", {name: row[1::2] for name, row in sines.items()})
-    return lets
+    """State the coefficients of theta_1 to theta_4 in x, for real v and nome Q."""
+    powers = {2: "Q*Q", 4: "Q2*Q2", 6: "Q4*Q2", 9: "Q4*Q4*Q", 12: "Q6*Q6", 16: "Q12*Q4"}
+    powers |= {20: "Q16*Q4"}
+    even = {"1": _cosine(0), "Q4": 2 * _cosine(2), "Q16": 2 * _cosine(4)}
+    odd = {"Q": 2 * _cosine(1), "Q9": 2 * _cosine(3)}
+    names = enumerate(("1", "Q2", "Q6", "Q12", "Q20"))
+    sines = {name: (-1) ** n * _odd_sine(n) for n, name in names}
+    return [
+        *(let(f"Q{n} = {product}", *_SERIES) for n, product in powers.items()),
+        *_table("even", even, step=2),
+        *_table("odd", odd, first=1, step=2),
+        *_table("sine_even", sines, step=2),
+        *_table("sine_odd", sines, first=1, step=2),
+    ]
 
 
 def at_zero() -> list[Let]:
-    """Return theta_2, theta_3, theta_4 of zero, nome Q; theta_2 over 2 Q^(1/4)."""
+    """State theta_2 / 2 Q^(1/4), theta_3 and theta_4 of zero, nome Q."""
     return [
         let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2"),
         let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3"),
@@ -89,7 +91,7 @@ def at_zero() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """State the values at zero, and theta_3 of i b, nome Q."""
+    """State thetas of zero, and theta_3 of i b, nome Q."""
     lets = at_zero()
     # e^(2 n b) Q^(n^2) = Q^(n^2 - n) h_plus^(2 n)
     lets += [let("h2_plus = h_plus*h_plus", _WATSON), let("h2_minus = h_minus*h_minus", _WATSON)]
@@ -101,7 +103,7 @@ def constants() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """State all thetas of a state, by sin v and cos v."""
+    """State all thetas of a state from sin v and cos v."""
     return [
         *argument(),
         let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
@@ -113,7 +115,7 @@ def values() -> list[Let]:
 
 
 def argument() -> list[Let]:
-    """Return cos 2v, and its square."""
+    """State x = cos 2v, and its square."""
     return [
         let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
         let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
@@ -121,7 +123,7 @@ def argument() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """Return theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
+    """State theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
     return [
         let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
         let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
@@ -135,7 +137,7 @@ def rate_values() -> list[Let]:
 
 
 def names(form: str) -> list[str]:
-    """Return the coefficients of one polynomial, lowest first."""
+    """Return the names of a polynomial's coefficients, lowest first."""
     return [f"{form}_{j}" for j in range(_LENGTHS[form])]
 
 
@@ -145,49 +147,31 @@ _LENGTHS = {
 }
 
 
-def _table(form: str, rows: Mapping[str, Sequence[int]], factor: str = "") -> list[Let]:
-    """State the coefficient of each power of x: a sum of symbols times whole numbers."""
+def _table(
+    form: str, rows: Mapping[str, fmpz_poly], factor: str = "", first: int = 0, step: int = 1
+) -> list[Let]:
+    """State the coefficients of a polynomial in x, or of its even or odd powers alone.
+
+    rows: the polynomial that each symbol multiplies.
+    """
     lets = []
     for j, name in enumerate(names(form)):
-        text = linear({symbol: row[j] if j < len(row) else 0 for symbol, row in rows.items()})
+        text = linear({symbol: int(row[first + step * j]) for symbol, row in rows.items()})
         lets.append(let(f"{name} = {f'{factor}*({text})' if factor else text}", *_SERIES))
     return lets
 
 
-def _scaled(row: Sequence[int], factor: int) -> list[int]:
-    return [factor * value for value in row]
+def _cosine(n: int) -> fmpz_poly:
+    """Return cos 2nv as a polynomial in x."""
+    return fmpz_poly.chebyshev_t(n)
 
 
-def _chebyshev(n: int) -> list[int]:
-    """Return cos 2nv in powers of x."""
-    return _recurrence([1], [0, 1], n)
-
-
-def _second(n: int) -> list[int]:
-    """Return sin 2(n+1)v / sin 2v in powers of x."""
-    return _recurrence([1], [0, 2], n)
-
-
-def _over_sine(n: int) -> list[int]:
-    """Return sin (2n+1)v / sin v in powers of x."""
-    return _recurrence([1], [1, 2], n)
-
-
-def _over_cosine(n: int) -> list[int]:
-    """Return cos (2n+1)v / cos v in powers of x."""
-    return _recurrence([1], [-1, 2], n)
-
-
-def _recurrence(before: list[int], after: list[int], n: int) -> list[int]:
-    """Return the n-th of the polynomials with P_(n+1) = 2 x P_n - P_(n-1)."""
-    for _ in range(n):
-        doubled = [0, *(2 * value for value in after)]
-        longer = [*before, *[0] * (len(doubled) - len(before))]
-        before, after = after, [a - b for a, b in zip(doubled, longer, strict=True)]
-    return before
+def _odd_sine(n: int) -> fmpz_poly:
+    """Return sin (2n+1)v / sin v as a polynomial in x."""
+    return fmpz_poly.chebyshev_u(n) + (fmpz_poly.chebyshev_u(n - 1) if n else 0)
 
 
 def series_tail() -> float:
-    """Bound what a state leaves out of its thetas: twice the first term, p_8 or Q^25."""
+    """Bound the truncation error of thetas by twice the first omitted term, p_8 or Q^25."""
     largest = 0.208
     return 2 * max(2 * largest ** (STATE * (STATE + 1) // 2), 2 * largest**25)

@@ -23,7 +23,7 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.2"), "DLMF 20.7.14"
 
 
 def multiples() -> list[Let]:
-    """Return C_n and S_n from cos_a and sin_a."""
+    """State C_n and S_n from cos_a and sin_a."""
     lets = [let("C_0 = cos_a", *_SERIES), let("S_0 = sin_a", *_SERIES)]
     lets.append(let("turn = 2*(1 - 2*(sin_a*sin_a))", "DLMF 4.21.27"))
     lets += [let("C_1 = (turn - 1)*C_0", *_SERIES), let("S_1 = (turn + 1)*S_0", *_SERIES)]
@@ -34,19 +34,14 @@ def multiples() -> list[Let]:
 
 
 def powers() -> list[Let]:
-    """State the powers q^2, q^4, ... of the nome that are used."""
-    lets = [
-        let("nome2 = nome*nome", *_SERIES),
-        let("nome4 = nome2*nome2", *_SERIES),
-        let("nome6 = nome4*nome2", *_SERIES),
-    ]
-    lets += [let("nome8 = nome4*nome4", *_SERIES), let("nome12 = nome8*nome4", *_SERIES)]
-    lets += [let("nome20 = nome12*nome8", *_SERIES), let("nome30 = nome20*nome8*nome2", *_SERIES)]
-    return lets
+    """State the powers of the nome that are used."""
+    products = {2: "nome*nome", 4: "nome2*nome2", 6: "nome4*nome2", 8: "nome4*nome4"}
+    products |= {12: "nome8*nome4", 20: "nome12*nome8", 30: "nome20*nome8*nome2"}
+    return [let(f"nome{n} = {product}", *_SERIES) for n, product in products.items()]
 
 
 def zeta() -> list[Let]:
-    """Return zeta = -theta_2'/theta_2 at a, times the scale gc of the argument."""
+    """State zeta, which is -gc theta_2'/theta_2 at a."""
     falling = ("nome2", "nome6", "nome12", "nome20", "nome30")
     slope = "S_0 + " + " + ".join(f"{2 * n + 1}*{q}*S_{n}" for n, q in enumerate(falling, 1))
     value = "C_0 + " + " + ".join(f"{q}*C_{n}" for n, q in enumerate(falling, 1))
@@ -54,7 +49,7 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """Return q^(n^2) C_n and -rho q^(n^2) S_n, and q^(2 n^2)."""
+    """State q^(n^2) C_n and -rho q^(n^2) S_n."""
     lets = [let("re_0 = C_0", *_SERIES), let("im_0 = -(rho*S_0)", *_SERIES)]
     for n, power in enumerate(("nome", "nome4", "nome8*nome"), 1):
         lets.append(let(f"re_{n} = {power}*C_{n}", *_SERIES))
@@ -63,7 +58,7 @@ def coefficients() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """State thetas of zero (theta_2 over 2 q^(1/2)) and theta_3 of 2 a, nome q^2."""
+    """State thetas of zero, and theta_3 of 2 a, nome q^2."""
     return [
         *at_zero(),
         let("twice = turn*turn - 2", "DLMF 4.21.27"),
@@ -74,7 +69,7 @@ def constants() -> list[Let]:
 
 
 def at_zero() -> list[Let]:
-    """Return theta_2, theta_3, theta_4 of zero, nome q^2, the first over 2 q^(1/2)."""
+    """State theta_2 / 2 q^(1/2), theta_3 and theta_4 of zero, nome q^2."""
     return [
         let("two = 1 + nome4 + nome12", "DLMF 20.2.2"),
         let("three = 1 + 2*nome2 + 2*nome8 + 2*(nome12*nome6)", "DLMF 20.2.3"),
@@ -83,7 +78,7 @@ def at_zero() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """State all thetas of a state, by w, p and sgn(y)."""
+    """State all thetas of a state from w, p and sgn(y)."""
     lets = [
         let("p2 = p*p", *_SERIES),
         let("qw = nome*w", *_SERIES),
@@ -119,7 +114,7 @@ def values() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """State theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|, by w, p2, qw2, sgn(y)."""
+    """State theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|."""
     return [
         let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
@@ -137,7 +132,7 @@ def rate_values() -> list[Let]:
 
 
 def series_tail() -> Fraction:
-    """Bound what a state leaves out of each theta, over q^(1/4) e^|y| as above.
+    """Bound the truncation error of each theta over q^(1/4) e^|y|.
 
     The n-th term is at most q^(n^2) (p^n + w (q w)^n) <= 2 q^(n^2); these fall by q^(2 STATE + 1)
     at least from n = STATE on.  The thetas of nome q^2 leave out less, 2 (q^18 + 2 q^24) at most.

@@ -1,4 +1,4 @@
-"""The languages that modules are written in: one folder each, with all that is its own.
+"""Targets: one folder for each language that modules are printed in.
 
 The folder of a target `x` has
 
