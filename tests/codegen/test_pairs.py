@@ -1,4 +1,4 @@
-"""The arithmetic of pairs that modules have written by hand, against exact arithmetic.
+"""The hand-written double-double arithmetic of modules, against exact arithmetic.
 
 Sums and products of two doubles are exact to the last bit: on drawn and extreme doubles, and, by
 the very same text, on all numbers of small precisions.  Of pairs, u = 2^-53, relative errors are
@@ -8,6 +8,7 @@ products (3 u^2), 15 u^2 for quotients (3 u^2), 25/8 u^2 for roots.
 
 import ctypes
 import math
+import operator
 import random
 from fractions import Fraction
 from functools import partial
@@ -21,26 +22,26 @@ from rigidsym._codegen.targets.numpy import double_double
 from rigidsym._codegen.targets.numpy.double_double import _DoubleDouble
 
 U2 = Fraction(1, 2**106)
-# What is computed of x and y, and its relative error in units of u^2; of `_xd`, y is a double.
+# An operation on x and y, and its relative error in units of u^2; of `_xd`, y is a double.
 EXACT = {
-    "add_xx": (lambda x, y: x + y, 3),
-    "add_xd": (lambda x, y: x + y, 2),
-    "sub_xx": (lambda x, y: x - y, 3),
-    "mul_xx": (lambda x, y: x * y, 5),
-    "mul_xd": (lambda x, y: x * y, 3),
-    "div_xx": (lambda x, y: x / y, 15),
-    "div_xd": (lambda x, y: x / y, 3),
-    "root": (None, Fraction(25, 8)),
-    "sum": (lambda x, y: x + y, 0),
-    "quick_sum": (lambda x, y: x + y, 0),
-    "product": (lambda x, y: x * y, 0),
+    "add_xx": (operator.add, 3),
+    "add_xd": (operator.add, 2),
+    "sub_xx": (operator.sub, 3),
+    "mul_xx": (operator.mul, 5),
+    "mul_xd": (operator.mul, 3),
+    "div_xx": (operator.truediv, 15),
+    "div_xd": (operator.truediv, 3),
+    "root": (lambda x, _: double_double._sqrt(x), Fraction(25, 8)),
+    "sum": (operator.add, 0),
+    "quick_sum": (operator.add, 0),
+    "product": (operator.mul, 0),
 }
 NAMES = list(EXACT)  # numbered as in pairs.c
 DRAWN = 2000
 
 
 def significand(draw):
-    """53 bits in [1, 2): any, few of them set, or few of them not."""
+    """Return 53 bits in [1, 2): any, few of them set, or few of them not."""
     bits = draw.choice(
         [
             draw.getrandbits(52),
@@ -52,7 +53,7 @@ def significand(draw):
 
 
 def pair(draw, reach=60):
-    """hi and lo, |lo| <= ulp(hi)/2, to the very half where hi is even."""
+    """Return hi and lo, |lo| <= ulp(hi)/2, to the very half where hi is even."""
     hi = math.ldexp(significand(draw), draw.randint(-reach, reach))
     half = math.ulp(hi) / 2
     lo = draw.choice([0.0, half, -half, half * 2.0**-40, draw.uniform(-half, half)])
@@ -61,7 +62,7 @@ def pair(draw, reach=60):
 
 
 def drawn(seed=1):
-    """Rows of two pairs: of any sizes, and of those where sums cancel."""
+    """Return rows of two pairs: of any sizes, and of sizes where sums cancel."""
     draw = random.Random(seed)
     rows = []
     for _ in range(DRAWN):
@@ -75,7 +76,7 @@ def drawn(seed=1):
 
 
 def extremes(least, most):
-    """Doubles at the ends of binades between two exponents, and zero."""
+    """Return doubles at the ends of binades between two exponents, and zero."""
     found = [0.0]
     for e in sorted({least, least + 1, least + 52, -54, -53, -1, 0, 1, 52, 53, 54, most - 1, most}):
         x = math.ldexp(1.0, e)
@@ -98,50 +99,39 @@ class InPython:
     def __init__(self, whole):
         self.whole = whole
 
-    def pairs(self, name, rows):
-        columns = np.array(rows).T
-        if self.whole:
-            with np.errstate(all="ignore"):
-                return list(zip(*map(np.ndarray.tolist, self._pairs(name, *columns)), strict=True))
-        return [self._pairs(name, *row) for row in rows]
-
-    def _pairs(self, name, *row):
+    def _run(self, function, rows):
         if not self.whole:
-            row = map(float, row)
-        a, b, c, d = row
-        x, y = _DoubleDouble(a, b), _DoubleDouble(c, d)
-        match name:
-            case "sum":
+            return [function(*map(float, row)) for row in rows]
+        with np.errstate(all="ignore"):
+            return np.transpose(function(*np.array(rows).T)).tolist()
+
+    def pairs(self, name, rows):
+        def found(a, b, c, d):
+            if name == "sum":
                 return double_double._two_sum(a, c)
-            case "product":
+            if name == "product":
                 return a * c, double_double._product_error(a, c, a * c)
-            case "quick_sum":
+            if name == "quick_sum":
                 z = double_double._quick_sum(a, c)
-            case "root":
-                z = double_double._sqrt(x)
-            case _:
-                other = c if name.endswith("_xd") else y
-                z = {"add": x.__add__, "sub": x.__sub__, "mul": x.__mul__, "div": x.__truediv__}[
-                    name[:3]
-                ](other)
-        return z.hi, z.lo
+            else:
+                y = c if name.endswith("_xd") else _DoubleDouble(c, d)
+                z = EXACT[name][0](_DoubleDouble(a, b), y)
+            return z.hi, z.lo
+
+        return self._run(found, rows)
 
     def exponents(self, values):
-        if self.whole:
-            return double_double._exponent(_DoubleDouble(np.array(values))).tolist()
-        return [double_double._exponent(_DoubleDouble(x)) for x in values]
+        return self._run(lambda x: double_double._exponent(_DoubleDouble(x)), [[x] for x in values])
 
     def nearest(self, values):
-        if self.whole:
-            return double_double._nearest(np.array(values)).tolist()
-        return [double_double._nearest(x) for x in values]
+        return self._run(double_double._nearest, [[x] for x in values])
 
     def alternating(self, values):
         return [float(double_double._alternating(x)) for x in values]
 
 
 class InC:
-    """The C source's, of one build."""
+    """The C source's arithmetic, in one build."""
 
     def __init__(self, library):
         self._c = ctypes.CDLL(str(library))
@@ -177,7 +167,7 @@ MACHINES = ["arrays", "floats", "native", *(["x86-64"] if X86 else [])]
 
 @pytest.fixture(scope="module", params=MACHINES)
 def machine(request, here):
-    """NumPy's arrays, Python's floats, and C with fused multiply-add, if there is, and without."""
+    """Return NumPy's arrays, Python's floats, and C with and without fused multiply-add."""
     if request.param in ("arrays", "floats"):
         return InPython(request.param == "arrays")
     gcc = needed("gcc")
@@ -186,13 +176,13 @@ def machine(request, here):
 
 
 def check_all(name, rows, machine):
-    """All results of an operation."""
+    """Check all results of an operation."""
     for row, found in zip(rows, machine.pairs(name, rows), strict=True):
         check(name, row, found)
 
 
 def check(name, row, found):
-    """One result: its relative error is below the bound, and its halves do not overlap."""
+    """Check the relative error of a result, and that its halves do not overlap."""
     compute, bound = EXACT[name]
     a, b, c, d = map(Fraction, row)
     hi, lo = found
