@@ -1,4 +1,4 @@
-"""The C compilers at hand, gcc and clang, and what they build of the C target: objects, libraries.
+"""C compilers at hand, gcc and clang, and their builds of the C target.
 
 Files are named by a digest of all that they are made from, so that the tests of a run share them.
 """
@@ -55,7 +55,7 @@ RATES, ATTITUDE = (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0)
 
 @dataclass(frozen=True, slots=True)
 class Compiler:
-    """A command, and how it spells the processors of a build."""
+    """A compiler: its name, its command, and its spelling of processors."""
 
     name: str
     command: tuple[str, ...]
@@ -125,7 +125,7 @@ def _included(path: Path) -> str:
 
 
 def written(here: Path) -> None:
-    """Write the generated files of every form and ours into a directory, and what has no lets."""
+    """Write the C sources of all forms, their arithmetic alone, and those of tests to a folder."""
     for form in forms.FORMS:
         generate("c", form=form).write(here)
     (here / "arithmetic.c").write_text(module.source_first(forms.THETA), "utf-8")
@@ -134,7 +134,7 @@ def written(here: Path) -> None:
 
 
 class Library:
-    """The functions of a module's build on arrays, by Python's calls of its header."""
+    """A compiled module, called with sequences and arrays."""
 
     def __init__(
         self, compiler: Compiler, here: Path, *flags: str, form: str = forms.THETA

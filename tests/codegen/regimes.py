@@ -16,7 +16,7 @@ DIGITS = 40
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and times: what is prepared and asked for."""
+    """A motion, and times at which its states are computed."""
 
     name: str
     inertia: tuple[float, ...]
@@ -54,7 +54,7 @@ def with_exact(folder: Path) -> list[tuple[Case, np.ndarray]]:
 
 
 def cases(seed: int = 1) -> list[Case]:
-    """A few motions of each kind, the same ones each time."""
+    """Return a few motions of each kind, the same for each seed."""
     random = Random(seed)
     kinds = (_circulating, _near_separatrix, _symmetric, _spinning, _slender, _sized, _limits)
     return [case for kind in kinds for case in kind(random)]
@@ -67,7 +67,7 @@ def _circulating(random: Random) -> Iterator[Case]:
 
 
 def _near_separatrix(random: Random) -> Iterator[Case]:
-    """The exact separatrix of (1, 2, 2.25), and what lies at all distances on both its sides."""
+    """Yield motions on the separatrix of (1, 2, 2.25), and on both sides at all distances."""
     for exponent in (None, *range(3, 16)):
         for side in (1, -1):
             away = 0.0 if exponent is None else side * 10.0**-exponent
@@ -109,7 +109,7 @@ def _sized(random: Random) -> Iterator[Case]:
 
 
 def _limits(random: Random) -> Iterator[Case]:
-    """Half modulus, where the branch changes, and times up to the last."""
+    """Yield motions next to k_1^2 = 1/2, where the branch changes, and the last times."""
     for away in (-1e-3, -1e-15, 1e-15, 1e-3):
         rates = _at_modulus(0.5**0.5 * (1 + away))
         yield _turned(f"switch {away:g}", random, (1.0, 0.8, 0.5), rates, 2.0**45)
@@ -118,7 +118,7 @@ def _limits(random: Random) -> Iterator[Case]:
 
 
 def _at_modulus(k: float) -> tuple[float, float, float]:
-    """Rates of the body (1, 0.8, 0.5) whose descended modulus is k."""
+    """Return rates of the body (1, 0.8, 0.5) with the descended modulus k."""
     kc = (1 - k) / (1 + k)
     wa = wb = 1.0
     e_d = 0.5 * wa**2 + 0.24 * wb**2
@@ -137,7 +137,7 @@ def _case(
 def _turned(
     name: str, random: Random, inertia: Sequence[float], omega0: Sequence[float], span: float
 ) -> Case:
-    """The body with its axes in another order, and rates of other signs."""
+    """Return a case with the axes in another order, and with rates of other signs."""
     order = random.sample(range(3), 3)
     rates = tuple(random.choice((1, -1)) * omega0[k] for k in order)
     return _case(name, random, [inertia[k] for k in order], rates, span)

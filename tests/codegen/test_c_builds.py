@@ -1,4 +1,4 @@
-"""The C sources as compilers see them: clean, self-contained, and right under hostile options."""
+"""Builds of the C sources: no warnings, no globals, right states under hostile options."""
 
 import re
 import shutil
@@ -71,7 +71,7 @@ def test_no_compiler_has_anything_to_say(name, source, flags, here):
 
 @pytest.fixture(scope="module", params=[*product(REPORTS, ["x86-64", "x86-64-v3"])], ids=" ".join)
 def compiled(request, here):
-    """An optimised object, and what the compiler says of its loops."""
+    """Return an optimised object, and the compiler's report on its loops."""
     name, machine = request.param
     flags = ("-std=c99", *FAST, *needed(name).machine(machine), REPORTS[name])
     return needed(name).compiled(here / "torque_free.c", *flags)
@@ -114,7 +114,7 @@ def check_driven(program, motions):
 
 
 def test_sanitizers_find_nothing(here, exact_motions):
-    """Undefined behaviour, bad addresses and casts, in every regime; and the states are right."""
+    """States are right, without undefined behaviour, bad addresses or casts."""
     check_driven(needed("gcc").linked(here, *SANITIZED, sources=PROGRAM), exact_motions)
 
 
@@ -261,7 +261,7 @@ class Outcome:
 
 
 def outcome(here, name, options, motions):
-    """Build a program: a library that is loaded may set the processor's flags."""
+    """Build and run a program; loading a library could set the processor's flags."""
     program, said = needed(name).built(here, *options.split(), sources=PROGRAM)
     if not program.exists():
         return Outcome(said or "no reason")
@@ -289,7 +289,7 @@ def test_a_build_is_right_or_refuses(name, options, here, exact_motions):
     ("name", "options"), [("gcc", ASSOCIATIVE), ("gcc", UNSAFE_ALONE), ("clang", ASSOCIATIVE)]
 )
 def test_without_its_question_a_build_would_be_wrong(name, options, once, exact_motions):
-    """The options above are hostile indeed, and no macro of these compilers tells of them."""
+    """Without the test of arithmetic, states are wrong under options that define no macro."""
     here = once("c_unasked", unasked)
     found = outcome(here, name, f"-w {OPTIMISED} {options}", exact_motions[::2])
     if found.refusal:
@@ -299,7 +299,7 @@ def test_without_its_question_a_build_would_be_wrong(name, options, once, exact_
 
 
 def unasked(folder):
-    """Write the sources without their question of how sums are rounded."""
+    """Write the sources without their test of arithmetic."""
     written(folder)
     source = folder / "torque_free.c"
     source.write_text(source.read_text().replace("if (!is_rounded_once())", "if (0)"))

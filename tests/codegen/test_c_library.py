@@ -1,4 +1,4 @@
-"""What the C modules compute on grids and in blocks, and what they refuse, in Python's words."""
+"""Grids, blocks and double-doubles of the C modules, and their messages for bad input."""
 
 import ctypes
 import math
@@ -166,7 +166,7 @@ def test_pairs_that_no_motion_is_made_of(code, inertia, omega0, unit, motions):
 
 
 def test_pairs_begin_where_doubles_do(motions):
-    """With no low parts, and the discriminant of these numbers, states are the same."""
+    """Double-doubles without low parts give the states of doubles."""
     (d, b, a), (rate_d, _, rate_a), _ = BODY
     discriminant = a * (a - b) * rate_a**2 - d * (b - d) * rate_d**2
     code, prepared = motions.prepare_pairs(*pairs(*BODY), (discriminant, 0.0), unit=1.0)
@@ -193,7 +193,7 @@ def test_exact_bodies_are_those_that_exist(motions, moments, more):
 
 
 def drawn():
-    """Moments about the edge of what can exist, of all sizes."""
+    """Yield moments of all sizes close to the triangle inequality."""
     draw = random.Random(5)
     for _ in range(4000):
         low, middle = (

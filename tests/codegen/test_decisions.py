@@ -61,7 +61,7 @@ def at_once():
 
 
 class Head(ctypes.Structure):
-    """The beginning of torque_free_motion."""
+    """The first members of torque_free_motion."""
 
     _fields_ = (
         *(("branch", ctypes.c_int), ("axis", ctypes.c_int * 3), ("blurred", ctypes.c_int)),
@@ -84,7 +84,7 @@ def in_c(here):
 
 @pytest.fixture(scope="module", params=["one by one", "at once", "in C"])
 def found(request, here):
-    """Branch, axes and the gains of the rates for every pattern."""
+    """Return branch, axes and gains of the rates for every pattern."""
     if request.param == "in C":
         return list(in_c(here))
     if request.param == "at once":

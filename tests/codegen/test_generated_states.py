@@ -1,4 +1,4 @@
-"""States of the generated modules in every regime, at their edges, and what modules refuse."""
+"""States of the generated modules in every regime and at limits, and refused input."""
 
 import math
 import tracemalloc
@@ -168,7 +168,7 @@ def test_times_that_are_none_or_too_far(bad, expected, place, module):
 
 
 def test_many_bodies_are_each_right():
-    """All regimes in one batch: they part inside and come back in their order."""
+    """Bodies of all regimes in one batch have the states of each alone, in order."""
     listed = [case for case in cases() if 0 < max(map(abs, case.omega0)) < 1e3]
     assert len(listed) > 60
     prepared = torque_free.prepare(*map(np.array, zip(*(x.given for x in listed), strict=True)))

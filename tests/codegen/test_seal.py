@@ -89,7 +89,7 @@ def sets(lets, name):
 
 
 def renaming(**names):
-    """Spoil new names: those given are what others should be."""
+    """Spoil a renaming: some names get the new names of others."""
     return lambda renamed: (
         lambda lets, new: renamed(
             lets, new | {old: new.get(name, name) for old, name in names.items()}
@@ -112,7 +112,7 @@ def set_to(name, expression):
 
 
 def as_facts(lets):
-    """A definition is no fact, and goes by no fact's name."""
+    """Name definitions as if they were facts."""
     return tuple(
         replace(let, facts=tuple(name.removeprefix("definition ") for name in let.facts))
         for let in lets
@@ -136,7 +136,7 @@ def adding(name, where="", value="2", first=False):
 
 
 def early(lets):
-    """A line before the one it needs."""
+    """Move the first line to the end, behind lines that need it."""
     first, *rest = lets
     return (*rest, first)
 
@@ -299,7 +299,7 @@ def c_zero(lowered, expression, extended, number):
 
 
 def less(fuse, function):
-    """The last factor of what is fused is forgotten."""
+    """Drop the second factor of fused products."""
     forgotten = []
     for let in fuse(function):
         match let.expression:
@@ -318,7 +318,7 @@ def blurred(constant_text, constant):
 
 
 def moved(function_lines, function, number, signature, ends):
-    """The two results of a function change places."""
+    """Exchange the two results of a function."""
     ends = [line.replace("= s5;", "= c5;") for line in ends]
     return function_lines(function, number, signature, ends)
 
@@ -399,7 +399,7 @@ def test_a_target_without_a_reader_is_refused():
 
 
 def exchanged(which, first, second):
-    """A function takes or returns two numbers in the other order."""
+    """Exchange two parameters or results of a function."""
 
     def change(function):
         new = {first: second, second: first}

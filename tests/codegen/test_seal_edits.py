@@ -1,4 +1,4 @@
-"""Text that was edited is refused by what it says: digests and manifests are those of the edit."""
+"""The seal refuses edited text even if digests and manifests fit the edit."""
 
 import hashlib
 import tomllib
@@ -28,12 +28,12 @@ made = cache(generate)
 
 @pytest.fixture(autouse=True)
 def functions_once(monkeypatch):
-    """Edits change the text alone: derive the functions of each form once for all of them."""
+    """Derive the functions of each form once, since edits change the text alone."""
     monkeypatch.setattr(text, "functions", lambda _, form: lets_and_numbers(form)[0])
 
 
 def edited(target, edit):
-    """A module with one edit, as a generator that prints this would seal it."""
+    """Return a module with one edit, and with digests that fit it."""
     generated = made(target)
     manifest = generated.manifest
     files = {n: header.unsealed(x, target, manifest["digest"]) for n, x in generated.files.items()}

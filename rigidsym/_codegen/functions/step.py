@@ -1,4 +1,4 @@
-"""Functions of one step from any state: body, start, doublings of the time, end; and of kicks.
+"""Functions of one step from any state, and of the kick by a torque.
 
 Start at t/2^STEPS, where short series suffice, then double.  Numbers that angles and rates grow
 from are extended.  Corrections of them are doubles, except in the last doublings: for thin bodies
@@ -222,7 +222,7 @@ def _function(
     doubles: tuple[str, ...] = (),
     split: bool = False,
 ) -> Function:
-    """Make a function of extended numbers and doubles; where `split`, all results are pairs."""
+    """Make a function of extended numbers and doubles, with extended results if `split`."""
     return Function(
         f"_step_{name}",
         summary,

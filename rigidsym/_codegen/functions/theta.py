@@ -1,4 +1,4 @@
-"""The theta form: thetas of real time, and near the separatrix of imaginary time.
+"""The theta form: the state by thetas of real time or, near the separatrix, imaginary time.
 
 What does not change with time is multiplied out beforehand: every component of the attitude is
 linear in the parts P4 and P1 over N, and every rate is a constant times a quotient of thetas.

@@ -310,7 +310,7 @@ def test_elapsed(r, share):
 @pytest.mark.parametrize("angle", ["0", "0.4", "0.785", "2"])
 @pytest.mark.parametrize("slope", ["0.3", "1.9"])
 def test_third_kind_of_a_step(r, angle, slope):
-    """z on its circle, z' of any direction: the largest there are."""
+    """The bound holds for z on its circle and z' of any direction, both as large as possible."""
     e_1, e_2, h, elapsed = frequencies(r)
     z, rate = mpmath.expj(mpf(angle)), h * mpmath.expj(mpf(angle) + mpf(slope))
     nu = -h * z**2
@@ -345,7 +345,7 @@ def third_kind(s, c, d, n, k):
 @pytest.mark.parametrize("k", ["0.02", "0.3", "0.6", "0.70710678"])
 @pytest.mark.parametrize("share", ["0", "0.4", "1"])
 def test_third_kind_up_to_a_quarter_period(k, share):
-    """n between 0 and -k, kappa at most 2 k (1 + k): what J is off by counts in psi by half."""
+    """For n between 0 and -k, kappa is at most 2 k (1 + k); half of it multiplies J in psi."""
     k = mpf(k)
     n = -k * mpf(share)
     for part in range(1, 9):
@@ -357,7 +357,7 @@ def test_third_kind_up_to_a_quarter_period(k, share):
 @pytest.mark.parametrize("complement", ["0.707", "0.4", "0.1", "1e-2", "1e-5", "1e-12", "1e-60"])
 @pytest.mark.parametrize("x", ["0.01", "0.5", "1"])
 def test_third_kind_near_the_separatrix(complement, x):
-    """Up to half a quarter period, times the larger of what it is multiplied by there."""
+    """The bound holds up to half a quarter period, times the larger of J's factors there."""
     with mpmath.workdps(200):
         kc, x = mpf(complement), mpf(x)
         k = mpmath.sqrt(1 - kc**2)

@@ -177,7 +177,7 @@ def _state_of_columns(solution: Solution) -> list[Let]:
 
 
 def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the middle rate's derivatives, as products where their factors are not small.
+    """State the middle rate's derivatives, as products where these keep more digits.
 
     Near spin about b these keep all digits, and the general form is a difference of large numbers.
     """
@@ -197,7 +197,7 @@ def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
 
 
 def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the integral of the middle rate's square, which excludes spin about b."""
+    """State the integral of the middle rate's square, near spin about b by a form without t."""
     spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
     return [
         let("p_divisor = choose(size(p), 0, 1, p)"),
