@@ -1,4 +1,4 @@
-"""Sensitivities by differences of states of many digits, and how far others are from them."""
+"""Sensitivities by differences of states of many digits, and errors of other sensitivities."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -15,7 +15,7 @@ Numbers = Sequence[Fraction]
 def differences(
     inertia: Numbers, omega0: Numbers, attitude0: Numbers, times: Numbers, step: int, digits: int
 ) -> np.ndarray:
-    """(N, 6, 7): the small turn in space and the rates, by omega0, the moments and the time.
+    """Return the derivatives (N, 6, 7) of turn and rates by omega0, the moments and the time.
 
     Inputs move by 10^-step of their size, either way; states have so many digits.
     """
@@ -39,7 +39,7 @@ def differences(
 
 
 def _quotients(after, before, here, step, digits):
-    """(N, 6): small turns in space, 2 dq q*, and rates, over a step."""
+    """Return difference quotients (N, 6) of small turns in space, 2 dq q*, and of rates."""
     with working(bits_of(digits)):
         rows = []
         for (p, w), (q, v), r in zip(
@@ -55,7 +55,7 @@ def _quotients(after, before, here, step, digits):
 def errors(
     found: Sensitivity, true: np.ndarray, inertia: Numbers, omega0: Numbers, t: Fraction
 ) -> np.ndarray:
-    """Return the error of each of the six columns, as a share of the column.
+    """Return the error of each of the six columns, relative to the column.
 
     Turns are times |omega0|, and a moment changes by itself: so all are rates.  Until the body has
     turned by 1 rad a column is taken to be no shorter than the change itself, and never shorter

@@ -1,4 +1,4 @@
-"""Fits: the free motion that observations show, its errors, and the alternatives."""
+"""Fits of torque-free motions to observations."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING

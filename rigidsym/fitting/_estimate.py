@@ -1,4 +1,4 @@
-"""Fits of torque-free motions to observations, with errors and alternatives."""
+"""The fit, from the user's arguments to the best motion and its alternatives."""
 
 from collections.abc import Callable
 from dataclasses import replace

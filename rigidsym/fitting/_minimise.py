@@ -206,4 +206,4 @@ def minimise(
 
 
 class _NotFiniteError(ArithmeticError):
-    """A motion that has no states."""
+    """Error for a motion that has no states."""

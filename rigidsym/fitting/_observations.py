@@ -49,7 +49,9 @@ RateSeries = list[tuple[np.ndarray, np.ndarray]]
 
 @dataclass(frozen=True, eq=False)
 class Observations(ABC):
-    """Values (N, ...) observed at increasing times (N,), s, with errors as for `whitening`.
+    """Observations of one kind at increasing times, with their errors.
+
+    times (N,): s. values (N, ...). sigma: errors as for `whitening`.
 
     t, seen, weights: the times, the values as they are compared with a motion, and the matrices
     that whiten their errors.
@@ -142,7 +144,7 @@ class Observations(ABC):
         return self.weights * rows if self.weights.shape[-1] == 1 else self.weights @ rows
 
     def some(self, index: np.ndarray) -> Self:
-        """Return the observations of an index."""
+        """Return the observations at some indices."""
         return self.changed(**{name: getattr(self, name)[index] for name in self._by_row})
 
     def changed(self, **fields: object) -> Self:
@@ -315,7 +317,7 @@ class Rates(Observations):
 
 @dataclass(frozen=True, eq=False)
 class Directions(Observations):
-    """Directions of something whose direction is known in other axes.
+    """Directions observed in one frame and known in another, such as those of stars.
 
     By default they are known in space and seen along the axes of the body, as a camera sees a star.
     The residual is the arc on the sphere from the observed to the computed direction: two numbers,
@@ -457,7 +459,7 @@ class Modelled(Observations):
 
     @property
     def width(self) -> int:
-        """Return k."""
+        """Return k, the number of values at each time."""
         return self.seen.shape[1]
 
     @property
@@ -484,7 +486,7 @@ class Modelled(Observations):
         return found
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the modelled less the observed values."""
+        """Return the values of the model less the observed values."""
         return self._modelled(q, omega) - self.seen
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
@@ -515,7 +517,9 @@ def middle(sets: Iterable[Observations]) -> float:
 
 
 def whitening(field: str, sigma: ArrayLike | None, count: int, width: int) -> np.ndarray:
-    """Return W (count, 1, 1) or (count, width, width): W e has unit covariance for errors e.
+    """Return the matrices that whiten errors: W e has unit covariance for errors e.
+
+    They are (count, 1, 1) or (count, width, width).
 
     sigma: one standard deviation, (), or one for each observation, (count,); or a covariance
     (width, width), or one for each observation, (count, width, width).  Raises InputError for

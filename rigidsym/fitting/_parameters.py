@@ -56,7 +56,7 @@ class Point:
 
     @property
     def parts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Return the four arrays."""
+        """Return the four arrays of the point."""
         return self.attitude, self.omega, self.moments, self.mount
 
     def repeated(self, count: int = 1) -> "Point":

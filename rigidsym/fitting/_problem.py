@@ -91,14 +91,7 @@ class Problem:
 
     def state_residuals(self, point: Point, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return the residuals of states of the principal axes, (..., N, 4) and (..., N, 3)."""
-        seen = point.in_observed_axes(q, omega)
-        parts = []
-        for one, at in zip(self.sets, self.indices, strict=True):
-            found = one.residuals(*(x[..., at, :] for x in seen))
-            parts.append(_flat(one.whitened(found[..., None]))[..., 0])
-        if self.prior:
-            parts.append((point.moments - self.prior.moments) @ self.prior.weights.T)
-        return np.concatenate(parts, axis=-1)
+        return self._rows(point, *point.in_observed_axes(q, omega))[0]
 
     def linearised(self, point: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return residuals (..., count) and their derivatives (..., count, p).
@@ -108,17 +101,29 @@ class Problem:
         q, omega, sensitivity = sensitivities(point, self.since, self.engine)
         seen = point.in_observed_axes(q, omega)
         moved = observed_derivatives(point, *seen, sensitivity, own)
+        residuals, slopes = self._rows(point, *seen, moved)
+        if self.prior:
+            slopes.append(self.prior.weights @ own[..., 6:9, :])
+        return residuals, np.concatenate(slopes, axis=-2)
+
+    def _rows(
+        self, point: Point, q: np.ndarray, omega: np.ndarray, moved: np.ndarray | None = None
+    ) -> tuple[np.ndarray, list[np.ndarray]]:
+        """Return residuals (..., count) of states, and derivatives (..., M, p) of each set.
+
+        moved (..., N, 6, p): derivatives of turn and rates; without them there are no others.
+        """
         residuals, slopes = [], []
         for one, at in zip(self.sets, self.indices, strict=True):
-            state = [x[..., at, :] for x in seen]
+            state = q[..., at, :], omega[..., at, :]
             found = one.residuals(*state)
-            slope = one.derivatives(*state, found) @ moved[..., at, :, :]
             residuals.append(_flat(one.whitened(found[..., None]))[..., 0])
-            slopes.append(_flat(one.whitened(slope)))
+            if moved is not None:
+                slope = one.derivatives(*state, found) @ moved[..., at, :, :]
+                slopes.append(_flat(one.whitened(slope)))
         if self.prior:
             residuals.append((point.moments - self.prior.moments) @ self.prior.weights.T)
-            slopes.append(self.prior.weights @ own[..., 6:9, :])
-        return np.concatenate(residuals, axis=-1), np.concatenate(slopes, axis=-2)
+        return np.concatenate(residuals, axis=-1), slopes
 
 
 def _flat(rows: np.ndarray) -> np.ndarray:

@@ -103,7 +103,7 @@ class Prediction:
 
 @dataclass(frozen=True, eq=False)
 class Alternative:
-    """A motion that fits about as well: its chi2, and its state at the problem's epoch."""
+    """A motion that fits the observations, with chi2 and its state at the problem's epoch."""
 
     motion: TorqueFreeMotion
     point: Point
@@ -154,7 +154,7 @@ class Estimate(Alternative):
 
     @cached_property
     def agreement(self) -> Agreement:
-        """Return the verdict on the residuals, and conventions of the data that fit better.
+        """Return the verdict on the residuals, with conventions of the data that fit better.
 
         A normal fit costs nothing more; where model and data disagree, each convention is searched.
         """
@@ -294,7 +294,7 @@ class Estimate(Alternative):
 
     @cached_property
     def against_others(self) -> tuple[np.ndarray, ...]:
-        """Return chi2 (N,) by which each observation misses its prediction from the others, by set.
+        """Return for each set the chi2 (N,) of observations against predictions from the rest.
 
         It has as many degrees of freedom as the observation has numbers; NaN where the others
         predict nothing.
@@ -304,7 +304,7 @@ class Estimate(Alternative):
 
     @cached_property
     def outliers(self) -> tuple[tuple[int, int], ...]:
-        """Return the set and the index of each outlier, at 1 % for all observations together."""
+        """Return the set and the index of each outlier, at 1 % significance for all together."""
         return outliers(self.problem, self.observability)
 
     def predict(self, t: ArrayLike) -> Prediction:
@@ -368,7 +368,7 @@ class Estimate(Alternative):
 
 
 def _spread(ends: list[list[float | None]]) -> float | None:
-    """Return the standard deviation of a quantity from its values a step along each error."""
+    """Return a standard deviation from values of a quantity on both sides of each error."""
     both = [(one, other) for one, other in ends if one is not None and other is not None]
     if len(both) < len(ends) or not both:
         return None

@@ -116,7 +116,7 @@ def quarter_period(mc: Point) -> Point:
 
 
 def nome(mc: Point) -> Point:
-    """Return exp(-pi K'/K)."""
+    """Return the nome exp(-pi K'/K)."""
     m = CTX.fsub(1, mc, exact=True)
     return CTX.exp(-CTX.pi * CTX.agm(1, CTX.sqrt(mc)) / CTX.agm(1, CTX.sqrt(m)))
 
@@ -180,7 +180,9 @@ class Estimates:
         return [self._estimated(*pair) for pair in zip(first, second, strict=True)]
 
     def _estimated(self, first: mpf, second: mpf) -> arb:
-        """Return the second; its radius is twice the difference and a rounding of the first."""
+        """Return the second value as a ball, with the estimate of its error as radius.
+
+        The radius is twice the difference of both values and a rounding of the first."""
         if not CTX.isfinite(first) or not CTX.isfinite(second):
             return arb.nan()
         value, other = of_mpf(second), of_mpf(first)

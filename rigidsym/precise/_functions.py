@@ -41,7 +41,7 @@ def quarter_period(mc: arb) -> arb:
 
 
 def carlson_f(x: arb, y: arb, z: arb) -> arb:
-    """Return R_F (DLMF 19.16.1)."""
+    """Return Carlson's integral R_F (DLMF 19.16.1)."""
     return acb.elliptic_rf(x, y, z).real
 
 
@@ -139,7 +139,9 @@ class Functions(ABC):
 
 
 def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
-    """Return turns, sign, size and is_reflected: u = 2 K turns + sign (size or K - size).
+    """Reduce an argument u to a size of at most K/2 by periods and reflection.
+
+    Return turns, sign, size and is_reflected: u = 2 K turns + sign (size or K - size).
 
     Any turns, sign and reflection are right if surely |size| < K; else the size is no number.
     """
@@ -156,7 +158,7 @@ def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
 
 
 class Landen(Functions):
-    """The method `landen`.
+    """Functions by Landen's and Gauss's descending transformations.
 
     The transformations end at a parameter m_N.  There |am(u) - u| <= m_N |u|, as 1 - m <= dn <= 1,
     and the integral of the third kind is within the factor 1/sqrt(1 - m_N) of the trigonometric
@@ -170,12 +172,12 @@ class Landen(Functions):
         return s, c, (c * c + mc * s * s).sqrt()
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return (Pi - u)/n."""
+        """Return J as (Pi - u)/n."""
         s, c, d = self.first_half(u, mc)
         return (_third_kind(s, c, d, n, 1 - mc, mc, u) - u) / n
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return (Pi(n | m) - K)/n."""
+        """Return J(K) as (Pi(n | m) - K)/n."""
         one, zero = arb(1), arb(0)
         quarter = quarter_period(mc)
         return (_third_kind(one, zero, mc.sqrt(), n, 1 - mc, mc, quarter) - quarter) / n
@@ -218,7 +220,7 @@ def _third_kind(s: arb, c: arb, d: arb, n: arb, m: arb, mc: arb, u: arb) -> arb:
 
 
 class Carlson(Functions):
-    """The method `carlson`.
+    """Functions by Carlson's symmetric integrals.
 
     The inverse of R_F is found by Newton's method.  It is proved to be one by a step of interval
     Newton, which maps a ball into its own interior.
@@ -241,12 +243,12 @@ class Carlson(Functions):
         return s, c, _delta(s, c, mc)
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return s^3 R_J(c^2, d^2, 1, 1 - n s^2)/3 (DLMF 19.25.14)."""
+        """Return J as s^3 R_J(c^2, d^2, 1, 1 - n s^2)/3 (DLMF 19.25.14)."""
         s, c, d = self.kept(self.first_half, u, mc)
         return s * s * s * acb.elliptic_rj(c * c, d * d, arb(1), 1 - n * s * s).real / 3
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return R_J(0, mc, 1, 1 - n)/3."""
+        """Return J(K) as R_J(0, mc, 1, 1 - n)/3."""
         return acb.elliptic_rj(arb(0), mc, arb(1), 1 - n).real / 3
 
 
@@ -263,17 +265,17 @@ def _delta(s: arb, c: arb, mc: arb) -> arb:
 
 
 class Quadrature(Carlson):
-    """The method `quadrature`, with sn, cn and dn of Carlson's."""
+    """Functions with J by rigorous integration, and sn, cn and dn of `Carlson`."""
 
     quick_bits = 2**10
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return the integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
+        """Return J as the integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
         s, c, _ = self.kept(self.first_half, u, mc)
         return _integral(arb.atan2(s, c), n, mc)
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return the integral from 0 to pi/2."""
+        """Return J(K) as the integral from 0 to pi/2."""
         return _integral(arb.pi() / 2, n, mc)
 
 
@@ -295,7 +297,7 @@ def _integral(phi: arb, n: arb, mc: arb) -> arb:
 
 
 class Theta(Carlson):
-    """The method `theta`: sn, cn, dn as quotients of thetas, J by Carlson's R_J."""
+    """Functions by theta functions, with J by Carlson's R_J."""
 
     quick_bits = 2**14
 
@@ -316,7 +318,7 @@ class Theta(Carlson):
         }
 
     def between(self, u: arb, mc: arb) -> Triple:
-        """Return quotients of thetas (DLMF 22.2.4 to 22.2.6)."""
+        """Return sn, cn, dn as quotients of theta functions (DLMF 22.2.4 to 22.2.6)."""
         scale, tau, two, three, four = self.kept(_constants, mc)
         one_u, two_u, three_u, four_u = (z.real for z in _thetas(acb(scale * u), tau))
         s = three * one_u / (two * four_u)
@@ -342,7 +344,7 @@ def _tau(q: arb) -> acb:
 
 
 def _nome(mc: arb) -> arb:
-    """Return exp(-pi K'/K), the periods by the AGM."""
+    """Return the nome exp(-pi K'/K), with the periods by the AGM."""
     return (-arb.pi() * arb(1).agm(mc.sqrt()) / arb(1).agm((1 - mc).sqrt())).exp()
 
 

@@ -138,5 +138,5 @@ class Quantities:
 
 
 def _root(square: Fraction | int) -> float:
-    """Return the square root, whatever its exponent."""
+    """Return the square root of a number of any size as a double."""
     return float(_CONTEXT.sqrt(Decimal(decimal(Fraction(square), _DIGITS))))

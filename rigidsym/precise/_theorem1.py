@@ -1,4 +1,4 @@
-"""The attitude by the paper's own Theorem 1, with the step to y* mended, over complex numbers.
+"""States by the paper's Theorem 1, with the step to y* corrected, in complex numbers.
 
 Rates are zeta sn(xi t + C | mu).  About the two axes that the rates do not circulate about, zeta^2
 is the root of (13) with the moment of the circulation axis, and all is real.  About that axis
@@ -32,13 +32,16 @@ _ABD = ("0", "a", "b", "d")
 
 @dataclass(frozen=True, slots=True)
 class _Amplitude:
-    """am(u), represented by u: formulas only need Pi of it, which has no branches in u."""
+    """The amplitude am(u), represented by u.
+
+    Formulas only need Pi of it, which has no branches in u.
+    """
 
     u: Point
 
 
 class _Lines(Floating):
-    """sn, its inverse and Pi, on the real line and on those through +-K(mu) across it."""
+    """Functions of Theorem 1 on the real line, and on the lines across it through +-K(mu)."""
 
     def table(self) -> dict[str, Any]:
         """Return the functions of Theorem 1 by the names that formulas use."""
@@ -57,7 +60,7 @@ class _Lines(Floating):
         return CTX.sign(CTX.re(u)) / self._kept("dn", self._real, CTX.im(u), 1 - mc)[2]
 
     def third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Return Pi(n; am(u) | 1 - mc), and across the real line its excess over that of +-K."""
+        """Return Pi(n; am(u) | 1 - mc), less that of +-K on the lines across the real line."""
         if CTX.im(u) == 0:
             return self._real_third_kind(n, CTX.re(u), mc)
         y = CTX.im(u)
@@ -65,14 +68,14 @@ class _Lines(Floating):
         return CTX.mpc(0, y + n / (1 - n) * part)
 
     def _real(self, u: Point, mc: Point) -> tuple[Point, Point, Point]:
-        """Return sn, cn, dn, also for m < 0."""
+        """Return sn, cn, dn of a real argument, also for m < 0."""
         turns, v = self._reduced(u, mc)
         m, flip = CTX.fsub(1, mc, exact=True), -1 if turns % 2 else 1
         s, c, d = (CTX.re(CTX.ellipfun(kind, v, m=m)) for kind in ("sn", "cn", "dn"))
         return flip * s, flip * c, d
 
     def _real_third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Return Pi by R_J (DLMF 19.25.14), with twice its complete value for every 2 K in u."""
+        """Return Pi of a real argument by R_J (DLMF 19.25.14), and by twice its complete values."""
         turns, v = self._reduced(u, mc)
         s, c, d = self._real(v, mc)
         part = v + n * s**3 * CTX.elliprj(c * c, d * d, 1, 1 - n * s * s) / 3
@@ -80,7 +83,7 @@ class _Lines(Floating):
 
 
 def _complete(n: Point, mc: Point) -> Point:
-    """Return Pi(n | 1 - mc)."""
+    """Return the complete integral Pi(n | 1 - mc)."""
     return quarter_period(mc) + n * CTX.elliprj(0, mc, 1, 1 - n) / 3
 
 
@@ -99,7 +102,10 @@ def _number(value: Any) -> Any:
 
 
 class Theorem1:
-    """A motion at the working precision; raises InputError where the theorem does not hold."""
+    """One motion by Theorem 1 at the working precision.
+
+    Raises InputError where the theorem does not hold.
+    """
 
     def __init__(self, given: MotionInputs) -> None:
         self.inertia = certain("inertia", given.inertia)
@@ -118,7 +124,7 @@ class Theorem1:
         return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Point], list[Point]]:
-        """Return (q, omega) at one time; at t = 0 the given state itself."""
+        """Return (q, omega) at one time, which is the given state itself at t = 0."""
         if time == 0:
             return self.start
         t = CTX.convert(time)
@@ -153,7 +159,7 @@ class Theorem1:
         return {name: _number(value) for name, value in found.items()}
 
     def _by_angles(self, t: Point, rates: list[Point]) -> dict[str, Any]:
-        """Return the quaternion of (18), axes 1, 2, 3 being a, b, d."""
+        """Return the quaternion of equation (18), where axes 1, 2, 3 are a, b, d."""
         known = {f"Omega{k + 1}": x for k, x in enumerate(rates)}
         known |= {"side": -1 if rates[2] < 0 else 1, "t": t}
         formulas = sequence("theorem1_state")
@@ -162,7 +168,7 @@ class Theorem1:
 
     @cached_property
     def _front(self) -> dict[str, Any]:
-        """The constant quaternion of (37)."""
+        """The constant quaternion of equation (37)."""
         begin = self._by_angles(CTX.zero, self.start[1])
         given = {f"q_{x}": value for x, value in zip(_ABD, self.start[0], strict=True)}
         found = sequence("pull_back").evaluate({**begin, **given, "epsilon": 1}, self.functions)

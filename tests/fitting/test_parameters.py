@@ -1,4 +1,4 @@
-"""Parameters: what they move, by how much, and that bodies stay bodies."""
+"""Parameters of motions: their derivatives, and shapes that bodies can have."""
 
 import numpy as np
 import pytest

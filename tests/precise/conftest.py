@@ -1,4 +1,4 @@
-"""A clock for limits of seconds that no load of the machine moves."""
+"""Clock of processor time for tests of time limits on a machine under load."""
 
 import os
 import time
@@ -20,7 +20,7 @@ def _spent():
 
 @pytest.fixture
 def processor_time(monkeypatch):
-    """Return the clock by which `max_seconds` counts here: the time of processors."""
+    """Make `max_seconds` count processor time, and return its clock."""
     for module in (balls, worker):
         monkeypatch.setattr(module, "perf_counter", _spent)
     return _spent

@@ -33,7 +33,7 @@ MOTIONS = {
 
 
 def main() -> None:
-    """Every motion at its time, to `DIGITS` digits."""
+    """Write the state of each motion at its time, to `DIGITS` digits."""
     motions = []
     for name, (inertia, omega0, t) in MOTIONS.items():
         exact = [tuple(map(Fraction, x)) for x in (inertia, omega0, TURNED)]

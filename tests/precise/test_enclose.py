@@ -67,7 +67,7 @@ def by_all_methods(motion, time):
 
 
 def check(motion, turned):
-    """Check that all methods hold the Taylor series after so many radians."""
+    """Check that all methods hold the Taylor series after a turn by `turned` radians."""
     time = Fraction(turned) / (max(map(abs, motion.omega0)) or Fraction(1))
     expected = numbers(integrate(*motion.exact.values(), time))
     with working(400), mpmath.workdps(60):

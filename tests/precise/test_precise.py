@@ -28,7 +28,7 @@ DIGITS = 40
 
 
 def are_first(few, more, digits):
-    """Return True if some digits are the first ones of others."""
+    """Return True if numbers agree with more precise ones to all their digits."""
     with mpmath.workdps(digits + 30):
         unit = mpmath.mpf(10) ** -digits
         return all(abs(a - b) <= abs(b) * unit for a, b in zip(few, more, strict=True))

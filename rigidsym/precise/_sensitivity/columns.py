@@ -93,7 +93,10 @@ class Columns:
         return known
 
     def _by(self, parameter: str, name: str) -> Any:
-        """Return the derivative of p or p - r by an input; each rate changes p or r alone."""
+        """Return the derivative of p or p - r by an input.
+
+        Each rate changes p or r alone.
+        """
         alone = {"Omega_b": 0, "Omega_a": self.constants["p_by_Omega_a"]}
         if parameter == "apart" and name in (*alone, "Omega_d"):
             return alone.get(name, -self.constants["r_by_Omega_d"])
@@ -216,7 +219,7 @@ class TurnColumns:
 
     @cached_property
     def _changes(self) -> list[tuple[Named, list[Any]]]:
-        """The changes that do not depend on the turn, and the momentum at t = 0, by direction."""
+        """The changes and the momentum at t = 0 along each direction, without the turn."""
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
     def _change(self, parts: Sequence[arb]) -> tuple[Named, list[Any]]:

@@ -1,4 +1,4 @@
-"""Turns and rates of all motions of a box, by the mean value theorem:
+"""Turns and rates of all motions of a box, by the mean value theorem.
 
     state  in  state(middle) + S (inputs - middle),
 

@@ -153,7 +153,10 @@ def _sliced(slab: Slab, gain: float) -> list[Slab]:
 
 @dataclass(frozen=True)
 class MeanStates(MotionInputs):
-    """States of all motions of a box of inputs; `bits` is a precision that fits their radii."""
+    """States of all motions of a box of inputs, by mean values.
+
+    bits: a precision that fits the radii of the inputs.
+    """
 
     bits: int
 
@@ -252,7 +255,10 @@ class MeanStates(MotionInputs):
         return MeanValue(box, ball(time), turn, omega)
 
     def _bits(self, time: Fraction) -> int:
-        """Return the working precision: sensitivities need twice the bits of the angle more."""
+        """Return the working precision for a time.
+
+        Sensitivities need twice the bits of the angle more.
+        """
         rate = max(abs(middle(w)) for w in self.omega0)
         more = int(abs(time) * rate).bit_length()
         return -(-(self.bits + GUARD_BITS + 2 * more) // STEP) * STEP

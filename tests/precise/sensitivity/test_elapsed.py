@@ -1,4 +1,4 @@
-"""The functions of elapsed time: two methods agree, and mpmath's quadrature; over boxes, points."""
+"""Functions of elapsed time: two methods agree, and boxes hold the values of their points."""
 
 from fractions import Fraction
 from random import Random
