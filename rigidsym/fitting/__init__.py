@@ -7,8 +7,8 @@ from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.fitting._estimate import fit
+    from rigidsym.fitting._fit import Fit
     from rigidsym.fitting._observations import Attitudes, Directions, Modelled, Rates
-    from rigidsym.fitting._report import Fit
     from rigidsym.fitting._result import Alternative, Periods, Prediction, periods
 
 __all__ = [
@@ -27,7 +27,7 @@ __all__ = [
 # Modules by public name; they are imported at first use, which keeps the command's help fast.
 _HOMES = {
     "fit": "estimate",
-    "Fit": "report",
+    "Fit": "fit",
     **dict.fromkeys(("Attitudes", "Directions", "Modelled", "Rates"), "observations"),
     **dict.fromkeys(("Alternative", "Periods", "Prediction", "periods"), "result"),
 }

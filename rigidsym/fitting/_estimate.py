@@ -10,10 +10,10 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
+from rigidsym.fitting._fit import Fit
 from rigidsym.fitting._minimise import LOSSES, Minimum, minimise
 from rigidsym.fitting._parameters import IDENTITY, Point, motion, states
 from rigidsym.fitting._problem import Problem, SetsLike, Sigma, observation_sets, posed
-from rigidsym.fitting._report import Fit
 from rigidsym.fitting._result import Alternative
 from rigidsym.fitting._search import search
 from rigidsym.fitting._starts import aligned

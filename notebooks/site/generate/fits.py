@@ -5,7 +5,7 @@ from typing import Any
 
 import rigidsym
 from generate.form import Format
-from rigidsym.fitting import _report as report
+from rigidsym.fitting import _fit as report
 from rigidsym.fitting._published import toutatis
 
 
