@@ -17,12 +17,12 @@ from datetime import UTC, datetime
 from fractions import Fraction
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, PlainValidator, ValidationError, with_config
+from pydantic import AfterValidator, PlainValidator, ValidationError
 
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
 from rigidsym.io import _attitude_ephemeris as ephemeris
-from rigidsym.io._files import TomlTable
+from rigidsym.io._files import TomlTable, subtable
 
 MOST_SAMPLES = 1_000_000
 LONGEST = 100_000
@@ -116,7 +116,6 @@ Seconds = Annotated[Fraction, _read(lambda value: inputs.exact("", value), *_SEC
 Switch = Annotated[bool, PlainValidator(lambda value: inputs.is_true("", value))]
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Orbit:
     """A circular orbit of Kepler around a spherical Earth."""
@@ -133,7 +132,6 @@ class Orbit:
     "The instant t = 0 (chosen: any would do); the Sun, the Earth's turn and its field follow."
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Wheels:
     """Three equal reaction wheels along the principal axes."""
@@ -150,7 +148,6 @@ class Wheels:
     "Of a wheel about its own axis, kg m^2, for its speed (chosen: 1e-3 N m s at 4800 rpm)."
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Thrusters:
     """Pairs of thrusters along the principal axes, on or off."""
@@ -163,7 +160,6 @@ class Thrusters:
     "Whether burns are centred on the instants of the bursts; else they begin there."
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Controller:
     """Proportional and derivative feedback of the attitude, gains in proportion to the inertia.
@@ -182,7 +178,6 @@ class Controller:
     "Whether to exert the torque of the track, bursts included, ahead of errors (the paper: no)."
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Spacecraft:
     """The body on which the environment acts: a box, its middle beside the centre of mass."""
@@ -201,7 +196,6 @@ class Spacecraft:
     "Residual magnetic dipole, A m^2 (chosen: usual for nano-spacecraft without compensation)."
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Disturbances:
     """Switches of the disturbances; the paper has all four."""
@@ -212,7 +206,6 @@ class Disturbances:
     dipole: Switch = True
 
 
-@with_config(extra="forbid")
 @dataclass(frozen=True, slots=True)
 class Timing:
     """Length, sampling and accuracy of a flight."""
@@ -269,7 +262,7 @@ class Flight:
 
 
 _NAMES = {
-    name: sorted(table)
+    name: tuple(table)
     for name, table in asdict(Flight(thrusters=Thrusters())).items()
     if name != "message"
 }
@@ -293,33 +286,24 @@ def read(tables: TomlTable) -> Flight:
     # Its import takes a while, which flights that are not read from files do without.
     from pydantic import TypeAdapter
 
-    settings = {name: _table(name, tables[name]) for name in _NAMES if name in tables}
+    settings = {
+        name: dict(subtable(name, tables[name], known))
+        for name, known in _NAMES.items()
+        if name in tables
+    }
+    for name, table in settings.items():
+        for key, value in table.items():
+            # TOML has no None, which pydantic would take for a default.
+            if value is None:
+                raise InputError(f"{name}.{key}", value, "must be a number")
     if "thrusters" in tables:
         settings.setdefault("controller", {"natural_frequency": 0.0})
     try:
         flight = TypeAdapter(Flight).validate_python(settings)
     except ValidationError as error:
-        raise _refused(error) from None
+        first = error.errors(include_url=False)[0]
+        cause = first["ctx"]["error"]
+        path = ".".join(map(str, first["loc"]))
+        raise InputError(path + cause.field, cause.value, cause.rule) from None
     message = ephemeris.message_fields(tables.get("message", {}), ephemeris.MISSION_FIELDS)
     return replace(flight, message=message)
-
-
-def _table(name: str, table: object) -> dict[str, object]:
-    """Return a table as a dict; refuse None, which pydantic would take for a default."""
-    if not isinstance(table, Mapping):
-        known = ", ".join(_NAMES[name])
-        raise InputError(name, repr(table), f"must be a table of {known}")
-    for key, value in table.items():
-        if value is None:
-            raise InputError(f"{name}.{key}", value, "must be a number")
-    return dict(table)
-
-
-def _refused(error: ValidationError) -> InputError:
-    """Return the first error of pydantic as an InputError."""
-    first = error.errors(include_url=False)[0]
-    name, *inner = map(str, first["loc"])
-    cause = first.get("ctx", {}).get("error")
-    if isinstance(cause, InputError):
-        return InputError(".".join([name, *inner]) + cause.field, cause.value, cause.rule)
-    return InputError(name, inner[0], f"is not one of: {', '.join(_NAMES[name])}")

@@ -150,18 +150,3 @@ def test_bad_numbers_are_refused(arguments, message):
 @pytest.mark.parametrize("option", ["--manoeuvres=0", "--seed=x", "--workers=-1"])
 def test_bad_options_are_refused_in_one_line(option, refused):
     assert "must be a whole number" in refused("compare", option)
-
-
-@pytest.mark.parametrize(("package", "extra"), [("casadi", "optimal"), ("erfa", "app")])
-def test_missing_packages_are_named_in_one_line(package, extra, tmp_path):
-    code = (
-        f"import sys\nsys.modules[{package!r}] = None\nfrom rigidsym._cli import main\n"
-        "sys.exit(main(['compare']))"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path
-    )
-    assert done.returncode == 2
-    assert done.stderr.count("\n") == 1
-    assert f"packages = {package}: " in done.stderr
-    assert f"pip install 'rigidsym[{extra}]'" in done.stderr

@@ -38,16 +38,12 @@ def test_with_feedforward_wheels_that_turn_are_not_felt():
     assert errors[1][:-1].max() > 0.05
 
 
-def test_the_momentum_changes_by_the_disturbances_alone(paper_like):
+def test_the_momentum_changes_by_the_disturbances_alone_which_are_recorded(paper_like):
     run = paper_like
     size = np.linalg.norm(run.inertia * run.track.omega[0])
     assert np.linalg.norm(run.impulse[-1]) > 1e-3 * size
     assert run.momentum_defect() < 1e-10 * size
     assert run.energy_defect() < 1e-10 * size * 0.02
-
-
-def test_the_impulse_is_that_of_the_torques_recorded(paper_like):
-    run = paper_like
     whole = sum(run.disturbances.values())
     inertial = np.array([matrix(q) @ torque for q, torque in zip(run.q, whole, strict=True)])
     summed = np.trapezoid(inertial, run.t, axis=0)
@@ -78,16 +74,13 @@ def test_wheels_that_are_full_give_no_more():
     assert run.momentum_defect() < 1e-13
 
 
-def test_the_target_is_reached_and_held(paper_like):
+def test_the_target_is_reached_and_held_by_continuous_attitudes(paper_like):
     holding = paper_like.holding(np.radians(0.1))
     assert holding["final_error"] < np.radians(0.05)
     assert 120 < holding["settled_at"] < 150
     tracking = paper_like.tracking()
     assert tracking["last"] < tracking["max"] < np.radians(3)
     assert np.abs(paper_like.torque).max() < 6e-4
-
-
-def test_attitudes_are_continuous_and_of_unit_length(paper_like):
     assert np.abs(np.diff(paper_like.q, axis=0)).max() < 2e-3
     np.testing.assert_allclose(np.linalg.norm(paper_like.q, axis=1), 1, rtol=1e-15)
     np.testing.assert_array_equal(paper_like.q[0], [1, 0, 0, 0])
