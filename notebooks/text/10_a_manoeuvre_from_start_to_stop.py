@@ -149,7 +149,7 @@ show(ledger, "arrival.gap", "arrival.angle")
 # %%
 from rigidsym.manoeuvre._directions import arcs
 from rigidsym.manoeuvre._families import families
-from rigidsym.manoeuvre._search import sample
+from rigidsym.manoeuvre._search import Search
 
 BOUND = 8.0  # of the momentum, in units of (largest moment)/duration
 found = families(posed, BOUND)
@@ -158,9 +158,8 @@ cone, steps = arcs(posed), np.linspace(-32, 32, 1601)
 
 def along(arc, turns):
     """Angles round the cone (degrees), and samples there, up to the bound."""
-    samples = sample(
-        posed, cone, BOUND, np.full(steps.size, arc), steps, np.full(steps.size, turns)
-    )
+    search = Search(posed, cone, BOUND)
+    samples = search.sample(np.full(steps.size, arc), steps, np.full(steps.size, turns))
     begin, end = np.degrees(cone.ends[arc])
     share = (end - begin) / (1 + np.exp(np.abs(steps)))
     here = samples.time <= BOUND

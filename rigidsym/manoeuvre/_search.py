@@ -72,8 +72,9 @@ def starts(problem: Problem, bound: float) -> np.ndarray:
     curves = arcs(problem)
     if not len(curves.ends):
         return np.empty((0, 3))
-    begin, end = (reduce(add, side) for side in zip(*_steps(problem, curves, bound), strict=True))
-    found = _zeros(problem, curves, bound, begin, end)
+    search = Search(problem, curves, bound)
+    begin, end = (reduce(add, side) for side in zip(*search.steps(), strict=True))
+    found = search.zeros(begin, end)
     _check(len(found), _MOST_STARTS)
     return found[np.isfinite(found).all(axis=1)]
 
@@ -84,123 +85,113 @@ def _check(count: float, most: int) -> None:
         raise TooManyError
 
 
-def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Samples, Samples]]:
-    """Yield the samples at both ends of steps, halved until they are fine enough."""
-    samples, left, right = _first(problem, curves, bound)
-    for _ in range(_ROUNDS):
-        begin, end = samples[left], samples[right]
-        coarse = _is_coarse(begin, end, bound)
-        yield begin[~coarse], end[~coarse]
-        if not coarse.any():
-            break
-        left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
-        middle = sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
-        new = len(samples.x) + np.arange(len(middle.x))
-        _check(len(samples.x) + len(new), _MOST)
-        samples = samples + middle
-        left, right = np.concatenate([left, new]), np.concatenate([new, right])
+@dataclass(frozen=True, slots=True)
+class Search:
+    """The search for motions along arcs, up to a momentum `bound`."""
 
+    problem: Problem
+    curves: Arcs
+    bound: float
 
-def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.ndarray, np.ndarray]:
-    """Return the first samples, and the rows of both ends of each step between them."""
-    count, grid = len(curves.ends), len(_GRID)
-    arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
-    momenta = curves.at(arc, x)
-    times, periods = transits(problem, momenta)
-    least = np.fmin(times[:-1], times[1:])
-    shortest = np.fmin(periods[:-1], periods[1:])
-    whole = np.floor((bound * _MARGIN - least) / shortest) + 1
-    whole[(arc[:-1] != arc[1:]) | np.isnan(times[:-1] + times[1:]) | ~(whole > 0)] = 0
-    _check(whole.sum(), _MOST)
-    step = np.repeat(np.arange(len(whole)), whole.astype(int))
-    turns = np.arange(len(step)) - np.searchsorted(step, step)
-    # Neighbouring steps share a sample.
-    nodes, place = np.unique(
-        np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
-    )
-    at, turns = nodes % len(x), nodes // len(x)
-    found = _arriving(problem, bound, momenta[at], turns, times[at], periods[at])
-    samples = Samples(arc[at], x[at], turns, *found)
-    return samples, place[: len(step)], place[len(step) :]
+    def steps(self) -> Iterator[tuple[Samples, Samples]]:
+        """Yield the samples at both ends of steps, halved until they are fine enough."""
+        samples, left, right = self._first()
+        for _ in range(_ROUNDS):
+            begin, end = samples[left], samples[right]
+            coarse = self._coarse(begin, end)
+            yield begin[~coarse], end[~coarse]
+            if not coarse.any():
+                break
+            left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
+            middle = self.sample(begin.arc, (begin.x + end.x) / 2, begin.turns)
+            new = len(samples.x) + np.arange(len(middle.x))
+            _check(len(samples.x) + len(new), _MOST)
+            samples = samples + middle
+            left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
+    def _first(self) -> tuple[Samples, np.ndarray, np.ndarray]:
+        """Return the first samples, and the rows of both ends of each step between them."""
+        count, grid = len(self.curves.ends), len(_GRID)
+        arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
+        momenta = self.curves.at(arc, x)
+        times, periods = transits(self.problem, momenta)
+        least = np.fmin(times[:-1], times[1:])
+        shortest = np.fmin(periods[:-1], periods[1:])
+        whole = np.floor((self.bound * _MARGIN - least) / shortest) + 1
+        whole[(arc[:-1] != arc[1:]) | np.isnan(times[:-1] + times[1:]) | ~(whole > 0)] = 0
+        _check(whole.sum(), _MOST)
+        step = np.repeat(np.arange(len(whole)), whole.astype(int))
+        turns = np.arange(len(step)) - np.searchsorted(step, step)
+        # Neighbouring steps share a sample.
+        nodes, place = np.unique(
+            np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
+        )
+        at, turns = nodes % len(x), nodes // len(x)
+        samples = self._arriving(arc[at], x[at], turns, momenta[at], times[at], periods[at])
+        return samples, place[: len(step)], place[len(step) :]
 
-def sample(
-    problem: Problem,
-    curves: Arcs,
-    bound: float,
-    arc: np.ndarray,
-    x: np.ndarray,
-    turns: np.ndarray,
-) -> Samples:
-    """Return the samples at points of arcs; arrivals much later than `bound` have no half angle."""
-    momenta = curves.at(arc, x)
-    return Samples(
-        arc, x, turns, *_arriving(problem, bound, momenta, turns, *transits(problem, momenta))
-    )
+    def sample(self, arc: np.ndarray, x: np.ndarray, turns: np.ndarray) -> Samples:
+        """Return the samples at points of arcs; arrivals long after `bound` have no half angle."""
+        momenta = self.curves.at(arc, x)
+        return self._arriving(arc, x, turns, momenta, *transits(self.problem, momenta))
 
+    def _arriving(
+        self,
+        arc: np.ndarray,
+        x: np.ndarray,
+        turns: np.ndarray,
+        momenta: np.ndarray,
+        first: np.ndarray,
+        period: np.ndarray,
+    ) -> Samples:
+        """Return samples from momenta (N, 3) of size 1 and their transits."""
+        # Zero turns take no time, also on the separatrix, where one takes for ever.
+        time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
+        near = time <= _FAR * self.bound
+        rates = np.where(near, time, np.nan)[:, None] * momenta / self.problem.inertia
+        arrived = self.problem.arrivals(np.nan_to_num(rates))
+        half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
+        return Samples(arc, x, turns, period, time, rates, np.where(near, half, np.nan))
 
-def _arriving(
-    problem: Problem,
-    bound: float,
-    momenta: np.ndarray,
-    turns: np.ndarray,
-    first: np.ndarray,
-    period: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Return periods, times, rates and half angles of momenta (N, 3) of size 1, from transits."""
-    # Zero turns take no time, also on the separatrix, where one takes for ever.
-    time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
-    rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
-    arrived = problem.arrivals(np.nan_to_num(rates))
-    half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
-    return period, time, rates, np.where(time <= _FAR * bound, half, np.nan)
+    def _coarse(self, begin: Samples, end: Samples) -> np.ndarray:
+        """Return True for each step that has to be halved."""
+        apart = np.linalg.norm(end.rates - begin.rates, axis=1)
+        fine = (np.abs(_turned(begin, end)) <= _HALF_STEP) & (apart <= _RATE_STEP)
+        matters = np.minimum(begin.time, end.time) <= self.bound * _MARGIN
+        step = end.x - begin.x
+        jumps = np.abs(end.time - begin.time) > np.minimum(begin.period, end.period) / 2
+        return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
+    def zeros(self, begin: Samples, end: Samples) -> np.ndarray:
+        """Return rates where the half angle passes a multiple of pi, or comes close to one."""
+        step = _turned(begin, end)
+        low, high = np.minimum(0, step), np.maximum(0, step)
+        whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
+        crossed = (whole <= high) & (step != 0)
+        at = self._crossings(begin[crossed], end[crossed], whole[crossed] / step[crossed])
+        first, last = np.abs(np.sin(begin.half)), np.abs(np.sin(end.half))
+        close = ~crossed & (np.minimum(first, last) < _TANGENT)
+        nearer = np.where((first < last)[:, None], begin.rates, end.rates)
+        return np.concatenate([at, nearer[close]])
 
-def _is_coarse(begin: Samples, end: Samples, bound: float) -> np.ndarray:
-    apart = np.linalg.norm(end.rates - begin.rates, axis=1)
-    fine = (np.abs(_turned(begin, end)) <= _HALF_STEP) & (apart <= _RATE_STEP)
-    matters = np.minimum(begin.time, end.time) <= bound * _MARGIN
-    step = end.x - begin.x
-    jumps = np.abs(end.time - begin.time) > np.minimum(begin.period, end.period) / 2
-    return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
+    def _crossings(self, begin: Samples, end: Samples, wanted: np.ndarray) -> np.ndarray:
+        """Return the rates (N, 3) at which half angles have made a wanted part of their change.
+
+        The zero is found by regula falsi, in its Illinois variant.
+        """
+        step, rates = _turned(begin, end), begin.rates
+        x, far = begin.x, end.x
+        off, far_off = -wanted, 1 - wanted
+        for _ in range(_CLOSER):
+            tried = x + (far - x) * off / np.where(off == far_off, 1.0, off - far_off)
+            found = self.sample(begin.arc, tried, begin.turns)
+            now = _turned(begin, found) / step - wanted
+            passed = now * off < 0
+            far, far_off = np.where(passed, x, far), np.where(passed, off, far_off / 2)
+            x, off, rates = tried, now, found.rates
+        return rates
 
 
 def _turned(begin: Samples, end: Samples) -> np.ndarray:
     """Return the changes of half angles, from -pi to pi."""
     return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi
-
-
-def _zeros(
-    problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples
-) -> np.ndarray:
-    """Return rates where the half angle passes a multiple of pi, or comes close to one."""
-    step = _turned(begin, end)
-    low, high = np.minimum(0, step), np.maximum(0, step)
-    whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
-    crossed = (whole <= high) & (step != 0)
-    wanted = whole[crossed] / step[crossed]
-    at = _crossings(problem, curves, bound, begin[crossed], end[crossed], wanted)
-    first, last = np.abs(np.sin(begin.half)), np.abs(np.sin(end.half))
-    close = ~crossed & (np.minimum(first, last) < _TANGENT)
-    nearer = np.where((first < last)[:, None], begin.rates, end.rates)
-    return np.concatenate([at, nearer[close]])
-
-
-def _crossings(
-    problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples, wanted: np.ndarray
-) -> np.ndarray:
-    """Return the rates (N, 3) at which half angles have made a wanted part of their change.
-
-    The zero is found by regula falsi, in its Illinois variant.
-    """
-    step, rates = _turned(begin, end), begin.rates
-    x, far = begin.x, end.x
-    off, far_off = -wanted, 1 - wanted
-    for _ in range(_CLOSER):
-        tried = x + (far - x) * off / np.where(off == far_off, 1.0, off - far_off)
-        found = sample(problem, curves, bound, begin.arc, tried, begin.turns)
-        now = _turned(begin, found) / step - wanted
-        passed = now * off < 0
-        far, far_off = np.where(passed, x, far), np.where(passed, off, far_off / 2)
-        x, off, rates = tried, now, found.rates
-    return rates
