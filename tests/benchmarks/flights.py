@@ -39,14 +39,15 @@ WAYS = [
     ("bm6", 2),
 ]
 Flown = Callable[..., np.ndarray | None]
-BY_DOP853: Flown = fly._flown
+BY_DOP853: Flown = fly._Loop.flown
 
 
 def by_splitting(name: str, count: int) -> Flown:
     """So many steps of a method from one sample to the next."""
     method = METHODS[name]
 
-    def flown(inertia, ramp, environment, burns, tolerance):
+    def flown(loop, ramp):
+        inertia, environment = loop.inertia, loop.environment
         bodies, h = Bodies(inertia, "c"), (ramp.end - ramp.begin) / count
         q, omega = ramp.now.state[:4], ramp.now.state[4:7]
         impulse, work = ramp.now.state[7:10], ramp.now.state[10]
@@ -79,7 +80,7 @@ def _kicked(inertia, omega, torque, stored, dt):
 
 
 def timed(flown: Flown, flight: Flight, plan) -> tuple[Run, float]:
-    fly._flown = flown
+    fly._Loop.flown = flown
     begin = time.process_time()
     run = fly.fly(plan.manoeuvre, flight, plan.best)
     return run, time.process_time() - begin

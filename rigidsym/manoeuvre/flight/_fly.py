@@ -51,6 +51,79 @@ class _Ramp:
         return torque, self.now.momentum - (t - self.begin) / 2 * (self.now.torque + torque)
 
 
+@dataclass(frozen=True, slots=True)
+class _Loop:
+    """The closed loop from one sample to the next."""
+
+    flight: Flight
+    inertia: np.ndarray
+    environment: Environment
+    burns: Burns | None
+
+    @property
+    def thrusting(self) -> Burns | None:
+        """Burns of thrusters; None where wheels exert them."""
+        return self.burns if self.flight.thrusters else None
+
+    def steered(self, now: _Sample, wanted: control.Wanted, span: tuple[float, float]) -> _Ramp:
+        """Return the wheels' torque until the next sample: feedback, feedforward and burns."""
+        begin, end = span
+        q, omega, controller = now.state[_Q], now.state[_OMEGA], self.flight.controller
+        command = control.feedforward(controller, q, omega, now.momentum, wanted)
+        half = (end - begin) / 2
+        burst = self.burns.between(end - half, end + half) if self.burns else _NONE
+        if not burst.any():
+            command = command + control.feedback(controller, self.inertia, q, omega, wanted)
+        elif self.flight.thrusters is None:
+            command = command + burst
+        then = next_torque(self.flight.wheels, now.torque, now.momentum, command, end - begin)
+        return _Ramp(begin, end, now, then)
+
+    def flown(self, ramp: _Ramp) -> np.ndarray | None:
+        """Return the state at the next sample, q of unit length; None where integration fails.
+
+        Steps end where the torque of thrusters changes.
+        """
+        state, tolerance, burns = ramp.now.state, self.flight.run.tolerance, self.thrusting
+        for piece in burns.pieces(ramp.begin, ramp.end) if burns else [(ramp.begin, ramp.end)]:
+            burning = burns.between(*piece) if burns else _NONE
+            try:
+                with np.errstate(over="raise", invalid="raise"):
+                    found = solve_ivp(
+                        _equations(self.inertia, ramp, self.environment, burning),
+                        piece,
+                        state,
+                        method="DOP853",
+                        rtol=tolerance,
+                        atol=tolerance * _SIZES,
+                        first_step=piece[1] - piece[0],
+                    )
+            except ArithmeticError:
+                return None
+            if not found.success:
+                return None
+            state = found.y[:, -1]
+            state[_Q] /= np.linalg.norm(state[_Q])
+        return state
+
+    @np.errstate(all="ignore")
+    def causes(self, ramp: _Ramp, turning: np.ndarray) -> dict[str, float]:
+        """Return the sizes of torques at the beginning of a span, N m, by their cause.
+
+        Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum
+        with its gyroscopic torque at the wanted rates (3,), since the rates flown come of all
+        torques.
+        """
+        size = np.linalg.norm
+        each = self.environment.each(np.array([ramp.begin]), ramp.now.state[None, _Q])
+        found = {
+            "control (lower gains or limits)": max(map(size, (ramp.now.torque, ramp.then))),
+            "wheels.momentum": size(self.flight.wheels.momentum) * size(turning),
+            **{name.replace("_", " "): size(torque) for name, torque in each.items()},
+        }
+        return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}
+
+
 def fly(
     manoeuvre: Manoeuvre,
     flight: Flight,
@@ -95,7 +168,6 @@ def fly(
     """
     inertia = np.array([float(x) for x in manoeuvre.inertia])
     burns = planned(flight, manoeuvre, track)
-    thrusting = burns if flight.thrusters else None
     # Whole periods from t = 0; the first before all burns, or at zero.
     period = flight.run.period
     early = ceil(-burns.begin / float(period)) if burns else 0
@@ -104,16 +176,17 @@ def fly(
     reference = control.reference(manoeuvre, track, t)
     needed = control.torques(inertia, track, t)
     environment = Environment(flight, inertia, float(t[0]))
+    loop = _Loop(flight, inertia, environment, burns)
     # The body has turned freely until the first sample.
     still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
     state = np.concatenate([*still(float(t[0])), np.zeros(4)])
     samples = [_Sample(state, np.zeros(3), np.array(flight.wheels.momentum))]
     for k, span in enumerate(pairwise(t.tolist())):
         wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
-        ramp = _steered(flight, inertia, samples[-1], wanted, span, burns)
-        state = _flown(inertia, ramp, environment, thrusting, flight.run.tolerance)
+        ramp = loop.steered(samples[-1], wanted, span)
+        state = loop.flown(ramp)
         if state is None:
-            causes = _causes(flight, environment, ramp, wanted.omega)
+            causes = loop.causes(ramp, wanted.omega)
             name = max(causes, key=causes.__getitem__)
             rule = (
                 "torques turn the spacecraft too fast to be followed; the greatest, "
@@ -136,64 +209,8 @@ def fly(
         disturbances=environment.each(t, states[:, _Q]),
         impulse=states[:, _IMPULSE],
         work=states[:, _WORK],
-        burns=thrusting,
+        burns=loop.thrusting,
     )
-
-
-def _steered(
-    flight: Flight,
-    inertia: np.ndarray,
-    now: _Sample,
-    wanted: control.Wanted,
-    span: tuple[float, float],
-    burns: Burns | None,
-) -> _Ramp:
-    """Return the wheels' torque until the next sample, from feedback, feedforward and burns."""
-    begin, end = span
-    q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
-    command = control.feedforward(controller, q, omega, now.momentum, wanted)
-    half = (end - begin) / 2
-    burst = burns.between(end - half, end + half) if burns else _NONE
-    if not burst.any():
-        command = command + control.feedback(controller, inertia, q, omega, wanted)
-    elif flight.thrusters is None:
-        command = command + burst
-    then = next_torque(flight.wheels, now.torque, now.momentum, command, end - begin)
-    return _Ramp(begin, end, now, then)
-
-
-def _flown(
-    inertia: np.ndarray,
-    ramp: _Ramp,
-    environment: Environment,
-    burns: Burns | None,
-    tolerance: float,
-) -> np.ndarray | None:
-    """Return the state at the next sample, q of unit length; None where the integration fails.
-
-    Steps end where the torque of thrusters changes.
-    """
-    state = ramp.now.state
-    for piece in burns.pieces(ramp.begin, ramp.end) if burns else [(ramp.begin, ramp.end)]:
-        burning = burns.between(*piece) if burns else _NONE
-        try:
-            with np.errstate(over="raise", invalid="raise"):
-                found = solve_ivp(
-                    _equations(inertia, ramp, environment, burning),
-                    piece,
-                    state,
-                    method="DOP853",
-                    rtol=tolerance,
-                    atol=tolerance * _SIZES,
-                    first_step=piece[1] - piece[0],
-                )
-        except ArithmeticError:
-            return None
-        if not found.success:
-            return None
-        state = found.y[:, -1]
-        state[_Q] /= np.linalg.norm(state[_Q])
-    return state
 
 
 def _equations(
@@ -223,22 +240,3 @@ def _turn(q: np.ndarray, omega: np.ndarray) -> np.ndarray:
             a * z + b * y - c * x,
         ]
     )
-
-
-@np.errstate(all="ignore")
-def _causes(
-    flight: Flight, environment: Environment, ramp: _Ramp, turning: np.ndarray
-) -> dict[str, float]:
-    """Return the sizes of torques at the beginning of a span, N m, by their cause.
-
-    Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum with
-    its gyroscopic torque at the wanted rates (3,), since the rates flown come of all torques.
-    """
-    size = np.linalg.norm
-    each = environment.each(np.array([ramp.begin]), ramp.now.state[None, _Q])
-    found = {
-        "control (lower gains or limits)": max(map(size, (ramp.now.torque, ramp.then))),
-        "wheels.momentum": size(flight.wheels.momentum) * size(turning),
-        **{name.replace("_", " "): size(torque) for name, torque in each.items()},
-    }
-    return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}

@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from functools import partial
 from math import radians
-from shutil import copytree
+from shutil import copy
 
 import numpy as np
 import pytest
@@ -16,6 +16,7 @@ from manoeuvre_flights import INERTIA, NO_CONTROL, NOTHING, tracked
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre import plan
 from rigidsym.manoeuvre._manoeuvre import manoeuvre
+from rigidsym.manoeuvre.flight import _results
 from rigidsym.manoeuvre.flight._rotation import angle
 from rigidsym.manoeuvre.flight._run import predicted
 from rigidsym.manoeuvre.flight._settings import Thrusters
@@ -158,8 +159,9 @@ def test_what_cannot_be_written_leaves_nothing(found, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_no_message_of_another_flight_is_left(found, written, tmp_path):
-    copytree(written, tmp_path, dirs_exist_ok=True)
+def test_no_message_of_another_flight_is_left(found, written, tmp_path, monkeypatch):
+    monkeypatch.setattr(_results, "_PICTURES", ())
+    copy(written / "attitude.aem", tmp_path)
     paths = at(found, 1971, 12, 31).write(tmp_path)
     assert set(tmp_path.iterdir()) == set(paths)
     assert tmp_path / "attitude.aem" not in paths
