@@ -157,7 +157,11 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     array([2., 4., 6.])
     >>> rates, attitude = body.to_principal([0.1, 0.2, 0.3], [1, 0, 0, 0])
     """
-    given = _entries(tensor)
+    rows = inputs.sequence("tensor", tensor, ndim=2)
+    if len(rows) != 3:
+        raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
+    exact = {f"tensor[{i}]": inputs.vector(f"tensor[{i}]", row, 3) for i, row in enumerate(rows)}
+    given = np.array([inputs.doubles(n, inputs.certain(n, x)) for n, x in exact.items()])
     size = float(np.max(np.abs(given)))
     apart = np.abs(given - given.T)
     i, j = (int(k) for k in np.unravel_index(np.argmax(apart), apart.shape))
@@ -172,18 +176,6 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     first, second = (x * np.copysign(1.0, x[np.argmax(np.abs(x))]) for x in axes.T[:2])
     matrix = np.stack([first, second, np.cross(first, second)], axis=1)
     return PrincipalAxes(moments, matrix, of_matrix(matrix))
-
-
-def _entries(tensor: ArrayLike) -> np.ndarray:
-    rows = inputs.sequence("tensor", tensor, ndim=2)
-    if len(rows) != 3:
-        raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
-    names = [f"tensor[{i}]" for i in range(3)]
-    exact = [
-        inputs.certain(name, inputs.vector(name, row, 3))
-        for name, row in zip(names, rows, strict=True)
-    ]
-    return np.array([inputs.doubles(name, row) for name, row in zip(names, exact, strict=True)])
 
 
 def _solved(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

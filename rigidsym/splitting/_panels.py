@@ -181,7 +181,10 @@ class Panels(Mesh):
                 return None
             self.rough.append(sum(found) / 2)
             return [begin, found[0], min(found[1], end), end]
-        impulse = self._impulse(torques, length / blocks)
+        # The integral of the torque over all blocks, (..., 3), N m s.
+        firsts = torques[:-1].reshape(-1, _DEGREE, *torques.shape[1:])
+        inner = np.tensordot(_WEIGHTS[:-1], firsts, (0, 1))
+        impulse = length / blocks * np.sum(inner + _WEIGHTS[-1] * torques[_DEGREE::_DEGREE], axis=0)
         differences = [self._apart(*ends, begin)]
         allowed = self._first * length / self._span + unseen
         for level in range(2, _LEVELS + 1):
@@ -268,13 +271,6 @@ class Panels(Mesh):
         self._rates = np.maximum(self._rates, gained)
         return (self._reach(begin) / self._least_moment)[..., None]
 
-    def _impulse(self, torques: np.ndarray, length: float) -> np.ndarray:
-        """Integrate the torque over the blocks of a panel; return N m s, (..., 3)."""
-        firsts = torques[:-1].reshape(-1, _DEGREE, *torques.shape[1:])
-        lasts = torques[_DEGREE::_DEGREE]
-        inner = np.tensordot(_WEIGHTS[:-1], firsts, (0, 1))
-        return length * np.sum(inner + _WEIGHTS[-1] * lasts, axis=0)
-
     def _kicked(self, path: Path, begin: float, step: float, count: int) -> np.ndarray:
         """Sum the kicks of `count` steps along a path; return N m s, (..., 3)."""
         method = self._splitting.method
@@ -304,7 +300,10 @@ class Panels(Mesh):
         None where there is no jump or kink.
         """
         while True:
-            bends = _bends(times, torques * weight)
+            # Second divided differences of the worst body, (M - 2,).
+            slopes = np.diff(torques * weight, axis=0) / _along(np.diff(times), torques)
+            curves = np.diff(slopes, axis=0) / _along(times[2:] - times[:-2], torques)
+            bends = np.max(_lengths(curves).reshape(len(curves), -1), axis=1)
             k = int(np.argmax(bends))
             if not bends[k] > _OUTLIER * np.median(bends):
                 return None
@@ -335,10 +334,3 @@ def _tails(torques: np.ndarray, length: float) -> np.ndarray:
     blocks = np.array([torques[_DEGREE * k : _DEGREE * (k + 1) + 1] for k in range(count)])
     last = np.tensordot(_TO_COEFFICIENTS[-_LAST:], blocks, (1, 1))
     return length * np.max(_lengths(last).reshape(_LAST, count, -1), axis=(0, 2))
-
-
-def _bends(times: np.ndarray, torques: np.ndarray) -> np.ndarray:
-    """Return the largest second divided differences (M - 2,) over all bodies."""
-    slopes = np.diff(torques, axis=0) / _along(np.diff(times), torques)
-    bends = np.diff(slopes, axis=0) / _along(times[2:] - times[:-2], torques)
-    return np.max(_lengths(bends).reshape(len(bends), -1), axis=1)
