@@ -369,6 +369,6 @@ def point(values: Mapping[str, str]) -> list[str]:
     return [f"{latex(name)} = {latex(value)}" for name, value in values.items()]
 
 
-def listed(parts: Sequence[str]) -> str:
+def listed(parts: Iterable[str]) -> str:
     """Return formulas in one line."""
     return r",\quad ".join(parts)

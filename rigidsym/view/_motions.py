@@ -9,6 +9,7 @@ import numpy as np
 from rigidsym import _inputs as inputs
 from rigidsym._inputs import Number, Uncertain
 from rigidsym.errors import InputError
+from rigidsym.language._latex import listed
 from rigidsym.view import _cards as cards
 from rigidsym.view._cards import Markup, card, counted, head, math, muted
 from rigidsym.view._tables import columns
@@ -104,7 +105,7 @@ def motion_latex(motion: "TorqueFreeMotion") -> str:
         rf"{name} = {vector(values)}\,{unit}".removesuffix(r"\,")
         for _, name, values, unit in _fields(motion)
     )
-    return f"${_listed(parts)}$"
+    return f"${listed(parts)}$"
 
 
 def case_html(case: "Case") -> str:
@@ -161,7 +162,7 @@ def transfer_html(transfer: "Transfer") -> str:
     rows = [
         _quantity("omega0", rf"\Omega(0) = {_computed(transfer.omega0)}", _RATE),
         _quantity("omega1", rf"\Omega(T) = {_computed(transfer.omega1)}", _RATE),
-        _quantity("bursts", _listed(map(_computed, transfer.bursts)), _MOMENTUM),
+        _quantity("bursts", listed(map(_computed, transfer.bursts)), _MOMENTUM),
         _quantity("cost", decimal(transfer.cost, _COMPUTED), _MOMENTUM),
         _quantity("energy", f"H = {decimal(transfer.energy, _COMPUTED)}", r"\mathrm{J}"),
         _quantity("peak_rate", decimal(transfer.peak_rate, _COMPUTED), _RATE),
@@ -230,10 +231,6 @@ def _without_rounding(values: np.ndarray) -> np.ndarray:
 def _quantity(field: str, latex: str, unit: str) -> tuple[Markup, Markup, Markup]:
     """Return a row of a table: the name of a field, its value, and its unit or ""."""
     return muted(field), math(latex), math(unit or r"\,")
-
-
-def _listed(parts: Iterable[str]) -> str:
-    return r",\quad ".join(parts)
 
 
 def _miss(miss: str) -> str:

@@ -20,8 +20,8 @@ INPUTS = {"inertia": "kg m²", "omega0": "rad/s", "attitude0": "", "times": "s"}
 HEADINGS = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
 # Formats that the template uses.
 _FORMATS = (
-    *("brief", "condition", "decimal", "number", "place", "plain", "seconds", "share", "units"),
-    "UNIT",
+    *("brief", "condition", "counted", "decimal", "number", "place", "plain", "seconds", "share"),
+    *("units", "UNIT"),
 )
 _EVERYWHERE = ("page", "card", "markdown", "terminal")
 
@@ -74,27 +74,25 @@ def columns_of(table: str) -> list[Column]:
     return [column for column in COLUMNS if table in column.tables]
 
 
-class Tile(NamedTuple):
-    """A figure of the summary, with its title and a remark."""
-
-    title: str
-    shown: str
-    remark: str = ""
-    beyond: bool = False
-
-
 def page(data: Data) -> str:
     """Return the HTML page of a validation report, given by its `to_data()`."""
     everyone, bounds = data["implementations"], data["bounds"]
+    judged = [one for one in everyone if not one["peer"]]
     strata = [stratum["name"] for stratum in data["strata"]]
     cases = [(_nearest(data, found), found) for found in data["worst"]]
-    peers = [one for one in everyone if one["peer"]]
+    apart = ((number(one["disagreement"]), one["name"]) for one in data["strata"])
+    shares = (
+        (number(cell["units"]), measure, name, stratum)
+        for measure in bounds
+        for name, stratum, cell in _cells(judged, "shares", measure)
+    )
     return render(
         "validation.html",
         data=data,
-        headline=_headline(data),
-        peers=[_peer(*found) for one in peers if (found := _worst([one], "strata", "angle"))],
-        tiles=list(_tiles(data)),
+        judged=judged,
+        worst_of=_worst,
+        nearest=max(shares, default=None),
+        disagreement=max(apart, default=None),
         measures=sorted(bounds, key=_rank),
         regimes=sorted({name for one in everyone for name in one["regimes"]}),
         columns=columns_of("page"),
@@ -121,25 +119,6 @@ def _rank(measure: str) -> tuple[int, str]:
     return MEASURES.index(measure) if measure in MEASURES else len(MEASURES), measure
 
 
-def _judged(data: Data) -> list[Data]:
-    """Return the implementations that have to pass."""
-    return [one for one in data["implementations"] if not one["peer"]]
-
-
-def _headline(data: Data) -> str:
-    *first, last = [one["name"] for one in _judged(data)] or ["nothing"]
-    names = f"{', '.join(first)} and {last}" if first else last
-    if data["passed"]:
-        return f"{names} {'stay' if first else 'stays'} within every documented bound"
-    return f"{names}: {cards.counted(len(data['complaints']), 'failure')}"
-
-
-def _peer(name: str, stratum: str, cell: Data) -> str:
-    """Return a peer with its worst angle error."""
-    unit = " rad" if math.isfinite(number(cell["units"])) else ""
-    return f"{name} {formats.plain(cell['units'])}{unit}"
-
-
 def _cells(
     implementations: Sequence[Data], view: str, measure: str
 ) -> Iterator[tuple[str, str, Data]]:
@@ -156,43 +135,6 @@ def _worst(
     """Return the worst cell of a view by a measure; None if nothing was measured."""
     listed = _cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
-
-
-def _tiles(data: Data) -> Iterator[Tile]:
-    """Yield the figures of the summary."""
-    judged, strata = _judged(data), data["strata"]
-    for title, measure, unit in (
-        ("Worst angle error", "angle", " rad"),
-        ("Worst rate error", "omega", " relative"),
-    ):
-        if (found := _worst(judged, "strata", measure)) is None:
-            yield Tile(title, "not measured")
-            continue
-        (name, stratum, cell), bound = found, data["bounds"][measure]
-        part = number(cell["units"]) / bound
-        allowed = f"{formats.share(part)} of the bound {formats.plain(bound)}"
-        remark = f"{formats.counted(cell['units'])}, {allowed}; {name} in {stratum}"
-        yield Tile(title, formats.plain(cell["units"], ".2e") + unit, remark, part > 1)
-    shares = [
-        (number(cell["units"]), measure, name, stratum)
-        for measure in data["bounds"]
-        for name, stratum, cell in _cells(judged, "shares", measure)
-    ]
-    if shares:
-        part, measure, name, stratum = max(shares)
-        remark = f"{measure}; {name} in {stratum}"
-        yield Tile("Nearest to its bound", formats.share(part), remark, part > 1)
-    else:
-        yield Tile("Nearest to its bound", "not measured")
-    if strata:
-        part, name = max((number(one["disagreement"]), one["name"]) for one in strata)
-        shown = f"{part * data['agreement']:.2g}" if math.isfinite(part) else "not compared"
-        remark = f"at most, of {data['agreement']:g} allowed; {name}"
-        yield Tile("Oracles differ by", shown, remark, part > 1)
-    else:
-        yield Tile("Oracles differ by", "not compared")
-    cases, states = (sum(one[key] for one in strata) for key in ("cases", "states"))
-    yield Tile("Tested", f"{cases:,} cases", f"{states:,} states in {len(strata)} strata")
 
 
 def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:

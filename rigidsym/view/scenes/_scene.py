@@ -29,26 +29,23 @@ def coordinates(points: np.ndarray) -> Trace:
 
 def line(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
     """Return a curve through points (N, 3)."""
-    return _curve(rounded(points), name, colour, width, how)
+    style = {"color": colour, "width": width}
+    return _scatter(rounded(points), name, mode="lines", line=style, **how)
 
 
 def sketch(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
     """Return a curve through points (N, 3) in floats of four bytes, without hover text."""
-    return _curve(_single(points), name, colour, width, {"hoverinfo": "skip", **how})
-
-
-def _curve(points: np.ndarray, name: str, colour: str, width: float, how: Trace) -> Trace:
     style = {"color": colour, "width": width}
-    return _scatter(points, name, {"mode": "lines", "line": style, **how})
+    return _scatter(_single(points), name, mode="lines", line=style, hoverinfo="skip", **how)
 
 
 def dot(point: np.ndarray, name: str, colour: str, **how: object) -> Trace:
     """Return a point (3,)."""
     marker = {"color": colour, "size": 5}
-    return _scatter(rounded(point)[None], name, {"mode": "markers", "marker": marker, **how})
+    return _scatter(rounded(point)[None], name, mode="markers", marker=marker, **how)
 
 
-def _scatter(points: np.ndarray, name: str, how: Trace) -> Trace:
+def _scatter(points: np.ndarray, name: str, **how: object) -> Trace:
     return {"type": "scatter3d", **coordinates(points), "name": name, **how}
 
 
