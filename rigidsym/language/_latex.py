@@ -38,7 +38,7 @@ _FORMS: dict[str, Callable[[str, str], str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """A name in LaTeX: the head, which takes an exponent, and the argument that follows it."""
+    """Name in LaTeX, split into a head that takes an exponent and an argument."""
 
     head: str
     argument: str = ""
@@ -56,7 +56,7 @@ class Symbol:
 
 
 def symbol(name: str) -> Symbol:
-    """Return a name in LaTeX; a name with a backslash is LaTeX already.
+    """Return a name in LaTeX, unless it is LaTeX already, with a backslash.
 
     >>> symbol("Omega1").latex, symbol("sin_half_phi2").power("2")
     ('\\\\Omega_{1}', '\\\\sin^{2} \\\\frac{\\\\phi_{2}}{2}')
@@ -117,9 +117,10 @@ def _letter(text: str) -> str:
 
 
 def place(factor: Expression) -> Any:
-    """Return the rank of a factor in a product: numbers, Latin letters, anything else, functions.
+    """Return the rank of a factor in a product.
 
-    Functions are last, where their arguments end.
+    Numbers are first, then Latin letters, then anything else; functions are last, where their
+    arguments end.
     """
     base = _base(factor)
     if isinstance(base, Name):
@@ -130,7 +131,7 @@ def place(factor: Expression) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class Printer:
-    r"""Expression trees in LaTeX.
+    r"""Printer of expression trees in LaTeX.
 
     rank: the sort key of factors in a product.  most: the number of terms of a sum that are shown,
     with \cdots in the place of the others; None for all.
@@ -168,7 +169,7 @@ class Printer:
         raise TypeError(f"{expression!r} is not an expression")
 
     def _power(self, base: Expression, exponent: str) -> str:
-        """Return a power; that of a function has its exponent before the argument."""
+        """Return a power, with the exponent of a function before its argument."""
         match base:
             case Name(name):
                 return symbol(name).power(exponent)
@@ -178,7 +179,7 @@ class Printer:
         return f"{self._within(base, _POWER + 1)}^{{{exponent}}}"
 
     def _call(self, function: str, arguments: Sequence[Expression]) -> tuple[str, str]:
-        """Return the name of a function, and its arguments in brackets where they need them."""
+        """Return the name of a function, and its arguments in brackets if needed."""
         if function in FUNCTIONS:
             return FUNCTIONS[function], f" {{{self._within(arguments[0], _PRODUCT)}}}"
         between = r" \mid " if function in JACOBI else ", "
@@ -187,7 +188,7 @@ class Printer:
 
     @staticmethod
     def _rate(whole: Symbol) -> str:
-        """Return the rate of a name: a dot above a letter, d/dt before anything longer."""
+        """Return the rate of a name, with a dot above a letter and d/dt before longer names."""
         letter, _, _ = whole.head.partition("_")
         simple = not whole.raised and letter.removeprefix("\\").isalpha() and not whole.argument
         return dotted(whole.head) if simple else rf"\frac{{d}}{{dt}} {whole.latex}"
@@ -225,7 +226,7 @@ class Printer:
         return f"-{text}" if sign < 0 else text
 
     def _alone(self, factors: Sequence[Expression]) -> str:
-        """Return a product that stands alone, where a single sum needs no brackets."""
+        """Return a product without brackets around a single sum."""
         return self.of(factors[0]) if len(factors) == 1 else self._row(factors)
 
     def _row(self, factors: Iterable[Expression]) -> str:
@@ -258,7 +259,7 @@ class Printer:
 
 
 def signed(term: Expression) -> tuple[int, Expression]:
-    """Return the sign in front of a product, and the product without it."""
+    """Return the sign of a product, and the product without it."""
     match term:
         case Call("neg", (inner,)):
             sign, bare = signed(inner)
@@ -296,7 +297,7 @@ def _base(factor: Expression) -> Expression:
 
 
 def dotted(head: str) -> str:
-    r"""Return the rate of a quantity, with the dot on its letter alone: \dot{\Omega}_{i}."""
+    r"""Return the rate of a quantity, with a dot above its letter: \dot{\Omega}_{i}."""
     letter, mark, rest = head.partition("_")
     return rf"\dot{{{letter}}}{mark}{rest}"
 
@@ -305,7 +306,7 @@ of = Printer().of
 
 
 def latex(text: str) -> str:
-    r"""Return an expression, given as the kernel reads it, in LaTeX.
+    r"""Return an expression of the ledger in LaTeX.
 
     >>> latex("(c2 - c3)/c1*Omega2**2")
     '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'
@@ -320,7 +321,7 @@ def word(text: str) -> str:
 
 
 def statements(fact: Mapping[str, Any]) -> list[str]:
-    """Return the different components of a statement, without those of two equal sides."""
+    """Return the distinct components of a statement, without those of two equal sides."""
     if fact["kind"] == "model":
         return [word(fact["rhs"][0])]
     if fact["kind"] == "partition":
@@ -337,7 +338,7 @@ def turnstile(kind: str) -> str:
 
 
 def hypotheses(context: Mapping[str, Any]) -> dict[str, list[str]]:
-    """Return the assumptions of a context, by kind."""
+    """Return the assumptions of a context in LaTeX, by kind."""
     rates = context["rates"] or {}
 
     def known(rate: str) -> str:
@@ -353,7 +354,7 @@ def hypotheses(context: Mapping[str, Any]) -> dict[str, list[str]]:
 
 
 def condition(text: str) -> str | None:
-    """Return a condition such as "c_i != c_j" in LaTeX; None for one in words."""
+    """Return a condition such as "c_i != c_j" in LaTeX, or None if it is in words."""
     for sign in RELATIONS:
         left, found, right = text.partition(sign)
         if found:
@@ -365,10 +366,10 @@ def condition(text: str) -> str | None:
 
 
 def point(values: Mapping[str, str]) -> list[str]:
-    """Return the coordinates of a rational point."""
+    """Return the coordinates of a rational point in LaTeX."""
     return [f"{latex(name)} = {latex(value)}" for name, value in values.items()]
 
 
 def listed(parts: Iterable[str]) -> str:
-    """Return formulas in one line."""
+    """Join formulas in one line."""
     return r",\quad ".join(parts)

@@ -84,7 +84,7 @@ def numbers(line: "Step") -> str:
 
 
 def provided(line: "Step") -> Iterator[sympy.Basic]:
-    """Return the expressions that must not be zero, as inequalities."""
+    """Return the conditions of a step as inequalities."""
     return (sympy.Ne(condition, 0, evaluate=False) for condition in line.conditions)
 
 
@@ -105,7 +105,7 @@ def sentence(line: "Step") -> str:
 
 
 def prose(chapter: "Chapter") -> str:
-    """Return the introduction of a chapter without its formulas, which its lines have."""
+    """Return the introduction of a chapter without its formulas."""
     parts = chapter.opening.strip().split("\n\n")
     return "\n\n".join(" ".join(part.split()) for part in parts if not part.startswith("    "))
 
@@ -122,7 +122,7 @@ def formulas(text: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return prose in LaTeX: names of quantities as symbols, special characters escaped."""
+    """Return prose in LaTeX, with symbols for quantities and special characters escaped."""
     parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
     special = {**{mark: f"\\{mark}" for mark in "_#%&"}, "^": r"\^{}", "|": r"$\mid$"}
     escapes = str.maketrans(special)
@@ -130,7 +130,9 @@ def escaped(text: str) -> str:
 
 
 def display(line: "Step", fit: str = "") -> str:
-    """Return the equations of a line with the paper's numbers, in the macro `fit` if given."""
+    """Return the equations of a line in LaTeX, tagged with the paper's numbers.
+
+    fit: a macro around the equations."""
     shown = f"{fit}{{{aligned(line)}}}" if fit else aligned(line)
     tags = numbers(line).replace("^-1", "^{-1}").replace("R^{-1} dR/dt", r"$R^{-1}\dot R$")
     return rf"{shown}\tag*{{{tags}}}" if tags else shown
@@ -176,7 +178,7 @@ def line_latex(line: "Step") -> str:
 
 
 def latex(expression: Any) -> str:
-    """Return an expression of SymPy, a matrix, an equation or an inequality in LaTeX."""
+    """Return an expression, matrix, equation or inequality of SymPy in LaTeX."""
     if isinstance(expression, sympy.Rel):
         sign = {"==": "=", **language.SIGNS}[expression.rel_op]
         return f"{latex(expression.lhs)} {sign} {latex(expression.rhs)}"
@@ -187,7 +189,7 @@ def latex(expression: Any) -> str:
 
 
 def _tree(expression: Any) -> Expression:
-    """Return the tree of an expression of SymPy; parts that trees lack are names in LaTeX."""
+    """Convert an expression of SymPy to a tree; parts that trees lack become names in LaTeX."""
     arguments = expression.args
     match expression:
         case sympy.Integer():
@@ -225,12 +227,12 @@ def _tree(expression: Any) -> Expression:
 
 
 def _folded(operator: str, parts: Iterable[Any]) -> Expression:
-    """Return the sum or the product of several parts."""
+    """Return the tree of a sum or product of several parts."""
     return reduce(lambda left, right: Operation(operator, left, right), map(_tree, parts))
 
 
 def _quotient(expression: sympy.Expr) -> Expression:
-    """Return the tree of a product or power: its sign, its numerator and its denominator."""
+    """Convert a product or a power to a tree, with its sign in front."""
     above, below = sympy.fraction(expression, exact=True)
     negative = above.as_coeff_Mul()[0].is_negative
     if negative:
@@ -245,7 +247,7 @@ def _quotient(expression: sympy.Expr) -> Expression:
 
 
 def _matrix_product(expression: sympy.MatMul) -> Expression:
-    """Return the tree of a product of matrices, with the sign of its first factor in front."""
+    """Convert a product of matrices to a tree, with its sign in front."""
     first, *rest = map(_tree, expression.args)
     sign, bare = language.signed(first)
     factors = (*([] if bare == Number(1) else [bare]), *rest)
@@ -273,7 +275,7 @@ _PRINTER = language.Printer(_rank, most=None)
 
 
 def pretty(expression: sympy.Basic, width: int = 100) -> str:
-    """Draw an expression in Unicode characters, on several lines, for a terminal."""
+    """Return an expression drawn in Unicode characters, for a terminal."""
     settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
     before = pretty_use_unicode(True)
     try:

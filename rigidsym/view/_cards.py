@@ -87,7 +87,7 @@ def code(text: str) -> Markup:
 
 
 def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Markup:
-    """Return a left-aligned table, with a head if there are names of columns."""
+    """Return a left-aligned table; without `columns` it has no head."""
     heads = tag("thead", tag("tr", *(tag("th", name, style=_CELL) for name in columns)))
     body = [tag("tr", *(tag("td", cell, style=_CELL) for cell in row)) for row in rows]
     whole = tag("table", heads if columns else "", tag("tbody", *body), style="margin:.3em 0")

@@ -58,9 +58,9 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
 
 
 def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.ndarray:
-    """Return the user's times as doubles, or `count` times by default, s.
+    """Return the user's times as doubles, or `count` default times, s.
 
-    Times by default begin at zero and cover two periods or a few turns at the initial rate.  Raises
+    Default times begin at zero and cover two periods or a few turns at the initial rate.  Raises
     InputError for fewer than two times.
     """
     if times is not None:
@@ -105,7 +105,7 @@ def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
 
 
 def upright(vector: np.ndarray) -> np.ndarray:
-    """Return the quaternion of the shortest rotation that takes a vector to the third axis."""
+    """Return the shortest rotation from a vector to the third axis, as a quaternion."""
     x, y, z = vector / np.linalg.norm(vector)
     if z < -1 + 1e-12:
         return np.array([0.0, 1.0, 0.0, 0.0])

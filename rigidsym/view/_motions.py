@@ -34,7 +34,7 @@ _GIVEN, _COMPUTED = 6, 4
 
 
 def number(value: Number) -> str:
-    """Return a number as written in a call: doubles and integers bare, decimals quoted.
+    """Return a number as the user writes it in a call, with quotes unless it is a double.
 
     >>> number(Fraction(0.0109)), number(Fraction("0.0109")), number(Fraction(1, 3))
     ('0.0109', "'0.0109'", "'1/3'")
@@ -50,7 +50,7 @@ def number(value: Number) -> str:
 
 
 def _vector(values: Iterable[Number]) -> str:
-    """Return the components of a vector, each by `number`."""
+    """Return a vector as the user writes it in a call."""
     return f"({', '.join(map(number, values))})"
 
 
@@ -123,14 +123,14 @@ def _inputs(motion: "TorqueFreeMotion") -> Iterator[tuple[Markup, ...]]:
 
 
 def _fields(motion: "TorqueFreeMotion") -> Iterator[tuple[str, str, Sequence[Number], str]]:
-    """Yield the field, name in LaTeX, numbers and unit of each input."""
+    """Yield the field, symbol, values and unit of each input."""
     yield "inertia", "(c_1, c_2, c_3)", motion.inertia, _INERTIA
     yield "omega0", r"\Omega(0)", motion.omega0, _RATE
     yield "attitude0", "R(0)", motion.attitude0, ""
 
 
 def _regime(motion: "TorqueFreeMotion") -> tuple[str, str]:
-    """Return the regime of a motion, or that it is not certain, and then the reason."""
+    """Return the regime of a motion and, if it is not certain, the reason."""
     try:
         return str(motion.regime), ""
     except InputError as error:
@@ -173,7 +173,7 @@ def transfer_html(transfer: "Transfer") -> str:
 
 
 def _problem(asked: "Manoeuvre") -> Iterator[tuple[Markup, ...]]:
-    """Yield the rows of what a manoeuvre asks for."""
+    """Yield the table rows of a manoeuvre's inputs."""
     yield _quantity("inertia", f"(c_1, c_2, c_3) = {vector(asked.inertia)}", _INERTIA)
     yield _quantity("start", f"R(0) = {vector(asked.start)}", "")
     yield _quantity("target", f"R(T) = {vector(asked.target)}", "")
@@ -188,7 +188,7 @@ def _problem(asked: "Manoeuvre") -> Iterator[tuple[Markup, ...]]:
 
 
 def run_html(run: "Run", rows: Sequence[tuple[str, str]]) -> str:
-    """Return a card with the measured quantities of a flight, by name."""
+    """Return a card with the measured quantities of a flight."""
     said = muted(f"{run.t[-1]:g} s, {counted(len(run.t), 'sample')}")
     return card(head("Flight", said), cards.entries((muted(name), text) for name, text in rows))
 
@@ -224,17 +224,17 @@ def _computed(values: np.ndarray) -> str:
 
 
 def _without_rounding(values: np.ndarray) -> np.ndarray:
-    """Return a vector with zero for components that are rounding errors."""
+    """Replace the components of a vector that are rounding errors by zero."""
     return np.where(np.abs(values) > _ROUNDING * np.max(np.abs(values)), values, 0.0)
 
 
 def _quantity(field: str, latex: str, unit: str) -> tuple[Markup, Markup, Markup]:
-    """Return a row of a table: the name of a field, its value, and its unit or ""."""
+    """Return a table row with the name, value and unit of a quantity."""
     return muted(field), math(latex), math(unit or r"\,")
 
 
 def _miss(miss: str) -> str:
-    """Return `2.3e-10`, or a bound as `< 1e-14`, in LaTeX."""
+    """Return a number such as `2.3e-10`, or a bound such as `< 1e-14`, in LaTeX."""
     mantissa, _, exponent = miss.partition("e")
     return rf"{mantissa} \cdot 10^{{{int(exponent)}}}".replace(r"< 1 \cdot", "<")
 

@@ -43,7 +43,7 @@ def scaled(svg: str) -> Markup:
 
 
 def fit_page(title: str, tables: Iterable[Table], pictures: Iterable[tuple[str, str]]) -> str:
-    """Return the page of a fit; pictures have a caption and an SVG document each."""
+    """Return the page of a fit, with pictures as pairs of a caption and an SVG document."""
     name, _, said = title.partition(": ")
     drawn = [(caption, scaled(svg)) for caption, svg in pictures]
     return render("fit.html", name=name, said=said, tables=tables, pictures=drawn)
@@ -57,12 +57,12 @@ def fit_card(title: str, tables: Sequence[Table]) -> str:
 
 
 def report_markdown(results: Mapping[str, Any]) -> str:
-    """Return the report of `rigidsym reproduce` in Markdown, from the data of `report_page`."""
+    """Return the report of `rigidsym reproduce` in Markdown; see `report_page` for its data."""
     return render("report.md", table=_tables.table, **results)
 
 
 def report_page(results: Mapping[str, Any]) -> str:
-    """Return the report of `rigidsym reproduce` as a page with links to its other files.
+    """Return the report of `rigidsym reproduce` as an HTML page.
 
     results: passed, headline and sentences; chapters, each with its name, title and number of
     facts; modules, the digest of each generated file; motion, a sentence, and picture, an SVG

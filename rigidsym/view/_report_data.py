@@ -1,4 +1,4 @@
-"""The data of a validation report, the schema rigidsym.validation/3, and formats of its figures.
+"""Schema rigidsym.validation/3 of validation reports, and formats of their figures.
 
 A figure is a number, or "inf" or "nan", for which JSON has no number.  Errors and bounds are in
 units of 2^-53.  A report has the keys
@@ -36,7 +36,7 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def number(figure: Figure) -> float:
-    """Return a figure as a number: NaN counts as infinite."""
+    """Return a figure as a float, with infinity for NaN."""
     value = float(figure)
     return math.inf if math.isnan(value) else value
 
@@ -73,7 +73,7 @@ def condition(figure: Figure) -> str:
 
 
 def plain(figure: Figure, form: str = ".2g") -> str:
-    """Return a figure in units of 2^-53 as a plain number, to two digits or in another form.
+    """Return a figure, given in units of 2^-53, as a plain number.
 
     >>> plain(18.0), plain(4.5, ".2e")
     ('2e-15', '5.00e-16')
@@ -83,7 +83,7 @@ def plain(figure: Figure, form: str = ".2g") -> str:
 
 
 def share(figure: Figure) -> str:
-    """Return a part of a bound: per cent within the bound, a multiple beyond it.
+    """Return a part of a bound as a percentage or, beyond the bound, as a multiple.
 
     >>> share(0.554), share(37.2) == f"37.2 {TIMES}", share("inf")
     ('55 %', True, 'no number')
@@ -95,7 +95,7 @@ def share(figure: Figure) -> str:
 
 
 def counted(*given: Figure) -> str:
-    """Return one figure, or a range of two, with its unit."""
+    """Return one figure or a range of two, with their unit 2^-53."""
     return f"{' to '.join(map(units, given))} {TIMES} {UNIT}"
 
 
@@ -127,7 +127,7 @@ def power(base: int, exponent: float) -> str:
 
 
 def exponent(part: str) -> float:
-    """Return the exponent of a decade or half octave; -inf for "0", inf for "inf".
+    """Return the exponent of a decade or half octave.
 
     >>> exponent("1e-15"), exponent("2^-1.5"), exponent("0"), exponent("inf")
     (-15.0, -1.5, -inf, inf)
@@ -136,13 +136,13 @@ def exponent(part: str) -> float:
 
 
 def place(cell: Data) -> str:
-    """Return the case and time of a cell, and its condition if it has one."""
+    """Return the case, time and condition number of a cell."""
     known = condition(cell["condition"])
     return f"{cell['case']} at t = {seconds(cell['t'])}{known and ', '}{known}"
 
 
 def _tidy(written: str) -> str:
-    """Remove a bare decimal point, and zeros of the exponent: 1.e+06 becomes 1e6."""
+    """Shorten a number with an exponent: 1.e+06 becomes 1e6."""
     mantissa, mark, power_of_ten = written.partition("e")
     mantissa = mantissa.removesuffix(".")
     return f"{mantissa}e{int(power_of_ten)}" if mark else mantissa

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 
 def row(cells: Iterable[str]) -> str:
-    r"""Return a row in Markdown; bars inside of cells are escaped.
+    r"""Return a table row in Markdown, with bars in cells escaped.
 
     >>> row(["size", "|omega|"])
     '| size | \\|omega\\| |'

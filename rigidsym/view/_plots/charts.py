@@ -1,4 +1,4 @@
-"""Charts of results: lines over common abscissae, residuals, and distributions over cases."""
+"""Charts of results: lines, residuals, and distributions over cases."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """Lines over common abscissae, with a title and axis labels in units.
+    """Plot of several lines over the same abscissae.
 
     A line leaves out values that are None.  With `log`, both axes are logarithmic.  `colours`
     repeat where there are more lines.  With `marked`, each value is a dot.
@@ -80,7 +80,9 @@ def residuals(panels: Sequence[tuple[str, np.ndarray, np.ndarray, Sequence[int]]
 
 
 class Spread(NamedTuple):
-    """Rows of figures by name, one figure a case; `ratio` marks 1 on a logarithmic axis."""
+    """Values of each case in named rows.
+
+    With `ratio`, the axis is logarithmic and has a line at 1."""
 
     title: str
     label: str
@@ -128,7 +130,7 @@ def spreads(panels: Sequence[Spread], case: str, one: str) -> "Figure":
 
 
 def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
-    """Draw a row for each name, the first on top, its dots offset in the order of cases."""
+    """Draw a row of dots with its median for each name, the first row on top."""
     for place, values in enumerate(rows.values()):
         offsets = 0.5 * (np.arange(len(values)) + 0.5) / len(values) - 0.25
         axes.plot(values, place + offsets, "o", color=BLUE, markersize=3, alpha=0.7)

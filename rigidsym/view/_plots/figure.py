@@ -26,7 +26,7 @@ DECIMALS = 2
 
 @contextmanager
 def defaults(settings: Mapping["RcKeyType", object] | None = None) -> Generator[None]:
-    """Draw with matplotlib's own settings and these, whatever the user's matplotlibrc says.
+    """Draw with matplotlib's default settings and these, without the user's matplotlibrc.
 
     Artists read some settings when they are made and others when they are drawn, so figures have
     to be made and saved inside.
@@ -61,7 +61,7 @@ def blank(user: str, width: float, height: float) -> "Figure":
 
 @defaults()
 def history(label: str) -> tuple["Figure", "Axes"]:
-    """Return an empty figure and its axes over time, with the label of the values."""
+    """Return an empty figure and its axes over time; `label` is that of the values."""
     figure = blank("drawing", 8.0, 4.2)
     axes = figure.add_subplot()
     axes.set_xlabel(TIME_AXIS)
@@ -88,7 +88,7 @@ def lines(
     linewidth: float = 1.4,
     **style: Any,
 ) -> None:
-    """Draw a line for each column of values (N, k); the legend leaves out an empty label."""
+    """Draw a line for each column of values (N, k); lines with no label are not in the legend."""
     for column, label, colour in zip(values.T, labels, colours, strict=True):
         axes.plot(t, column, color=colour, label=label or None, linewidth=linewidth, **style)
 
@@ -99,7 +99,7 @@ def legend(axes: "Axes") -> None:
 
 
 def rendered(figure: "Figure") -> dict[str, bytes]:
-    """Return the contents of files by suffix: SVG and PNG."""
+    """Return a figure as SVG and PNG files, by suffix."""
     buffer = io.BytesIO()
     with defaults():
         figure.savefig(buffer, format="png", dpi=150, metadata={"Software": None})
@@ -107,7 +107,7 @@ def rendered(figure: "Figure") -> dict[str, bytes]:
 
 
 def svg(figure: "Figure", settings: Mapping["RcKeyType", object] | None = None) -> str:
-    """Return a figure as SVG, without dates, random names, or digits that a processor decides."""
+    """Return a figure as SVG that has the same bytes on every run and processor."""
     buffer = io.StringIO()
     with defaults({"svg.hashsalt": "rigidsym", **(settings or {})}):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})

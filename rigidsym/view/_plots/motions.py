@@ -182,7 +182,7 @@ def torques(run: "Run") -> "Figure":
 
 @flat.defaults()
 def wheels(run: "Run", rotor: float) -> "Figure":
-    """Draw the momentum of each wheel, and its speed for a rotor of inertia `rotor`, kg m^2."""
+    """Draw the momentum of each wheel, and its speed for a rotor of this inertia, kg m^2."""
     figure, axes = flat.history("momentum of the wheels ($10^{-3}$ N m s)")
     flat.lines(axes, run.t, 1e3 * run.wheel_momentum, ("wheel 1", "wheel 2", "wheel 3"))
     turns = 1e-3 / rotor * 60 / (2 * np.pi)
@@ -207,7 +207,7 @@ def disturbances(run: "Run") -> "Figure":
 
 
 def _finished(figure: "Figure", axes: "Axes", run: "Run") -> "Figure":
-    """Mark the time of arrival by a dotted line with a text above, and add a legend."""
+    """Mark the time of arrival in a picture, and add a legend."""
     if run.t[0] < run.arrival < run.t[-1]:
         axes.axvline(run.arrival, color="0.4", linewidth=1.0, linestyle=":")
         axes.annotate(

@@ -27,7 +27,7 @@ _EVERYWHERE = ("page", "card", "markdown", "terminal")
 
 
 class Column(NamedTuple):
-    """A column on strata: its key in the data, its title and its value.
+    """Column of the tables of strata, with its key in the data, its title and its value.
 
     `shown` formats the value, `bad` marks strata, and `tables` are those that have the column:
     "page", "card", "markdown" and "terminal".  A new entry of `COLUMNS` needs no change elsewhere.
@@ -112,7 +112,7 @@ def page(data: Data) -> str:
 
 
 def _rank(measure: str) -> tuple[int, str]:
-    """Return a sort key of measures: the order of their definition."""
+    """Return a sort key that keeps measures in the order of their definition."""
     # `rigidsym.validate` imports this module when it is imported itself.
     from rigidsym.validate._bounds import MEASURES
 
@@ -132,13 +132,13 @@ def _cells(
 def _worst(
     implementations: Sequence[Data], view: str, measure: str
 ) -> tuple[str, str, Data] | None:
-    """Return the worst cell of a view by a measure; None if nothing was measured."""
+    """Return the worst cell of a measure in a view, or None if nothing was measured."""
     listed = _cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
 
 
 def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
-    """Return the measure that used the largest part of its bound, and the cell of it."""
+    """Return the measure that used the largest part of its bound, and its cell."""
     shares = one["shares"].get(stratum, {})
     known = sorted(shares, key=_rank)
     name = max(known, key=lambda name: number(shares[name]["units"]), default=None)

@@ -44,7 +44,7 @@ _LINK = "{http://www.w3.org/1999/xlink}href"
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """A scale of exponents from `low` to `high`, between slots for zero and for infinity.
+    """Scale of exponents from `low` to `high`, with slots for zero and infinity at the ends.
 
     Slots are `under` and `over` of the axis long, from 0 to 1; 0 where they are not needed.
     """
@@ -91,7 +91,7 @@ class Axis:
         return [x for end in far for x in among(end, low, 2) if x < low] + among(low, high, 6)
 
     def labels(self, room: float, zero: str, beyond: str, base: int) -> dict[float, str]:
-        """Return labels by position: of the slots, and of ticks at least `room` apart from them."""
+        """Return labels of slots and ticks by position, with ticks at least `room` from slots."""
         ends = {self.at(-math.inf): zero} if self.under else {}
         ends |= {self.at(math.inf): beyond} if self.over else {}
         numbers = base == 2 and self.high - self.low <= SHORT
@@ -101,7 +101,7 @@ class Axis:
 
 
 def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) -> Axis:
-    """Return the axis that shows all exponents; those below `least` count as zero."""
+    """Return the axis that shows all exponents, where those below `least` count as zero."""
     known = list(exponents)
     inside = [x for x in known if x >= least and math.isfinite(x)] or [0.0]
     low, high = math.floor(min(inside)), math.ceil(max(inside))
@@ -116,7 +116,7 @@ class Drawing:
     def __init__(
         self, size: tuple[float, float], margins: tuple[float, float, float, float]
     ) -> None:
-        """Make axes in a figure, sizes in points; the margins are left, bottom, right and top."""
+        """Make a figure with axes; margins are left, bottom, right and top, all sizes in points."""
         from matplotlib.figure import Figure
 
         (width, height), (left, bottom, right, top) = size, margins
@@ -130,13 +130,13 @@ class Drawing:
         self._named: dict[str, tuple[str, Sequence[str]]] = {}
 
     def add(self, class_: str, artist: "Artist", titles: Sequence[str] = ()) -> None:
-        """Give an artist of the axes a class, and each of its shapes a title."""
+        """Give an artist a CSS class, and each of its shapes a title."""
         name = f"drawn-{len(self._named)}"
         artist.set(gid=name, clip_on=False)
         self._named[name] = class_, titles
 
     def line(self, class_: str, x: Sequence[float], y: Sequence[float]) -> None:
-        """Draw a line of a class."""
+        """Draw a line with a CSS class."""
         (line,) = self.axes.plot(x, y)
         self.add(class_, line)
 
@@ -149,7 +149,7 @@ class Drawing:
         self.add(class_, marks, titles)
 
     def svg(self, label: str, class_: str = "plot") -> Markup:
-        """Return the drawing as an element of a page, with classes instead of styles."""
+        """Return the drawing as an SVG element with CSS classes instead of styles."""
         root = ET.fromstring(svg(self.figure, {"svg.fonttype": "none"}))
         markers = {f"#{x.get('id')}": x.get("d") for x in root.iter(f"{_SVG}path")}
         shapes: list[dict[str, str | None]] = []
@@ -172,7 +172,7 @@ class Drawing:
 
 
 class View(NamedTuple):
-    """A property of cases with its key in the data, its label, and labels of zero and infinity."""
+    """Property of cases with its key in the data, its label, and labels of zero and infinity."""
 
     key: str
     label: str
@@ -262,7 +262,7 @@ def _exponent(cell: Data) -> float:
 
 
 def _title(name: str, exponent: float, cell: Data) -> str:
-    """Return the text that is shown for a mark: decade, number of states, and worst error."""
+    """Return the tooltip of a mark, with its decade, number of states and worst error."""
     if math.isinf(exponent):
         decade = "beyond all" if exponent > 0 else "0"
     else:
@@ -330,20 +330,20 @@ def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
 
 
 def _size(axis: Axis, exponent: float) -> str:
-    """Return the errors that a bar counts, in words."""
+    """Return the range of errors that a bar counts, as text."""
     if math.isinf(exponent):
         return "no number" if exponent > 0 else f"less than {formats.counted(2**axis.low)}"
     return formats.counted(2**exponent, 2 ** (exponent + STEP))
 
 
 def colour(k: int) -> str:
-    """Return the class of elements in the colour of implementation k."""
+    """Return the CSS class that has the colour of implementation k."""
     return f"c{k % len(SERIES)}"
 
 
 @defaults()
 def key(k: int) -> Markup:
-    """Draw the mark of implementation k by itself, for a legend."""
+    """Draw the legend mark of implementation k."""
     drawing = Drawing((12, 12), (0, 0, 0, 0))
     drawing.mark(f"key {colour(k)}", k, [0.5], [0.5], [])
     return drawing.svg("", "")

@@ -91,7 +91,7 @@ def directions(
     transfers: Mapping[str, "Transfer"],
     title: str,
 ) -> "Figure":
-    """Draw momentum directions on the unit sphere: the separatrix, a cone, and transfers.
+    """Draw momentum directions of transfers on the unit sphere, with a cone and the separatrix.
 
     cone: its name and curves.  transfers: by name.
     """
@@ -106,7 +106,7 @@ def directions(
 
 
 def _transfer(transfer: "Transfer", name: str, colour: str) -> Iterator[Trace]:
-    """Yield the polhode of a transfer, the part of it that is flown, and its two ends."""
+    """Yield the traces of a transfer: its polhode, the flown part, and the two ends."""
     motion = transfer.motion
     size = float(np.linalg.norm(momentum(motion)))
     rates = motion(np.linspace(0, transfer.duration, ON_THE_WAY))[1]
@@ -234,9 +234,9 @@ def rolling_ellipsoid(motion: "TorqueFreeMotion", times: Times | None = None) ->
 
 
 def edges(inertia: np.ndarray) -> np.ndarray:
-    """Return the edges (3,) of a uniform box with these moments: a_1^2 ~ c_2 + c_3 - c_1.
+    """Return the edges (3,) of a uniform box with these moments of inertia.
 
-    The longest is 1; none is shorter than `THINNEST`.
+    Squares are as a_1^2 ~ c_2 + c_3 - c_1; the longest edge is 1, none is below `THINNEST`.
     """
     squares = np.maximum(np.sum(inertia) - 2 * inertia, 0.0)
     return np.maximum(np.sqrt(squares / np.max(squares)), THINNEST)
@@ -287,7 +287,7 @@ def tumbling_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Fi
 
 
 def _box_and_axis(q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int) -> list[Trace]:
-    """Return the box, the followed axis, and its end, at an attitude."""
+    """Return the traces of the box, the followed axis, and its end, at one attitude."""
     box = scene.coordinates(np.round(rotated(q, size * _CORNERS), 6) + 0.0) | {
         "type": "mesh3d",
         **dict(zip("ijk", np.array(_TRIANGLES).T, strict=True)),

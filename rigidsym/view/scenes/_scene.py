@@ -23,7 +23,7 @@ Trace = dict[str, Any]
 
 
 def coordinates(points: np.ndarray) -> Trace:
-    """Return the settings x, y and z of points (..., 3)."""
+    """Return the coordinates of points (..., 3) as the settings x, y and z."""
     return dict(zip("xyz", np.moveaxis(points, -1, 0), strict=True))
 
 
@@ -34,13 +34,13 @@ def line(points: np.ndarray, name: str, colour: str, width: float, **how: object
 
 
 def sketch(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
-    """Return a curve through points (N, 3) in floats of four bytes, without hover text."""
+    """Return a curve through points (N, 3) with less data and without hover text."""
     style = {"color": colour, "width": width}
     return _scatter(_single(points), name, mode="lines", line=style, hoverinfo="skip", **how)
 
 
 def dot(point: np.ndarray, name: str, colour: str, **how: object) -> Trace:
-    """Return a point (3,)."""
+    """Return a marker at a point (3,)."""
     marker = {"color": colour, "size": 5}
     return _scatter(rounded(point)[None], name, mode="markers", marker=marker, **how)
 
@@ -78,7 +78,7 @@ def ball(rows: int, columns: int) -> np.ndarray:
 
 
 def figure(traces: Sequence[Trace], title: str, labels: Sequence[str], half: float) -> "Figure":
-    """Return a figure whose scene is a cube of half width `half`, with these labels of its axes."""
+    """Return a figure whose scene is a cube of half width `half`, with labels of its axes."""
     # This import needs plotly, which the caller has.
     from rigidsym.view.scenes._still import Picture
 
