@@ -209,6 +209,8 @@ def _tree(expression: Any) -> Expression:
             return _folded("+", [first, *(term for term in ordered if term is not first)])
         case sympy.Pow() if expression.exp == sympy.S.Half:
             return Call("sqrt", (_tree(expression.base),))
+        case sympy.Pow() if not expression.exp.is_negative:
+            return Operation("**", _tree(expression.base), _tree(expression.exp))
         case sympy.Rational() | sympy.Mul() | sympy.Pow():
             return _quotient(expression)
         case sympy.Inverse():
@@ -221,6 +223,7 @@ def _tree(expression: Any) -> Expression:
             return Name(rf"\int \left({latex(arguments[0])}\right)\, d{latex(arguments[1][0])}")
         case sympy.Function():
             return Call(expression.func.__name__, tuple(map(_tree, arguments)))
+    # The class is of `rigidsym.proof.steps`, which imports this module.
     if type(expression).__name__ == "Rate":
         return Call("D", (_tree(arguments[0]),))
     return Name(sympy.latex(expression))
@@ -232,15 +235,12 @@ def _folded(operator: str, parts: Iterable[Any]) -> Expression:
 
 
 def _quotient(expression: sympy.Expr) -> Expression:
-    """Convert a product or a power to a tree, with its sign in front."""
+    """Convert a product, a fraction or a negative power to a tree, with its sign in front."""
     above, below = sympy.fraction(expression, exact=True)
     negative = above.as_coeff_Mul()[0].is_negative
     if negative:
         above = -above
-    if isinstance(above, sympy.Pow):
-        tree = Operation("**", _tree(above.base), _tree(above.exp))
-    else:
-        tree = _folded("*", sympy.Mul.make_args(above))
+    tree = _folded("*", sympy.Mul.make_args(above))
     if below != 1:
         tree = Operation("/", tree, _folded("*", sympy.Mul.make_args(below)))
     return Call("neg", (tree,)) if negative else tree

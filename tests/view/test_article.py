@@ -154,6 +154,9 @@ x, y, a, K, mu, OMEGA = symbols("x y a K mu Omega1")
         (1 - mu * sympy.sin(x) ** 2, r"1 - \mu \sin^{2} {x}"),
         (-x - y, "-x - y"),
         (-(x**2) / (2 * y), r"-\frac{x^{2}}{2 y}"),
+        (sympy.sqrt(x) / y, r"\frac{\sqrt{x}}{y}"),
+        (x**-y / 2, r"\frac{x^{-y}}{2}"),
+        (1 / sympy.sqrt(x), r"\frac{1}{\sqrt{x}}"),
         (M * R - R * M, "M R - R M"),
         (-R.I * M, "-R^{-1} M"),
         (

@@ -25,6 +25,8 @@ def test_every_regime_is_drawn(name):
     assert attitude.get_xlabel() == "t (s)"
     assert "kg m²/s" in sphere.get_title()
     assert figure.get_suptitle() == str(motion.regime)
+    # A body at rest has no polhode.
+    assert (sphere.get_legend() is None) == (name == "rest")
     t = rates.lines[0].get_xdata()
     q, omega = motion(t)
     assert [line.get_label() for line in rates.lines] == ["Ω₁", "Ω₂", "Ω₃"]
@@ -37,30 +39,20 @@ def test_every_regime_is_drawn(name):
 def test_polhode_and_separatrix_lie_on_the_sphere(name):
     motion = MOTIONS[name]
     *_, sphere = picture(plot, name).axes
-    inertia = np.array([float(x) for x in motion.exact["inertia"]])
-    start = inertia * [float(x) for x in motion.exact["omega0"]]
+    start = np.multiply(*(np.array([*map(float, motion.exact[x])]) for x in ("inertia", "omega0")))
     lines = {line.get_label(): np.stack(line.get_data_3d(), 1) for line in sphere.lines}
     assert np.allclose(np.linalg.norm(lines["polhode"], axis=1), np.linalg.norm(start), rtol=1e-9)
     assert np.allclose(lines["first time"], start, rtol=1e-12)
     assert ("separatrix" in lines) == (motion.regime != Regime.SPHERICAL)
 
 
-def test_times_are_taken_as_a_call_takes_them():
+def test_times_of_a_plot_are_those_of_a_call():
     figure = MOTIONS["paper"].plot(["0.5", 2, 10.0])
     assert [*figure.axes[0].lines[0].get_xdata()] == [0.5, 2.0, 10.0]
-    with pytest.raises(InputError, match="two or more"):
-        MOTIONS["paper"].plot([1.0])
-    with pytest.raises(InputError, match="must be a number"):
-        MOTIONS["paper"].plot([1.0, None])
-
-
-def test_a_body_at_rest_has_no_polhode():
-    *_, sphere = picture(plot, "rest").axes
-    assert sphere.get_legend() is None
-
-
-def test_the_figure_shows_itself():
-    assert picture(plot, "paper")._repr_png_().startswith(PNG)
+    assert figure._repr_png_().startswith(PNG)
+    for times, message in (([1.0], "two or more"), ([1.0, None], "must be a number")):
+        with pytest.raises(InputError, match=message):
+            MOTIONS["paper"].plot(times)
 
 
 @pytest.mark.parametrize("module", ["matplotlib", "matplotlib.figure"])
