@@ -1,4 +1,4 @@
-"""A body that a potential pushes as hard as it turns, and what DOP853 makes of it."""
+"""Bodies under a torque by a potential, with reference states by DOP853."""
 
 from dataclasses import dataclass
 
@@ -13,13 +13,13 @@ LEVER = np.array([0.1, 0.2, 0.3])
 
 
 def energy(t, q):
-    """Of a lever that sticks in the body, in a field along z that changes with time, J."""
+    """Return the potential energy of a lever in a field along z that changes with time, J."""
     up = np.broadcast_to([0.0, 0.0, 1.0], (*q.shape[:-1], 3))
     return np.cos(0.3 * t) * np.sum(LEVER * rotated(conjugate(q), up), axis=-1)
 
 
 def gradient(t, q):
-    """Of that energy as a quadratic form of the quaternion."""
+    """Return the gradient of the energy as a quadratic form of the quaternion."""
     a, b, c, d = np.moveaxis(q, -1, 0)
     x, y, z = 2 * np.cos(0.3 * t) * LEVER
     parts = z * a + y * b - x * c, y * a - z * b + x * d, -x * a - z * c + y * d
@@ -44,7 +44,7 @@ class Pushed:
         return found
 
     def reference(self):
-        """q (N, 4), omega (N, 3) by Dormand and Prince's method of order 8."""
+        """Return q (N, 4) and omega (N, 3) by DOP853."""
         span, start = (self.times[0], self.times[-1]), [*self.q0, *self.omega0]
         found = solve_ivp(
             self.derivative, span, start, "DOP853", self.times, rtol=1e-13, atol=1e-14

@@ -1,4 +1,4 @@
-"""A small real validation report, and variations of it."""
+"""Small validation report, and variations of it."""
 
 import copy
 import json
@@ -15,7 +15,7 @@ STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "res
 
 @cache
 def whole():
-    """The report itself."""
+    """Return the report, measured once."""
     progress = Progress(Campaign.of(["numpy"], cases=3, strata=STRATA))
     with local(1) as place:
         complete(progress, place)
@@ -23,17 +23,17 @@ def whole():
 
 
 def passed():
-    """The data of a report as JSON has them."""
+    """Return the data of a report that passed, read from JSON."""
     return json.loads(whole().to_json())
 
 
 def direct():
-    """The same as they are before they are JSON."""
+    """Return the data of the report as `to_data` returns them."""
     return whole().to_data()
 
 
 def failed():
-    """The same report with a bound broken."""
+    """Return the data of a report with a broken bound."""
     report = whole()
     key, cells = ("numpy", "angle", "share", "uniform"), report.tally.cells
     broken = {**cells, key: replace(cells[key], count=1, worst=37.2)}

@@ -5,6 +5,7 @@ the same result merged in any order and grouping.
 """
 
 import math
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -43,14 +44,13 @@ class Tally:
     """Table of cells by key, with the numbers of cases and states by stratum."""
 
     cells: dict[Key, Cell] = field(default_factory=dict)
-    cases: dict[str, int] = field(default_factory=dict)
-    states: dict[str, int] = field(default_factory=dict)
+    cases: Counter[str] = field(default_factory=Counter)
+    states: Counter[str] = field(default_factory=Counter)
 
     def count(self, reference: Reference) -> None:
         """Count a case and its states."""
-        for counts, more in ((self.cases, 1), (self.states, len(reference.sample.times))):
-            name = reference.sample.stratum
-            counts[name] = counts.get(name, 0) + more
+        self.cases[reference.sample.stratum] += 1
+        self.states[reference.sample.stratum] += len(reference.sample.times)
 
     def add(self, target: str, reference: Reference, errors: Mapping[str, Errors]) -> None:
         """Add the errors of one case."""
@@ -82,15 +82,14 @@ class Tally:
 
     def copy(self) -> "Tally":
         """Return a copy; cells never change."""
-        return Tally(dict(self.cells), dict(self.cases), dict(self.states))
+        return Tally(dict(self.cells), self.cases.copy(), self.states.copy())
 
     def merge(self, other: "Tally") -> None:
         """Add another tally, of other cases."""
         for key, cell in other.cells.items():
             self.put(key, cell)
-        for mine, theirs in ((self.cases, other.cases), (self.states, other.states)):
-            for name, more in theirs.items():
-                mine[name] = mine.get(name, 0) + more
+        self.cases.update(other.cases)
+        self.states.update(other.states)
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
         """Return the cells of a view by the names of its parts, sorted."""
@@ -115,7 +114,7 @@ class Tally:
             place = (name, index, float.fromhex(time))
             cell = Cell(count, float.fromhex(worst), place, float.fromhex(condition))
             cells[tuple(key)] = cell
-        return cls(cells, dict(data["cases"]), dict(data["states"]))
+        return cls(cells, Counter(data["cases"]), Counter(data["states"]))
 
 
 def decade(value: float) -> str:

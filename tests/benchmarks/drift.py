@@ -38,13 +38,13 @@ class Drift:
     mean: float
 
     def row(self) -> str:
-        """A line of the table."""
+        """Return a line of the table."""
         figures = " ".join(f"{x:8.1f}" for x in self.rms.values())
         return f"{self.kind:18} {self.quantity:3} {figures}  {self.exponent:5.2f}  {self.mean:5.2f}"
 
 
 def drifts(steps: int = STEPS, bodies: int = BODIES, kinds: tuple[str, ...] = KINDS) -> list[Drift]:
-    """Every kind, H and then K^2."""
+    """Return the drift of H and of K^2 for each kind of bodies."""
     motions = [draw(kind, k, 7) for kind in kinds for k in range(bodies)]
     inertia, omega, q = (
         np.array([list(map(float, x)) for x in values])
@@ -63,13 +63,13 @@ def drifts(steps: int = STEPS, bodies: int = BODIES, kinds: tuple[str, ...] = KI
 
 
 def _integrals(inertia: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """2 H and K^2 of bodies (2, B)."""
+    """Return 2 H and K^2 of bodies (2, B)."""
     c, w = inertia.astype(np.longdouble), omega.astype(np.longdouble)
     return np.stack([np.sum(c * w * w, axis=1), np.sum((c * w) ** 2, axis=1)])
 
 
 def _marks(steps: int) -> list[int]:
-    """Decades, and the last."""
+    """Return the numbers of steps at which drifts are computed."""
     return sorted({*(10**k for k in range(3, 10) if 10**k <= steps), steps})
 
 
@@ -83,7 +83,7 @@ def _drift(found: dict[int, np.ndarray], n: int, k: int, kind: str, bodies: int)
 
 
 def main() -> None:
-    """Print the table, or JSON."""
+    """Print the drifts as a table or as JSON."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("steps", nargs="?", type=int, default=STEPS)
     parser.add_argument("--quick", action="store_true")

@@ -1,4 +1,4 @@
-"""Fits: how long one takes, from a start and from none, and the same by numerical integration.
+"""Time of a fit with and without a guess, and of the same fit by numerical integration.
 
     python tests/benchmarks/fits.py [--looks 1000] [--starts 10000] [--engine c]
     python tests/benchmarks/fits.py --quick                 few looks, starts and runs
@@ -69,7 +69,7 @@ def integrated(problem, start):
 
 
 def main():
-    """Print a line for each."""
+    """Print the time of each kind of fit."""
     looks, starts = ({"type": int, "default": x} for x in (1000, 10000))
     asked = bench.options(__doc__, looks=looks, starts=starts, engine={"default": "c"})
     if asked.quick:

@@ -1,4 +1,4 @@
-"""A flight between samples of control, by DOP853 and by splitting: error against time.
+"""Error and time of a controlled flight by DOP853 and by splitting methods.
 
     nice uv run python tests/benchmarks/flights.py
     python tests/benchmarks/flights.py --quick              three seconds of flight, one rival
@@ -43,7 +43,7 @@ BY_DOP853: Flown = fly._Loop.flown
 
 
 def by_splitting(name: str, count: int) -> Flown:
-    """So many steps of a method from one sample to the next."""
+    """Return a function that flies from one control sample to the next by splitting."""
     method = METHODS[name]
 
     def flown(loop, ramp):
@@ -87,7 +87,7 @@ def timed(flown: Flown, flight: Flight, plan) -> tuple[Run, float]:
 
 
 def main() -> None:
-    """Print errors and times by method and steps a sample."""
+    """Print the errors and times of each method."""
     manoeuvre, tables = open_manoeuvre("paper")
     flight, plan = read(tables), solve(manoeuvre)
     quick = "--quick" in sys.argv

@@ -1,4 +1,4 @@
-"""The generated modules beside the machine's bound, integrators and the paper's own formulas.
+"""Time and error of the generated modules, integrators and the paper's formulas.
 
     python tests/benchmarks/generated.py [ROUNDS]
     python tests/benchmarks/generated.py --quick      small sizes, one round, goals not judged
@@ -67,7 +67,7 @@ def main() -> int:
 
 @dataclass
 class Table:
-    """Figures by name in a unit, and goals: a text, and whether it is met.
+    """Table of figures in one unit, with goals.
 
     A goal beside a rival that is not installed is none.
     """
@@ -82,14 +82,14 @@ class Table:
         self.goals.append((f"{name}: {found:.3g} {self.unit}, at most {limit}", found <= limit))
 
     def within(self, name: str, factor: float, other: str) -> None:
-        """The first takes at most so many times as long as the other."""
+        """Add the goal that one takes at most `factor` times as long as another."""
         if other not in self.figures:
             return
         ratio = self.figures[name] / self.figures[other]
         self.goals.append((f"{name}: {ratio:.2f} x {other}, at most {factor}", ratio <= factor))
 
     def faster(self, name: str, factor: float, others: list[str]) -> None:
-        """The first is at least so many times as fast as the fastest of the others."""
+        """Add the goal that one is at least `factor` times as fast as all others."""
         if not (others := [name for name in others if name in self.figures]):
             return
         other = min(others, key=self.figures.__getitem__)
@@ -97,7 +97,7 @@ class Table:
         self.goals.append((f"{other}: {ratio:.1f} x {name}, at least {factor}", ratio >= factor))
 
     def print(self, judged: bool) -> bool:
-        """Print the figures, and the goals where they are judged; return whether all are met."""
+        """Print figures and goals; return True if all goals are met."""
         print(f"\n{self.title}")
         for name, figure in self.figures.items():
             print(f"  {name:40}{figure:12.4g} {self.unit}")
@@ -122,7 +122,7 @@ def _best(works: dict[str, Work], rounds: int, per: int) -> dict[str, float]:
 
 
 class CModule:
-    """The generated source as it is, compiled with some flags."""
+    """The generated C source, compiled with some flags."""
 
     def __init__(self, flags: tuple[str, ...] = NATIVE) -> None:
         header = SOURCE.with_suffix(".h").read_text("utf-8")
@@ -135,7 +135,7 @@ class CModule:
         return prepared
 
     def call(self, name: str, *arguments: object) -> Work:
-        """A call of torque_free_<name>; its arguments are checked here, not at each call."""
+        """Return a call of torque_free_<name> whose arguments are checked only once."""
         given = self.library.signatures[name].arguments(arguments, {})
         function = getattr(self.library.raw, name)
 
@@ -158,7 +158,7 @@ def _compiled(source: Path, flags: tuple[str, ...]) -> ctypes.CDLL:
 
 
 def _bounds(t: np.ndarray, out: rivals.States) -> dict[str, Work]:
-    """The machine's bound in both widths."""
+    """Return programs whose time is the machine's bound, in two vector widths."""
     source = Path(__file__).with_name("bound.c")
     library = _compiled(source, ("-O3", "-march=native"))
     times, *places = (ctypes.c_void_p(x.ctypes.data) for x in (t, *out))
@@ -173,7 +173,7 @@ def _bounds(t: np.ndarray, out: rivals.States) -> dict[str, Work]:
 
 
 def _states(size: int, rounds: int) -> Table:
-    """One body, N states into arrays that are there already."""
+    """Measure many states of one body, written to existing arrays."""
     t = np.random.default_rng(size).uniform(0, SECONDS, size)
     in_order = np.sort(t)
     out = np.zeros((size, 4)), np.zeros((size, 3))
@@ -216,7 +216,7 @@ FROM_START = [name for name in RIVALS if name != "heyoka, evaluation alone"]
 
 
 def _bodies(rounds: int, bodies: int) -> Table:
-    """Many bodies, one time for all of them."""
+    """Measure one state of each of many bodies."""
     random = np.random.default_rng(0)
     # Moments of real bodies: sums of two of three positive numbers.
     parts = random.uniform(0.1, 1.0, (bodies, 3))
@@ -241,7 +241,7 @@ def _bodies(rounds: int, bodies: int) -> Table:
 
 
 def _small(rounds: int, repeated: int, size: int) -> Table:
-    """One state by a call in Python, and the memory that many take."""
+    """Measure one state by a call in Python, and the memory of many states."""
 
     def calls(engine: str) -> Work:
         motion = TorqueFreeMotion(PAPER.inertia, PAPER.omega0, engine=engine)
@@ -265,7 +265,7 @@ def _small(rounds: int, repeated: int, size: int) -> Table:
 
 
 def _memory(size: int) -> float:
-    """Megabytes beyond the output at the worst moment, as NumPy reports them to tracemalloc."""
+    """Return the peak memory beyond the output in MB, by tracemalloc."""
     prepared = torque_free.prepare(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
     t, out = np.linspace(0, SECONDS, size), (np.empty((size, 4)), np.empty((size, 3)))
     tracemalloc.start()
@@ -276,7 +276,7 @@ def _memory(size: int) -> float:
 
 
 def _builds(rounds: int, count: int, size: int = 10_000) -> Table:
-    """One source, compiled for different machines."""
+    """Measure one source compiled for different machines."""
     t = np.random.default_rng(1).uniform(0, SECONDS, size)
     out = np.zeros((size, 4)), np.zeros((size, 3))
     works = {}
@@ -288,7 +288,7 @@ def _builds(rounds: int, count: int, size: int = 10_000) -> Table:
 
 
 def _errors(title: str, motion: rivals.Motion, count: int) -> Table:
-    """The worst error of the rotation angle in rad, against certain digits."""
+    """Return the worst errors of the rotation angle in rad."""
     t = np.sort(np.random.default_rng(7).uniform(0, SECONDS, 8000))
     t[-1] = SECONDS
     chosen = np.linspace(0, t.size - 1, count, dtype=int) if count > 1 else np.array([t.size - 1])

@@ -80,7 +80,7 @@ def _report(milliseconds, residuals, dearer) -> bool:
 
 
 class Integrated:
-    """Motions by SciPy's DOP853, as an engine: all bodies in one run, which is its fastest way."""
+    """Engine by SciPy's DOP853, which integrates all bodies in one run."""
 
     def propagate(self, inertia, omega0, attitude0, t):
         omega0 = np.asarray(omega0)
@@ -98,7 +98,7 @@ class Integrated:
 
 
 class Differenced(Problem):
-    """Slopes by central differences, all of them in one batch."""
+    """Problem whose slopes are central differences, computed in one batch."""
 
     def slopes(self, rates):
         moved = STEP * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)])
@@ -121,7 +121,7 @@ def _differences(problems) -> None:
 
 
 def _shooting(problems) -> None:
-    """Processor time of a search by C, of the same by DOP853, and of shooting from one start."""
+    """Print the time of a search by C, by DOP853, and of shooting from one start."""
     spent, dearer = np.zeros(3), 0
     for asked in problems:
         exact = posed(asked, engines.engine("c"))

@@ -1,4 +1,4 @@
-"""One 50-digit state of the paper's motion, set-up included, beside its peers.
+"""Time of a 50-digit state of the paper's motion, beside other programs.
 
     python tests/benchmarks/peers.py            heyoka (extra `bench`), at t = 1000 s
     python tests/benchmarks/peers.py --odefun   mpmath.odefun too, at t = 100 s: a minute
@@ -50,7 +50,7 @@ def _ours(time: int) -> list:
 
 
 def heyoka(time: int) -> tuple:
-    """The fastest of three runs of heyoka's Taylor integrator over multiprecision reals."""
+    """Return the time and state of heyoka's Taylor integrator in multiprecision."""
     import heyoka as hy
 
     def real(text):
@@ -73,7 +73,7 @@ def heyoka(time: int) -> tuple:
 
 
 def odefun(time: int) -> tuple:
-    """One run of mpmath's Taylor integrator."""
+    """Return the time and state of mpmath's Taylor integrator."""
     with mpmath.workdps(DIGITS):
         c, half = [mpmath.mpf(x) for x in INERTIA], mpmath.mpf("0.5")
         start = [mpmath.mpf(x) for x in (*START, *OMEGA0)]

@@ -1,4 +1,4 @@
-"""Time that the proofs take, each command in a process of its own, against its goal.
+"""Time of the commands that prove, each in its own process, against its goal.
 
     python tests/benchmarks/proofs.py [ROUNDS]
     python tests/benchmarks/proofs.py --quick       one chapter, one round, goals not judged

@@ -1,4 +1,4 @@
-"""A body that something pushes: error against evaluations, and energy over a million steps.
+"""Error against evaluations for a body under a torque, and its energy over many steps.
 
     python tests/benchmarks/pushed.py                   the paper's body under the Earth's tide
     python tests/benchmarks/pushed.py --steps 1000000   its energy over so many steps: a second
@@ -40,7 +40,7 @@ _CONVERGED = 1e-15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Problem:
-    """A body under the tide of a planet, from the identity as attitude."""
+    """Body under a planet's gravity gradient that starts at the identity."""
 
     inertia: np.ndarray
     omega0: np.ndarray
@@ -88,7 +88,7 @@ class Row:
 
 
 def dop853(problem: Problem, tolerance: float) -> Result:
-    """Dormand and Prince's method of order 8, of SciPy."""
+    """Integrate by SciPy's DOP853."""
     torque = problem.torque
 
     def derivative(t, y):
@@ -120,7 +120,7 @@ def no_squish(problem: Problem, steps: int) -> Result:
 def _turned(
     q: np.ndarray, momentum: np.ndarray, axis: int, dt: float
 ) -> tuple[np.ndarray, np.ndarray]:
-    """A rotation about one axis, by dt times the momentum along it."""
+    """Rotate a body about one axis by dt times the momentum along it."""
     angle = dt * momentum[axis]
     i, j = (axis + 1) % 3, (axis + 2) % 3
     c, s, turned = math.cos(angle), math.sin(angle), momentum.copy()
@@ -131,7 +131,7 @@ def _turned(
 
 
 def implicit_midpoint(problem: Problem, steps: int) -> Result:
-    """Rates of the middle of a step turn the attitude by an exponential; solved to rounding."""
+    """Integrate by the implicit midpoint rule, solved to rounding."""
     h, q, omega, count = problem.end / steps, problem.start[:4], problem.omega0, 0
     torque, inertia = problem.torque, problem.inertia
     for k in range(steps):
@@ -146,7 +146,7 @@ def implicit_midpoint(problem: Problem, steps: int) -> Result:
 
 
 def heyoka(problem: Problem, tolerance: float) -> Result:
-    """Taylor's method; each order of each step computes the right sides once."""
+    """Integrate by heyoka; each order of each step counts as an evaluation."""
     integrator = compiled(problem, tolerance)
     integrator.time, integrator.state[:] = 0.0, problem.start
     steps = integrator.propagate_until(problem.end)[3]
@@ -156,7 +156,7 @@ def heyoka(problem: Problem, tolerance: float) -> Result:
 
 @cache
 def compiled(problem: Problem, tolerance: float):
-    """heyoka's integrator of a problem on a circular orbit in the plane of x and y."""
+    """Compile heyoka's integrator for a circular orbit in the plane of x and y."""
     import heyoka as hy
 
     names, free = bench.heyoka_system(problem.inertia)
@@ -173,7 +173,7 @@ def compiled(problem: Problem, tolerance: float):
 
 
 def _in_body(q, x, y):
-    """Components in body axes of a vector in the plane of x and y."""
+    """Return the body components of a vector in the plane of x and y."""
     a, b, c, d = q
     return (
         (a * a + b * b - c * c - d * d) * x + 2 * (b * c + a * d) * y,
@@ -183,7 +183,7 @@ def _in_body(q, x, y):
 
 
 def ours(method: str) -> Run:
-    """A method of `integrate` with so many steps."""
+    """Return a function that integrates by a splitting method."""
 
     def run(problem: Problem, steps: float) -> Result:
         start = problem.inertia, problem.start[:4], problem.omega0, problem.torque
@@ -195,7 +195,7 @@ def ours(method: str) -> Run:
 
 
 def of_many(problem: Problem, steps: float) -> Result:
-    """SABA2 of a body among LANES whose rates are nearly its own."""
+    """Integrate by SABA2 one of LANES bodies with similar rates."""
     rates = problem.omega0 * (1 + np.linspace(0.0, 0.01, LANES)[:, None])
     start = problem.inertia, problem.start[:4], rates, problem.torque, [0, problem.end]
     found = rigidsym.integrate(*start, step=problem.end / steps, engine="c")
@@ -203,7 +203,7 @@ def of_many(problem: Problem, steps: float) -> Result:
 
 
 def table(problem: Problem) -> Iterator[Row]:
-    """All rivals, by what is said of each."""
+    """Yield the table row of each method."""
     if bench.HEYOKA:
         truth = heyoka(problem, 1e-16)[0]
     else:
@@ -216,7 +216,7 @@ def table(problem: Problem) -> Iterator[Row]:
 
 
 def timed(run: Callable[[], Result]) -> tuple[float, Result]:
-    """The time of the processor, s, the least of some where there is time, and what it returns."""
+    """Return the least processor time of some runs, s, and the result of the first."""
     found: list[Result] = []
     clock = partial(repeat, lambda: found.append(run()), number=1, timer=process_time)
     (spent,) = clock(repeat=1)
@@ -224,7 +224,7 @@ def timed(run: Callable[[], Result]) -> tuple[float, Result]:
 
 
 def _entries(problem: Problem) -> Iterator[tuple[str, Run, float]]:
-    """Rivals with as many evaluations as SABA2, and those that choose steps, at tolerances."""
+    """Yield methods with as many evaluations as SABA2, and adaptive ones by tolerance."""
     steps = round(STEPS * problem.end / PAPER.end)
     for method in METHODS:
         yield method, ours(method), 2 * steps // len(METHODS[method].kicks)
@@ -239,7 +239,7 @@ def _entries(problem: Problem) -> Iterator[tuple[str, Run, float]]:
 
 
 def rotation(p: np.ndarray, q: np.ndarray) -> float:
-    """The angle between two attitudes, rad."""
+    """Return the angle between two attitudes, rad."""
     return float(np.linalg.norm(rotation_vectors(product(conjugate(p), q))))
 
 
@@ -260,7 +260,7 @@ def compare(problem: Problem) -> bool:
 
 
 def jacobi(problem: Problem, times: np.ndarray, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """T + U - n L_z (N,), J: what a circular orbit keeps."""
+    """Return Jacobi's integral T + U - n L_z (N,), J, which is constant on a circular orbit."""
     momentum = problem.inertia * omega
     along = rotated(q, momentum)[:, 2]
     tide = [problem.torque.energy(t, x) for t, x in zip(times, q, strict=True)]
@@ -268,7 +268,7 @@ def jacobi(problem: Problem, times: np.ndarray, q: np.ndarray, omega: np.ndarray
 
 
 def energies(steps: int) -> bool:
-    """Print how Jacobi's integral wanders over so many steps; whether it does not drift."""
+    """Print the spread of Jacobi's integral; return True if it does not drift."""
     step = PAPER.end / STEPS
     start = PAPER.inertia, PAPER.start[:4], PAPER.omega0, PAPER.torque
     times = np.linspace(0, steps * step, SAMPLES)
@@ -283,7 +283,7 @@ def energies(steps: int) -> bool:
 
 
 def main() -> int:
-    """Print what is asked for; 1 where a goal is missed."""
+    """Print the table or the energies; return 1 where a goal is missed."""
     options = bench.options(__doc__, steps={"type": int})
     if options.steps is None:
         met = compare(replace(PAPER, end=PAPER.end / 100) if options.quick else PAPER)

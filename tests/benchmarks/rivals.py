@@ -1,4 +1,4 @@
-"""Other ways to the same states, each at the best that we found for it.
+"""Other methods for the same states, each with the best settings that we found.
 
 A rival is given sorted times and returns what to run: from the start of the motion to q (N, 4) and
 omega (N, 3).  Its compilation, where it has one, is over by then.
@@ -28,7 +28,7 @@ class Motion:
 
     @property
     def start(self) -> np.ndarray:
-        """The identity as attitude, and the rates."""
+        """The state at t = 0: the identity as attitude, then the rates."""
         return np.array([1.0, 0, 0, 0, *self.omega0])
 
 
@@ -41,7 +41,7 @@ def _split(y: np.ndarray) -> States:
 
 @cache
 def _integrators(inertia):
-    """An integrator of one motion, and one of LANES at once."""
+    """Compile integrators of one motion, and of LANES at once."""
     import heyoka as hy
 
     _, system = heyoka_system(inertia)
@@ -59,18 +59,18 @@ def _started(motion: Motion):
 
 
 def heyoka_grid(motion: Motion, t: np.ndarray) -> Run:
-    """`propagate_grid`; the grid has to begin where the integrator is."""
+    """Return a run by `propagate_grid`, whose grid must begin at the integrator's time."""
     grid = np.concatenate(([0.0], t))
     return lambda: _split(_started(motion).propagate_grid(grid)[-1][1:])
 
 
 def heyoka_dense(motion: Motion, t: np.ndarray) -> Run:
-    """Continuous output, which is compiled anew in each call, evaluated at all times at once."""
+    """Return a run by continuous output, which each call compiles again."""
     return lambda: _split(_started(motion).propagate_until(t[-1], c_output=True)[4](t))
 
 
 def _in_lanes(motion: Motion, t: np.ndarray):
-    """Each lane follows its share of the times, from a state that one pass before has found."""
+    """Return times by lane, and a function that starts each lane at its first time."""
     columns = np.ascontiguousarray(t[: t.size // LANES * LANES].reshape(LANES, -1).T)
     _, integrator = _integrators(motion.inertia)
 
@@ -84,32 +84,32 @@ def _in_lanes(motion: Motion, t: np.ndarray):
 
 
 def _gathered(found: np.ndarray) -> States:
-    """(N/LANES, 7, LANES), as the lanes leave it: views in the order of the times."""
+    """Return states in the order of the times from an array (N/LANES, 7, LANES)."""
     rows = found.transpose(2, 0, 1)
     return rows[..., :4], rows[..., 4:]
 
 
 def heyoka_lanes_grid(motion: Motion, t: np.ndarray) -> Run:
-    """`propagate_grid` in lanes."""
+    """Return a run by `propagate_grid` in lanes."""
     columns, begin = _in_lanes(motion, t)
     return lambda: _gathered(begin().propagate_grid(columns)[1])
 
 
 def heyoka_lanes_dense(motion: Motion, t: np.ndarray) -> Run:
-    """Continuous output in lanes."""
+    """Return a run by continuous output in lanes."""
     columns, begin = _in_lanes(motion, t)
     return lambda: _gathered(begin().propagate_until(columns[-1].copy(), c_output=True)[0](columns))
 
 
 def heyoka_evaluation(motion: Motion, t: np.ndarray) -> Run:
-    """Only the evaluation of continuous output in lanes: it has been made before."""
+    """Return a run that only evaluates continuous output in lanes."""
     columns, begin = _in_lanes(motion, t)
     output = begin().propagate_until(columns[-1].copy(), c_output=True)[0]
     return lambda: _gathered(output(columns))
 
 
 def heyoka_bodies(inertia: np.ndarray, omega0: np.ndarray, time: float) -> Run:
-    """Many bodies, LANES at once, to one time; the moments are parameters."""
+    """Return a run of many bodies to one time, LANES at once."""
     import heyoka as hy
 
     integrator = hy.taylor_adaptive_batch(
@@ -141,7 +141,7 @@ def heyoka_bodies(inertia: np.ndarray, omega0: np.ndarray, time: float) -> Run:
 
 
 def dop853(motion: Motion, t: np.ndarray) -> Run:
-    """`solve_ivp` at 1e-12; `t_eval` evaluates its dense output."""
+    """Return a run by SciPy's DOP853 at 1e-12 with dense output."""
 
     def run():
         found = solve_ivp(
@@ -159,7 +159,7 @@ def dop853(motion: Motion, t: np.ndarray) -> Run:
 
 
 def paper(motion: Motion, t: np.ndarray) -> Run:
-    """(10) and (18) to (21) as mended."""
+    """Return a run by the paper's formulas (10) and (18) to (21), corrected."""
     return lambda: Paper(motion).states(t)
 
 
@@ -188,7 +188,7 @@ class Paper:
         self.C1 = ellipkinc(np.arcsin(w1 / self.amplitudes[0]), self.m)
 
     def states(self, t: np.ndarray) -> States:
-        """The attitude is the identity at t = 0: what is there in front is undone."""
+        """Return states at times, with the identity as attitude at t = 0."""
         turned, omega = self._oriented(t)
         first, _ = self._oriented(np.zeros(1))
         q = np.empty_like(turned)
@@ -196,7 +196,7 @@ class Paper:
         return q, omega
 
     def _oriented(self, t: np.ndarray) -> States:
-        """(18), where angular momentum lies along axis 1, and the rates."""
+        """Return attitudes by (18), for angular momentum along axis 1, and rates."""
         sn, cn, dn, theta = ellipj(self.rate * t + self.C1, self.m)
         A1, A2, A3 = self.amplitudes
         w = A1 * sn, self.sign * A2 * cn, A3 * dn
@@ -213,21 +213,21 @@ class Paper:
         return np.stack(parts, axis=-1), omega
 
     def _third_kind(self, theta: np.ndarray) -> np.ndarray:
-        """Pi(n; theta | m), whole half turns apart."""
+        """Return Pi(n; theta | m) for any theta."""
         turns = np.rint(theta / np.pi)
         # On the separatrix the complete integral is infinite, and theta stays within a half turn.
         whole = self._within(np.array(np.pi / 2)) if np.any(turns) else 0.0
         return 2 * turns * whole + self._within(theta - turns * np.pi)
 
     def _within(self, phi: np.ndarray) -> np.ndarray:
-        """Pi(n; phi | m) for |phi| <= pi/2 by Carlson's integrals (DLMF 19.25.14)."""
+        """Return Pi(n; phi | m) for |phi| <= pi/2 by Carlson's integrals (DLMF 19.25.14)."""
         s, c = np.sin(phi), np.cos(phi)
         x, y, p = c * c, 1 - self.m * s * s, 1 - self.n * s * s
         return s * elliprf(x, y, 1.0) + self.n / 3 * s**3 * elliprj(x, y, 1.0, p)
 
 
 def _axes(c: np.ndarray, w: np.ndarray) -> np.ndarray:
-    """The middle axis, the third one, and that of circulation; on the separatrix the least."""
+    """Return the middle axis, the third one, and the axis of circulation."""
     low, middle, high = np.argsort(c)
     third = high if np.sum(c * (c - c[middle]) * w**2) > 0 else low
     return np.array([middle, low + high - third, third])

@@ -1,4 +1,4 @@
-"""States with their sensitivities beside states alone, and beside heyoka's variational equations.
+"""Time of states with sensitivities over states alone, and of heyoka's variational equations.
 
     python tests/benchmarks/sensitivities.py [ROUNDS]
     python tests/benchmarks/sensitivities.py --quick        few times, one round, goals not judged
@@ -112,7 +112,7 @@ def _beside_heyoka(name: str, inertia, omega0, rounds: int) -> bool:
 
 @cache
 def _integrators(varied: int):
-    """One motion, and LANES at a time, with moments as parameters, varied as one asks for.
+    """Compile variational integrators of one motion, and of LANES at once.
 
     In compact mode: without it, compilation takes minutes, and ten parameters no less time.
     """
@@ -129,7 +129,7 @@ def _integrators(varied: int):
 
 
 def heyoka_ways(inertia, omega0, times, varied: int) -> Mapping[str, Work]:
-    """Ways to states (N, n) at times from 0 on, n being 7 and 7 for each of what is varied."""
+    """Return heyoka's ways to compute states and their derivatives at times."""
     one, many, begin = _integrators(varied)
     first = begin.copy()
     first[4:7] = omega0
@@ -157,7 +157,7 @@ def heyoka_ways(inertia, omega0, times, varied: int) -> Mapping[str, Work]:
 
 
 def errors(inertia, omega0, times) -> dict[str, float]:
-    """The largest error of a column by omega0 and the moments, of heyoka and the engines."""
+    """Return the largest error of columns by omega0 and moments, of heyoka and the engines."""
     exact = TorqueFreeMotion(inertia, omega0).precise(times, 30, sensitivity=True)[2]
     true = _columns(exact.attitude.astype(float), exact.rates.astype(float))
     spin = np.linalg.norm(omega0)
@@ -183,7 +183,7 @@ def _columns(attitude: np.ndarray, rates: np.ndarray) -> np.ndarray:
 
 
 def medians(works: Iterable[Work], rounds: int) -> list[float]:
-    """The median time of each, s; they take turns."""
+    """Return the median time of each work, s; they take turns."""
     listed = list(works)
     found: list[list[float]] = [[] for _ in listed]
     for _ in range(rounds):

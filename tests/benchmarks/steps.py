@@ -35,7 +35,7 @@ REPEATED = 200
 
 
 def drawn(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Bodies that can exist, attitudes and rates."""
+    """Draw moments of bodies that can exist, attitudes and rates."""
     draw = np.random.default_rng(0)
     x, y, z = draw.uniform(0.05, 1, (3, count))
     q = draw.normal(size=(count, 4))
@@ -50,7 +50,7 @@ def seconds(work: Callable[[], object], rounds: int = 7) -> float:
 
 @contextmanager
 def on_processors(count: int) -> Generator[None]:
-    """Use as many processors at most."""
+    """Limit steps to some processors."""
     known = threads.processors
     threads.processors = lambda: min(count, known())
     try:
@@ -60,7 +60,7 @@ def on_processors(count: int) -> Generator[None]:
 
 
 def costs() -> None:
-    """A step of many bodies, by either engine, on one core."""
+    """Print the time of a step of many bodies by each engine."""
     inertia, q, omega = drawn(BODIES)
     out = np.empty_like(q), np.empty_like(omega)
     for engine in ("c", "numpy"):
@@ -73,7 +73,7 @@ def costs() -> None:
 
 
 def calls() -> None:
-    """One body by one call from Python, beside the functions of C that such a call ends in.
+    """Print the time of one body by a call from Python, and of the C functions called.
 
     What is compared takes turns; processor time, the least of some rounds.
     """
@@ -100,7 +100,7 @@ def calls() -> None:
 def bare_calls(
     inertia: np.ndarray, q: np.ndarray, omega: np.ndarray
 ) -> dict[str, Callable[[], object]]:
-    """Calls of C by ctypes that have nothing to look at or to make, and the empty one."""
+    """Return bare calls of C functions by ctypes."""
     library = build.library([], "c-step").raw
     given = [x.copy() for x in (inertia, q, omega, np.array([0.3]), q, omega)]
     places = [ctypes.c_void_p(x.ctypes.data) for x in given]
@@ -120,7 +120,7 @@ def bare_calls(
 
 
 def no_squish() -> Callable[..., None]:
-    """The function of no_squish.c."""
+    """Compile no_squish.c and return its function."""
     source = Path(__file__).with_name("no_squish.c")
     with tempfile.TemporaryDirectory() as place:
         flags = ("-std=c99", "-Ofast", *build.NATIVE, "-fPIC", "-shared")
@@ -132,7 +132,7 @@ def no_squish() -> Callable[..., None]:
 
 
 def rival() -> None:
-    """NO_SQUISH without kicks, on one core: what it costs, and how far from the motion it is."""
+    """Print the time and error of a free NO_SQUISH step."""
     inertia, q, omega = drawn(BODIES)
     step = no_squish()
     rows = [np.ascontiguousarray(x.T) for x in (1 / inertia, q, inertia * omega)]
@@ -152,7 +152,7 @@ def rival() -> None:
 
 
 def pushed() -> None:
-    """A step of SABA2 under gravity gradient: two free motions, and two kicks."""
+    """Print the time of a SABA2 step under gravity gradient over that of its free motions."""
     orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778137e6)
     for bodies, steps in RUNS:
         inertia, q, omega = drawn(bodies)
@@ -166,7 +166,7 @@ def pushed() -> None:
 
 
 def scaling() -> None:
-    """Two processors against one."""
+    """Print the time of a step on one processor over that on two."""
     inertia, q, omega = drawn(MANY)
     out, found = (np.empty_like(q), np.empty_like(omega)), []
     for count in (1, 2):

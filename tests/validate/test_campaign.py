@@ -89,7 +89,7 @@ def test_an_interrupt_while_a_chunk_is_taken_in_leaves_all_of_it_out(cells, monk
 
 
 def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypatch):
-    """Also while the worst cases are measured again."""
+    """Interrupt a campaign while its worst cases are measured again."""
 
     def interrupted(*arguments):
         raise KeyboardInterrupt
@@ -144,7 +144,7 @@ def test_tallies_merge_in_any_order_and_come_back_from_json():
 
 
 def test_a_tally_does_not_grow_with_its_cases():
-    """Cells are as many as strata, regimes, decades and half octaves: not as many as cases."""
+    """Count cells: their number depends on strata, regimes and decades, not on cases."""
     few, many = (
         tallied(Campaign.of(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (20, 160)
     )
@@ -276,7 +276,7 @@ def test_the_simplest_case_that_fails():
 
 
 def test_a_case_is_not_made_simpler_by_what_modules_may_refuse():
-    """Its rates are 1e-250 rad/s and its times 1e251 s: at 1 rad/s these are beyond 2^46 rad."""
+    """Simplify a case whose times are too late for simpler rates: 1e-250 rad/s, 1e251 s."""
     sample = draw("scales", 1, 1)
     found = simplest(sample, lambda given: any(given.omega0) and max(map(abs, given.times)) > 1)
     assert max(map(abs, found.times)) * math.hypot(*found.omega0) <= MAX_ANGLE

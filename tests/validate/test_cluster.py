@@ -35,7 +35,7 @@ def started(name, *arguments):
 
 @contextmanager
 def scheduler(directory):
-    """The address of a scheduler, and its process."""
+    """Start a scheduler; yield its address and its process."""
     file = directory / "scheduler.json"
     options = ("--host", "127.0.0.1", "--port", "0", "--scheduler-file", str(file))
     with started("scheduler", *options) as process:

@@ -1,4 +1,4 @@
-"""The forms side by side: the series are the motion, and what is counted is what is printed."""
+"""Comparison of forms: the series are the motion, and operations are counted as printed."""
 
 import json
 from fractions import Fraction

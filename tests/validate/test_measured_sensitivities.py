@@ -1,4 +1,4 @@
-"""Sensitivities are measured as states are: enclosures are right, and what is wrong is noticed."""
+"""Measured sensitivities: enclosures are right, and wrong columns are detected."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -41,7 +41,7 @@ def early(sample):
 
 
 def by_differences(sample):
-    """Columns by differences of states of many digits."""
+    """Return columns by differences of states of many digits."""
     times = list(map(Fraction, sample.times))
     moved = differences(*sample.exact, times, STEP, DIGITS)
     turned = np.broadcast_to(np.eye(6)[:, :3], (len(times), 6, 3))
@@ -60,7 +60,7 @@ def test_enclosures_are_what_differences_tend_to(stratum):
 
 @pytest.fixture(scope="module")
 def few():
-    """Two cases of each of a few strata with their true columns."""
+    """Return two cases of each of a few strata with their true columns."""
     return references(cases=2, strata=FEW)
 
 
@@ -90,7 +90,7 @@ def test_faults_are_noticed(fault, few):
 
 
 def test_a_short_column_is_measured_by_its_own_length():
-    """An error that the change itself would hide: 1e-20 of it, near a spin."""
+    """Change a column of 1e-20 near a spin by its own size."""
     sample = draw("near spin, middle", 1, seed=sensitivities.SEED)
     reference = ColumnsReference.of(sample)
     late = np.abs(sample.times) * float(np.linalg.norm(sample.omega0)) >= 1
@@ -135,7 +135,7 @@ def test_the_bound_is_the_documented_one():
 
 @pytest.mark.parametrize("stratum", WIDER)
 def test_no_bound_is_wider_than_it_has_to_be(stratum):
-    """A case comes near it: the command fails without it, and a fifth of it would be too narrow."""
+    """Measure a case that needs the wider bound, and more than a fifth of it."""
     sample = draw(stratum, WIDER[stratum].case, seed=sensitivities.SEED)
     true = ColumnsReference.of(sample)
     found = (of_engine(engines.engine(name))(sample) for name in NAMES)
@@ -145,7 +145,7 @@ def test_no_bound_is_wider_than_it_has_to_be(stratum):
 
 @pytest.mark.parametrize("stratum", ["paper", "near spin, middle"])
 def test_a_bound_is_kept_and_broken(stratum):
-    """Within it an error passes, beyond it not."""
+    """Change columns by errors within and beyond the bound."""
     truth = references(cases=1, strata=(stratum,))
     for share, kept in ((0.9, True), (1.1, False)):
         size = 1 + share * bound_of(stratum)

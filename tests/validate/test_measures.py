@@ -1,4 +1,4 @@
-"""Measures, ways of callers, condition numbers and steps: each notices what it is for."""
+"""Measures of states, calls and steps: each detects the faults that it is for."""
 
 import json
 import math
@@ -111,7 +111,7 @@ EARLY = 3
 
 
 def differences(sample, time):
-    """(7, 7): what relative changes of rates, moments and time do to q and omega."""
+    """Return derivatives (7, 7) of q and omega by relative changes of rates, moments and time."""
     inertia, omega, attitude = sample.exact
     given, found = [*omega, *inertia, Fraction(time)], []
     for k, value in enumerate(given):
@@ -198,7 +198,7 @@ KEEPS_RATES = next(
 
 
 class Unchecked(NumpyEngine):
-    """An engine that looks at no memory, as NumPy's once did."""
+    """Engine that does not check for shared memory, as NumPy's once did."""
 
     def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
         states = self.module.states(self.module.prepare(inertia, omega0, attitude0, errors), t)
@@ -208,7 +208,7 @@ class Unchecked(NumpyEngine):
 
 
 class Reading(Unchecked):
-    """An unchecked engine that writes states before all inputs are read."""
+    """Unchecked engine that writes states before all inputs are read."""
 
     def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
         if out is None or errors == "nan":
@@ -220,7 +220,7 @@ class Reading(Unchecked):
 
 
 class Keeping(NumpyEngine):
-    """An engine that leaves the caller's memory as it is where a body is refused."""
+    """Engine that does not write states of bodies that are refused."""
 
     def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
         found = super().propagate(inertia, omega0, attitude0, t, None, errors)

@@ -1,4 +1,4 @@
-"""Peers: each against the derivation on easy motions, refusals, and the ways to break."""
+"""Peers: accuracy on easy motions, refusals, and failures."""
 
 import math
 import os
@@ -32,7 +32,7 @@ MOTIONS = {
 
 
 def the(name):
-    """The peer, made once; the test is skipped where it cannot be."""
+    """Return a peer, made once; skip the test if it is not installed."""
     if name not in MADE:
         try:
             MADE[name] = peers.peer(name)
@@ -49,7 +49,7 @@ integrator = pytest.fixture(params=[name for name in PEERS if name != "orekit"])
 
 
 def turned(omega0):
-    """Times by the speed of the motion."""
+    """Return times that suit the speed of a motion."""
     return TIMES / math.hypot(*omega0)
 
 
@@ -108,7 +108,7 @@ def test_rest(integrator):
 
 
 def outcome(peer, motion, t):
-    """The shape of q, or how many lines a refusal has."""
+    """Return the shape of q, or the number of lines of a refusal."""
     try:
         return peer.states(peer.prepare(*motion), t)[0].shape
     except EngineError as error:

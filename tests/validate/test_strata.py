@@ -1,4 +1,4 @@
-"""The strata: each case the same whenever drawn, and each stratum what it says it is."""
+"""Strata: cases do not depend on when they are drawn, and strata cover what they say."""
 
 import json
 import math
@@ -86,13 +86,13 @@ def test_every_case_of_a_finite_stratum_is_another_one(stratum):
 
 
 def gap(sample, low, high):
-    """The relative difference of two moments, by rank."""
+    """Return the relative difference of two moments, by rank."""
     ranked = sorted(map(Fraction, sample.inertia))
     return (ranked[high] - ranked[low]) / ranked[high]
 
 
 def from_separatrix(sample):
-    """|E_b| over the sum of its terms' sizes."""
+    """Return |E_b| over the sum of the sizes of its terms."""
     inertia, omega = (list(map(Fraction, x)) for x in (sample.inertia, sample.omega0))
     middle = sorted(inertia)[1]
     size = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega, strict=True))
@@ -272,7 +272,7 @@ def test_multiples_of_the_quarter_period_lie_between_neighbouring_times():
 
 
 def quarter_period(sample):
-    """K(m) / lambda, from the textbook's lambda and m."""
+    """Return K(m) / lambda, with lambda and m of the textbook."""
     exact = motion(sample)
     axes = classify(exact.inertia, exact.omega0).axes
     a, b, d = (exact.inertia[k] for k in axes)

@@ -24,7 +24,7 @@ TARGETS = ("numpy", "c")
 
 @pytest.fixture(scope="module")
 def report(once):
-    """A report on all strata, measured once for all processes of a run."""
+    """Return a report on all strata, measured once for all processes of a run."""
 
     def measure(folder):
         found = validate(cases=6, seed=5, workers=None)
@@ -96,7 +96,7 @@ ROD = ORACLES, DISAGREEMENT, "stratum", "rod"
     ],
 )
 def test_what_tested_nothing_and_oracles_that_disagree_fail(report, key, worst, complaint):
-    """A cell is left out, or is worse; without a key the cases of a stratum are left out."""
+    """Leave out a cell or make it worse; without a key, leave out the cases of a stratum."""
     tally = report.tally.copy()
     assert ValidationReport(report.campaign, tally).passed
     if key is None:
@@ -125,7 +125,7 @@ def test_what_does_not_exist_is_one_line(arguments, message):
 
 
 def test_a_simplest_case_at_another_time_than_zero_is_reported(monkeypatch):
-    """It has no start to measure."""
+    """Report a case without t = 0, which has no start to measure."""
     monkeypatch.setitem(BOUNDS, "angle", 1e-16)
     report = validate(["numpy"], cases=2, strata=["uniform"])
     (failure,) = report.failures
@@ -278,7 +278,7 @@ def test_errors_are_in_their_own_units_with_case_and_time():
 
 
 class Rotations:
-    """An object with a peer's methods, without a double-cover sign."""
+    """Object with a peer's methods, without a double-cover sign."""
 
     name, version, reach, double_cover_sign = "rotations", "7", 20.0, False
 

@@ -1,4 +1,4 @@
-"""Faults: each is where it says it is, each is noticed, and nothing else is."""
+"""Faults: each applies to one place, each is detected, and sound modules are not."""
 
 import json
 import pickle
@@ -66,7 +66,7 @@ CHOSEN = {
 
 @pytest.fixture(scope="module")
 def chosen():
-    """Enclose, when it is first called, what shows a kind of faults."""
+    """Return a function that encloses the numbers that show a kind of faults, once."""
 
     @cache
     def enclosed(shown_in):
@@ -146,7 +146,7 @@ def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
 
 @pytest.fixture(scope="module")
 def figures(chosen):
-    """Measure, when it is first called, a target without faults."""
+    """Return a function that measures a target without faults, once."""
 
     @cache
     def found(target, kind):
@@ -156,7 +156,7 @@ def figures(chosen):
 
 
 def worst(engine, strata):
-    """The largest part of its bound that each measure takes."""
+    """Return the largest error over its bound, by measure."""
     shares = [shares_of(reference, engine) for stratum in strata for reference in stratum]
     names = {name for found in shares for name in found}
     return {n: max(found[n] for found in shares if n in found) for n in names}
@@ -275,7 +275,7 @@ def report(**changes):
 
 @pytest.fixture(scope="module")
 def reported(once):
-    """A report and its progress, measured once for all processes of a run."""
+    """Return a report and its progress, measured once for all processes of a run."""
 
     def measure(folder):
         (folder / "report").write_bytes(pickle.dumps(report()))
@@ -308,7 +308,7 @@ def test_what_the_report_says(reported):
 
 
 def part(found, strata=FEW, targets=TARGETS):
-    """What a report says of some strata and of faults of some targets."""
+    """Return the part of a report on some strata and on faults of some targets."""
     outcomes = tuple(
         replace(one, detections=tuple(d for d in one.detections if d.stratum in strata))
         for one in found.outcomes
