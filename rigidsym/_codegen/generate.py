@@ -11,7 +11,7 @@ from rigidsym._codegen.forms import THETA, checked, key
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.lines import Place
 from rigidsym._codegen.targets import builder
-from rigidsym.io._files import write_text
+from rigidsym.io._files import write_all
 from rigidsym.solution import Solution, sealed
 
 
@@ -44,7 +44,7 @@ class Generated:
 
     def write(self, directory: str | Path) -> list[Path]:
         """Write all files to a directory; return their paths."""
-        return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
+        return write_all(Path(directory), self.texts())
 
 
 def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:

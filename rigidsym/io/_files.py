@@ -74,6 +74,14 @@ def write_text(path: Path, text: str) -> Path:
     return write_bytes(path, text.encode("utf-8"))
 
 
+def write_all(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path]:
+    """Write files by name to a directory, each as `write_bytes` does, and return their paths."""
+    return [
+        write_bytes(directory / name, data.encode("utf-8") if isinstance(data, str) else data)
+        for name, data in contents.items()
+    ]
+
+
 def write_bytes(path: Path, data: bytes) -> Path:
     """Write bytes under a temporary name and move them into place; raise InputError on failure."""
     try:

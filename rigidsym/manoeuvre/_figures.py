@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.io._files import write_bytes, write_text
+from rigidsym.io._files import write_all
 from rigidsym.manoeuvre.flight._results import Tracked, track
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import product, rotated
@@ -173,13 +173,9 @@ class Figures:
 
     def write(self, directory: Path) -> list[Path]:
         """Write each figure as SVG and PNG, and figures.md; raises InputError where that fails."""
-        written = []
-        for name, figure in self.drawn().items():
-            for suffix, data in drawing.rendered(figure).items():
-                written.append(write_bytes(directory / f"{name}.{suffix}", data))
         page = render("figures.md", **self.numbers()).rstrip("\n")
         text = "\n\n".join(fill(part, 100) for part in page.split("\n\n")) + "\n"
-        return [*written, write_text(directory / "figures.md", text)]
+        return write_all(directory, {**drawing.files(self.drawn()), "figures.md": text})
 
 
 def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> Figures:

@@ -11,7 +11,7 @@ from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym._inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.errors import InputError, PrecisionError
-from rigidsym.io._files import remove, write_bytes
+from rigidsym.io._files import remove, write_all
 from rigidsym.manoeuvre._cheapest import Bursts, cheapest, refuse, shortest
 from rigidsym.manoeuvre._directions import arcs, is_symmetry
 from rigidsym.manoeuvre._families import verified
@@ -122,18 +122,15 @@ class Plan:
         list of Path
             The files written.
         """
-        from rigidsym.view._plots.figure import rendered
+        from rigidsym.view._plots.figure import files
         from rigidsym.view._plots.motions import transfers
 
-        files = {"plan.json": self.to_json().encode()}
-        for k, one in enumerate(self.transfers, 1):
-            files[f"transfer-{k}.toml"] = one.to_case().encode()
-        for suffix, picture in rendered(transfers(self.transfers)).items():
-            files[f"transfers.{suffix}"] = picture
+        cases = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
+        pictures = files({"transfers": transfers(self.transfers)})
         for path in directory.glob("transfer-*.toml"):
-            if path.name not in files:
+            if path.name not in cases:
                 remove(path)
-        return [write_bytes(directory / name, data) for name, data in files.items()]
+        return write_all(directory, {"plan.json": self.to_json(), **cases, **pictures})
 
     def to_json(self) -> str:
         """Return the plan as JSON, schema rigidsym.plan/1."""

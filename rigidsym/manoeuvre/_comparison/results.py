@@ -20,7 +20,7 @@ from pandas import DataFrame
 
 from rigidsym import _inputs as inputs
 from rigidsym._version import __version__
-from rigidsym.io._files import write_bytes, write_text
+from rigidsym.io._files import write_all
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre._comparison import flights, optimiser, page
 from rigidsym.manoeuvre._comparison.collocation import MESH, Cost, Model, Task
@@ -30,7 +30,7 @@ from rigidsym.manoeuvre._transfer import Transfer
 from rigidsym.manoeuvre.flight._settings import Controller, Wheels
 from rigidsym.validate._executors import Place, local
 from rigidsym.view._plots.charts import Spread, spreads
-from rigidsym.view._plots.figure import rendered
+from rigidsym.view._plots.figure import files
 
 SCHEMA = "rigidsym.comparison/1"
 PACKAGES = ("casadi", "numpy", "scipy")
@@ -163,12 +163,9 @@ class Comparison:
     def write(self, directory: Path) -> list[Path]:
         """Write comparison.json, comparison.md and the picture; raises InputError."""
         text = page.page(self.command, len(self.records), self.summary)
-        pictures = rendered(spreads(self._panels(), "one manoeuvre", "the least fuel"))
-        return [
-            write_text(directory / "comparison.json", self.to_json()),
-            write_text(directory / "comparison.md", text),
-            *(write_bytes(directory / f"comparison.{kind}", x) for kind, x in pictures.items()),
-        ]
+        picture = spreads(self._panels(), "one manoeuvre", "the least fuel")
+        texts = {"comparison.json": self.to_json(), "comparison.md": text}
+        return write_all(directory, {**texts, **files({"comparison": picture})})
 
     def _panels(self) -> list[Spread]:
         """Return the panels of the picture: costs by method, iterations by guess."""

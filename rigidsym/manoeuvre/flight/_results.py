@@ -15,7 +15,7 @@ import numpy as np
 from rigidsym.errors import require
 from rigidsym.io import Track, aem
 from rigidsym.io._attitude_ephemeris import UNNAMED
-from rigidsym.io._files import remove, write_bytes
+from rigidsym.io._files import remove, write_all
 from rigidsym.manoeuvre._manoeuvre import Manoeuvre, open_manoeuvre
 from rigidsym.manoeuvre._planning import solve
 from rigidsym.manoeuvre._transfer import Transfer
@@ -139,10 +139,7 @@ class Tracked:
             found[_MESSAGE] = self.to_aem().encode()
         drawn = {name: getattr(pictures, name)(self.run) for name in _PICTURES}
         drawn["wheels"] = pictures.wheels(self.run, self.flight.wheels.rotor_inertia)
-        for name, figure in drawn.items():
-            for suffix, data in drawing.rendered(figure).items():
-                found[f"{name}.{suffix}"] = data
-        return found | {"summary.json": self.to_json().encode()}
+        return found | drawing.files(drawn) | {"summary.json": self.to_json().encode()}
 
     def write(self, directory: Path) -> list[Path]:
         """Write all files of `contents` to a directory; raise InputError where that fails.
@@ -153,7 +150,7 @@ class Tracked:
         contents = self.contents()
         if _MESSAGE not in contents:
             remove(directory / _MESSAGE)
-        return [write_bytes(directory / name, data) for name, data in contents.items()]
+        return write_all(directory, contents)
 
 
 def track(name: str, progress: Callable[[int, int], None] = lambda done, total: None) -> Tracked:

@@ -106,6 +106,15 @@ def rendered(figure: "Figure") -> dict[str, bytes]:
     return {"svg": svg(figure).encode(), "png": buffer.getvalue()}
 
 
+def files(figures: Mapping[str, "Figure"]) -> dict[str, bytes]:
+    """Return the contents of SVG and PNG files of figures, by their names."""
+    return {
+        f"{name}.{suffix}": data
+        for name, figure in figures.items()
+        for suffix, data in rendered(figure).items()
+    }
+
+
 def svg(figure: "Figure", settings: Mapping["RcKeyType", object] | None = None) -> str:
     """Return a figure as SVG that has the same bytes on every run and processor."""
     buffer = io.StringIO()
