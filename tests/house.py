@@ -69,11 +69,12 @@ def imports() -> Graph:
             name = name.rpartition(".")[0]
         return name
 
-    return {
-        name: {home(other) for other in imported(path, not name.startswith("rigidsym.view."))}
-        - {name, ""}
-        for name, path in every.items()
-    }
+    graph = {}
+    for name, path in every.items():
+        in_view = name.startswith("rigidsym.view.")
+        taken = imported(path, types=False) if in_view else imported(path)
+        graph[name] = {home(other) for other in taken} - {name, ""}
+    return graph
 
 
 def package(module: str) -> str:
