@@ -16,7 +16,7 @@ from rigidsym.proof.kernel._ledger import _frozen
 
 
 class Unwitnessed(Context):
-    """A context whose witness is not checked."""
+    """Context whose witness is not checked."""
 
     __slots__ = ()
 

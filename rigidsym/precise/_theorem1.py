@@ -22,8 +22,8 @@ from rigidsym.errors import InputError
 from rigidsym.precise._evaluation import Request, exactly
 from rigidsym.precise._floating import CTX, Floating, Point, quarter_period
 from rigidsym.precise._regime import MotionInputs
-from rigidsym.solution import _sines as sines
 from rigidsym.solution._formulas import sequence
+from rigidsym.solution._polhode import check_sines, sine_axes, sine_sign
 
 _SERVE = "theta and mpmath serve"
 # Axes 1, 2, 3 by the names of the pull-back, which is for axes of either handedness.
@@ -111,7 +111,7 @@ class Theorem1:
         self.inertia = certain("inertia", given.inertia)
         self.omega0 = certain("omega0", given.omega0)
         self.polhode, self.functions = given.polhode, _Lines().table()
-        sines.check("method", "'theorem1'", self.polhode.regime, self.omega0, _SERVE)
+        check_sines("method", "'theorem1'", self.polhode.regime, self.omega0, _SERVE)
         quaternion = [CTX.convert(x) for x in given.attitude0]
         norm = CTX.norm(quaternion)
         self.start = [x / norm for x in quaternion], [CTX.convert(x) for x in self.omega0]
@@ -142,8 +142,8 @@ class Theorem1:
         return [self._sine(i) for i in range(3)]
 
     def _sine(self, i: int) -> dict[str, Any]:
-        known: dict[str, Any] = {"half": sines.half(self.inertia, self.omega0, i)}
-        for x, n in zip("ijk", (i, *sines.others(self.polhode, i)), strict=True):
+        known: dict[str, Any] = {"half": sine_sign(self.inertia, self.omega0, i)}
+        for x, n in zip("ijk", (i, *sine_axes(self.polhode, i)), strict=True):
             known |= {f"c_{x}": self.inertia[n], f"Omega_{x}": self.omega0[n]}
         found = exactly(sequence("sine"), known, self.functions, _number)
         return {name: _number(found[name]) for name in ("zeta", "xi", "mu", "C_i")}

@@ -85,7 +85,7 @@ def admit(ledger, context, facts):
 def test_a_published_definition_made_wrong_breaks_what_is_proved_of_it(
     sealed_ledger, context, name
 ):
-    """Doubled, a definition is refused with its context, or breaks a fact or a model."""
+    """Double a definition: its context is refused, or a fact or a model breaks."""
     if (context, name) in ELSEWHERE:
         assert ELSEWHERE[context, name] in sealed_ledger.facts
         return

@@ -169,7 +169,7 @@ def test_the_logarithmic_derivative_of_theta_4():
 @forty
 @pytest.mark.parametrize("rho", [1, -1])
 def test_the_angle_of_theta_4_off_the_real_line(rho):
-    """Its imaginary part integrated from 0, where the angle is 0."""
+    """Sum the terms of the rest from 0, where the angle is 0."""
     b, angle = mp.mpf("0.1"), mp.mpf(0)
     for k in whole(1):
         given = {"x": NOME**k, "k": k, "rho": rho, "sinh_b": mp.sinh(2 * k * b)}
@@ -181,7 +181,7 @@ def test_the_angle_of_theta_4_off_the_real_line(rho):
 
 @pytest.mark.parametrize("wrong", ["x/(1 + e*x**2)", "2*x/(1 - x**2)", "x**2/(1 - e*x**2)", "x"])
 def test_other_coefficients_are_none(wrong):
-    """The step, which is homogeneous in a but for what is left over, tells these apart."""
+    """Refute other coefficients by the step, whose remainder is not homogeneous in a."""
     part = Part(COEFFICIENT.witness, (*COEFFICIENT.units, "1 + e*x**2", "1 - x**2"), {"a": wrong})
     builder = LedgerBuilder()
     builder.open(join("terms", sign("e", "a sign"), part, TERMS, static=True))

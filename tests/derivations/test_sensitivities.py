@@ -27,7 +27,7 @@ MOTIONS = {
 
 
 def defined(values, *contexts, only=None):
-    """Add the values of all, or of some, that contexts define, after those that are given."""
+    """Add the values of definitions of contexts, all or only some, to given values."""
     for context in contexts:
         definitions = CONTEXTS[context]["definitions"]
         for name in only or definitions:
@@ -56,7 +56,7 @@ def functions(p, r, t):
 
 
 def columns(inertia, rates, changed):
-    """Return the small turn and the change of the rates, by the ledger's formulas, for one input.
+    """Return the small turn and the change of the rates with one input, by the ledger's formulas.
 
     Axes (a, b, d) are (1, 2, 3).
     """
@@ -83,7 +83,7 @@ def columns(inertia, rates, changed):
 
 
 def momentum_there(q, inertia, rates, changed):
-    """Return l: the change of R M at t = 0, where the attitude is given, seen in the body at t."""
+    """Return the change of R M at t = 0, seen in the body at t."""
     k = int(changed[-1]) - 1
     start = [mpf(0)] * 3
     start[k] = number((rates if changed.startswith("c") else inertia)[k])

@@ -8,7 +8,6 @@ from attacks import Attacker, changes, definitions
 from document_texts import rows, words
 from ledgers import LEDGER, TEXT, require_again, written
 
-from rigidsym._cli import main
 from rigidsym._codegen.lines import handwritten
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import specification_text
@@ -168,19 +167,18 @@ def test_a_formula_is_one_that_is_proved():
 
 
 @pytest.mark.parametrize(
-    "command", [["check"], ["check", "--independent"], ["errata"], ["codegen", "numpy", "--check"]]
+    "command", ["check", "check --independent", "errata", "codegen numpy --check"]
 )
-def test_commands_replay_and_require(command, monkeypatch, capsys):
+def test_commands_replay_and_require(command, monkeypatch, run):
     """Double A_a wherever it is stated: no checker accepts it, and nothing is made of it."""
     text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
     for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution._formulas.sealed_text"):
         monkeypatch.setattr(place, lambda: text)
-    assert main(command) == (1 if command[0] == "check" else 2)
-    assert "refused" in capsys.readouterr().err
+    assert "refused" in run(command, status=1 if command.startswith("check") else 2).err
 
 
 @pytest.mark.parametrize("checker", [[], ["--independent"]])
-def test_what_is_only_assumed_is_no_success(checker, tmp_path, capsys):
+def test_what_is_only_assumed_is_no_success(checker, tmp_path, run):
     """Admit 0 = 1 with a reference as ASSUMED: `check` says so, and fails."""
     ledger = data()
     fact = part(ledger, "facts", "period_functions.complete")
@@ -189,8 +187,7 @@ def test_what_is_only_assumed_is_no_success(checker, tmp_path, capsys):
     ledger["facts"].append(claim)
     path = tmp_path / "ledger.json"
     path.write_text(written(ledger))
-    assert main(["check", str(path), *checker]) == 1
-    told = capsys.readouterr()
+    told = run("check", path, *checker, status=1)
     assert "1 ASSUMED facts" in told.out
     assert told.err == "rigidsym check: 1 ASSUMED: facts must be ENCLOSED at least\n"
 
@@ -286,12 +283,10 @@ def test_what_is_trusted_does_not_grow():
 
 
 @pytest.mark.usefixtures("replayed_once")
-def test_audit_is_a_command(capsys):
-    assert main(["audit", "--json"]) == 0
-    told = json.loads(capsys.readouterr().out)
+def test_audit_is_a_command(run):
+    told = json.loads(run("audit --json").out)
     assert told["totals"] == totals(audit(SPECIFICATION, LEDGER))
-    assert main(["audit"]) == 0
-    text = capsys.readouterr().out
+    text = run("audit").out
     assert "theta_form: nome of k_1^2" in text
     assert text.splitlines()[-1].startswith("by hand: ")
 

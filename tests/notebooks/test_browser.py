@@ -1,4 +1,4 @@
-"""Notebooks as a person opens them: JupyterLab on loopback in a browser, all cells run."""
+"""Notebooks in JupyterLab in a browser: all cells run, and formulas and pictures are seen."""
 
 import importlib.util
 import json
@@ -64,24 +64,17 @@ const context = panel?.sessionContext;
 return !!(panel?.content?.model?.cells?.length && context?.isReady
   && context.session?.kernel?.status === 'idle');
 """
-RUN_ALL = f"""{PANEL}
-const app = window.jupyterapp;
-app.shell.activateById(panel.id);
-return (async () => {{
-  await app.commands.execute('notebook:clear-all-cell-outputs');
-  await app.commands.execute('notebook:run-all-cells');
-}})();
-"""
-RUN_FIRST = f"""{PANEL}
+RUN = f"""{PANEL}
 const app = window.jupyterapp;
 app.shell.activateById(panel.id);
 const first = [...panel.content.model.cells].findIndex(cell => cell.type === 'code');
 panel.content.activeCellIndex = first;
 return (async () => {{
   await app.commands.execute('notebook:clear-all-cell-outputs');
-  await app.commands.execute('notebook:run-cell');
+  await app.commands.execute(arguments[0]);
 }})();
 """
+RUN_ALL, RUN_FIRST = "notebook:run-all-cells", "notebook:run-cell"
 DIALOGS = "return [...document.querySelectorAll('.jp-Dialog-content')].map(x => x.innerText);"
 # Formulas that have a size, and those that MathJax could not read.
 FORMULAS = """
@@ -147,29 +140,15 @@ def lab(folder, tmp_path_factory):
     settings.mkdir()
     (settings / "overrides.json").write_text(json.dumps(SETTINGS))
     port, token = free_port(), secrets.token_hex(16)
-    own = {
-        "HOME": home,
-        "JUPYTER_CONFIG_DIR": home / "config",
-        "JUPYTER_DATA_DIR": home / "data",
-        "JUPYTER_RUNTIME_DIR": home / "runtime",
-        "JUPYTERLAB_SETTINGS_DIR": home / "user_settings",
-        "JUPYTERLAB_WORKSPACES_DIR": home / "workspaces",
-        "IPYTHONDIR": home / "ipython",
-        "JUPYTER_NO_CONFIG": "1",
-        "PYTHONPATH": os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]),
-    }
+    own = {"HOME": home, "IPYTHONDIR": home / "ipython", "JUPYTER_NO_CONFIG": "1"}
+    own |= {f"JUPYTER_{x}_DIR": home / x.lower() for x in ("CONFIG", "DATA", "RUNTIME")}
+    own |= {f"JUPYTERLAB_{x}_DIR": home / x.lower() for x in ("SETTINGS", "WORKSPACES")}
+    own["PYTHONPATH"] = os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")])
     options = (
-        "--no-browser",
-        "--allow-root",
-        "--expose-app-in-browser",
-        "--ServerApp.ip=127.0.0.1",
-        f"--ServerApp.port={port}",
-        "--ServerApp.port_retries=0",
-        f"--IdentityProvider.token={token}",
-        f"--ServerApp.root_dir={folder}",
-        f"--LabApp.app_settings_dir={settings}",
-        "--LabApp.extension_manager=readonly",
-        "--LabApp.news_url=None",
+        *("--no-browser", "--allow-root", "--expose-app-in-browser", "--LabApp.news_url=None"),
+        *("--ServerApp.ip=127.0.0.1", f"--ServerApp.port={port}", "--ServerApp.port_retries=0"),
+        *(f"--IdentityProvider.token={token}", f"--ServerApp.root_dir={folder}"),
+        *(f"--LabApp.app_settings_dir={settings}", "--LabApp.extension_manager=readonly"),
     )
     log = home / "log"
     with log.open("w") as told:
@@ -242,7 +221,7 @@ def ran(browser):
 def test_a_notebook_runs_in_jupyterlab(browser, lab, folder, stem):
     notebook = source_of(folder, stem)
     opened(browser, lab, stem)
-    browser.execute_script(RUN_ALL)
+    browser.execute_script(RUN, RUN_ALL)
     cells = until(lambda: ran(browser), f"{stem}: all cells")
     assert [cell["errors"] for cell in cells if cell["errors"]] == []
     expected = [c for c in notebook.cells if c.cell_type == "code" and c.source.strip()]
@@ -270,7 +249,7 @@ def test_sliders_change_the_motion(browser, lab, folder, stem):
     source_of(folder, stem)
     opened(browser, lab, stem)
     # Without the checks, which let go of the sliders.
-    until(lambda: browser.execute_script(RUN_FIRST) or True, stem)
+    until(lambda: browser.execute_script(RUN, RUN_FIRST) or True, stem)
 
     def said(words, scenes):
         found = browser.execute_script(SAID)

@@ -95,7 +95,7 @@ def another_processor(request, once, monkeypatch):
 @pytest.mark.usefixtures("another_processor")
 @every
 def test_another_processor_gives_the_committed_notebook(name):
-    """No output shows digits that rounding decides."""
+    """Check that no output shows digits that rounding decides."""
     gives_the_committed_notebook(name)
 
 

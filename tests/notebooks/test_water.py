@@ -1,4 +1,4 @@
-"""The box of water that notebooks and benchmarks move: its forces, and the step beside ours."""
+"""A box of water in notebooks and benchmarks: its forces, and the NO_SQUISH step."""
 
 import sys
 from pathlib import Path

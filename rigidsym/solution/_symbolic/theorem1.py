@@ -18,7 +18,7 @@ from typing import Any
 from sympy import Expr, Gt, Integer, Ne, Piecewise, S, asin, cos, elliptic_f, sin, sqrt
 
 from rigidsym.language.functions import jacobi_am, jacobi_dn, jacobi_pi
-from rigidsym.solution import _sines as sines
+from rigidsym.solution._polhode import check_sines, sine_axes, sine_sign
 from rigidsym.solution._symbolic.calculation import Calculation, ExactMotion, conditions_of
 from rigidsym.solution._symbolic.symbols import TIME, named
 from rigidsym.solution._symbolic.value import Dynamics, Symbolic
@@ -46,7 +46,7 @@ def theorem1(work: Calculation) -> Symbolic:
     """Return the paper's solution on one interval, or a motion's solution at all times."""
     given = work.given
     if given:
-        sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
+        check_sines("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
     work.begin(_INPUTS, given.numbers() if given else ())
     parts = [_sine(work, i) for i in range(3)]
     constant = [("sn",) if "sn" in part.known else () for part in parts]
@@ -86,13 +86,13 @@ def theorem1(work: Calculation) -> Symbolic:
 def _sine(work: Calculation, i: int) -> Calculation:
     """Compute the constants of one rate; their names end with the number of its axis."""
     given = work.given
-    j, k = sines.others(given.polhode, i) if given else _CYCLIC[i]
+    j, k = sine_axes(given.polhode, i) if given else _CYCLIC[i]
     known: dict[str, Any] = {
         f"{letter}_{x}": work.known[f"{letter}{n + 1}"]
         for letter in ("c", "Omega")
         for x, n in zip("ijk", (i, j, k), strict=True)
     }
-    known["half"] = Integer(sines.half(*given.exact, i)) if given else named(f"half_{i + 1}")
+    known["half"] = Integer(sine_sign(*given.exact, i)) if given else named(f"half_{i + 1}")
     part = Calculation(work.form, given, known)
     inner = ("alpha", "root_j", "root_k", "zeta", "xi", "mu", "H", "K_squared")
     names = {n: f"{n}_{i + 1}" for n in inner} | {"C_i": f"C_{i + 1}"}
