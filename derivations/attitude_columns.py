@@ -1,4 +1,4 @@
-"""Sensitivities of the attitude, column by column: the small turn in space, as numbers have it.
+"""Sensitivities of the attitude, column by column: the small turn in space, for numbers.
 
 delta R = [eta] R, and with L = R M, l = L/K^2, dM the change of I omega in the body and s the share
 of eta along L, times K,

@@ -1,4 +1,4 @@
-"""Sensitivities of the attitude: a small turn that needs no integral but those of Omega_k^2.
+"""Sensitivities of the attitude: a small turn by the integrals of Omega_k^2 alone.
 
 L = R M is constant, so its change is; seen in the body it is l, with l' = l x Omega.  Let xi be the
 small turn in the body, dR = R [xi], and s its component along M, times K:

@@ -1,4 +1,4 @@
-"""What printed lines need: where denominators vanish, and starts that are not at the identity.
+"""Conditions of printed lines: where denominators vanish, and starts away from the identity.
 
 Without the condition that a line has, or should have, it divides by zero, or two quantities that it
 tells apart are the same.  The print itself is compared in `printed`.

@@ -1,4 +1,4 @@
-"""The form the numbers are made of: Landen's descent, after which nothing cancels anywhere.
+"""The form for numbers: Landen's descent, after which no difference loses digits.
 
 With k' = sqrt(1 - m) and k_1 = (1 - k')/(1 + k'), sn, cn and dn of (u | m) are rational in s, c, d
 of (u_1 | k_1^2), u = (1 + k_1) u_1 (DLMF 22.7(i)).  In the new functions psi of the attitude is

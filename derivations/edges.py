@@ -1,4 +1,4 @@
-"""The edges of the regular form, each with its own closed form: separatrix and symmetric bodies.
+"""The edges of the regular form: closed forms for the separatrix and for symmetric bodies.
 
 At m = 1 Jacobi's functions are tanh and sech, at m = 0 they are sin, cos and 1 (DLMF 22.5(ii)).
 Both are models of the regular form, so everything proved there holds; nothing is a limit that would

@@ -1,4 +1,4 @@
-"""The Fourier form: psi and the rates by series in sines and cosines, with coefficients for good.
+"""The Fourier form: psi and the rates by series in sines and cosines, with constant coefficients.
 
 Each series is the logarithmic derivative of theta_4, or a quotient by it.  Let s(k + 1) = -s(k),
 e = +-1, and all k be whole, or all half of odd numbers.  The product

@@ -1,4 +1,4 @@
-"""How the integrals of the addition form move: what bounds need that hold for all of a box.
+"""Changes of the integrals of the addition form: derivatives for bounds over a box.
 
 E_t = int S_t^2 and F_t = int S_t^2/D_t^2 change along two directions, as S_t, C_t and D_t do: `_k`,
 where p and r grow alike, and `_r`, where r does.  What that takes is the integrals of fourth powers

@@ -1,4 +1,4 @@
-"""What a direction in space exerts on a body: the kicks of splitting methods.
+"""Torques by a direction in space: the kicks of splitting methods.
 
 A vector u that stays in space is v = conj(q) u q in body axes; by Rodrigues' formula with q = (q0,
 r) that is u + q0 w + w x r, w = 2 u x r.  A potential of it, linear and quadratic,

@@ -1,4 +1,4 @@
-"""One step of Landen's descent, with inverse formulas free of cancellation; and its bottom.
+"""One step of Landen's descent, with inverse formulas free of cancellation, and its end.
 
 With k_next = (1 - kc)/(1 + kc), sn, cn, dn of (u | k^2) are rational in those of
 (u/(1 + k_next) | k_next^2) (DLMF 22.7.2 to 22.7.4).  So is x = sc(beta | 1 - k^2), since sn of

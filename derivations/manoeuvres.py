@@ -1,4 +1,4 @@
-"""Natural motions between two attitudes: what the planner of manoeuvres rests on.
+"""Natural motions between two attitudes: facts that the planner of manoeuvres uses.
 
 Such a motion turns the body by p, a unit quaternion; R is p as a matrix.  The momentum stays where
 it is in space: it is M in the body axes of the start and N = R^T M in those of the target.  The

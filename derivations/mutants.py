@@ -1,4 +1,4 @@
-"""Mutants: every statement decided by normal form, made wrong in up to sixteen places.
+"""Mutants: up to sixteen wrong versions of every statement that a normal form decides.
 
 The same decision refutes a mutant, refuses it because it divides by what the hypotheses do not
 cover, or shows that it is equivalent, an identity too.  The ledger keeps the count for every fact;

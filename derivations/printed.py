@@ -1,4 +1,4 @@
-"""The print compared: every displayed line of the paper, as each of its readings puts it.
+"""The print compared: every displayed line of the paper, in each of its readings.
 
 The chapters before found what is true.  Here the paper is opened: the LaTeX of each line is parsed
 and put into the names of a context (`rigidsym.proof.paper`), what it defines becomes a definition

@@ -1,4 +1,4 @@
-"""What the number wing may use: sequences of proved formulas, in order of evaluation.
+"""Published formulas: sequences for the number half, in order of evaluation.
 
 `constants` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns
 them and a time into rates and attitude, `steady` serves the motions with constant rates.

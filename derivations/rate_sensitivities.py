@@ -1,4 +1,4 @@
-"""Sensitivities of the rates: how they move with the rates at t = 0 and the moments of inertia.
+"""Sensitivities of the rates: derivatives by the rates at t = 0 and the moments of inertia.
 
 A change of the rates at t = 0 and of the moments is written d; it is the derivative by a parameter
 on which all of them depend.  In `perturbed` D is that derivative: the change of each

@@ -1,4 +1,4 @@
-"""Where Lemma 1 is real: the roots (13) of each axis, in a motion about axis a.
+"""Real cases of Lemma 1: the roots (13) of each axis, in a motion about axis a.
 
 On the middle axis both roots are squares, and so is alpha times either: the lemma is real.  On the
 third axis one root is minus a square; then the condition of (10), |s_i/s_j| <= 1, and that of (16),

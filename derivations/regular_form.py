@@ -106,7 +106,7 @@ def differences() -> dict[str, str]:
 
 
 BY_RATES = {"H": RATES.definitions["H"], **differences()}
-# What the number wing evaluates: each amplitude, rate and parameter from inertia and invariants.
+# What the number half evaluates: each amplitude, rate and parameter from inertia and invariants.
 FORMULAS = {
     "A_a": "E_d/(c_a*c_ad)",
     "A_b": "E_a/(c_b*c_ab)",

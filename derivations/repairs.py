@@ -1,4 +1,4 @@
-"""Repairs: every refuted line of the paper, mended by one small edit where one does it.
+"""Repairs: refuted lines of the paper that one small edit mends.
 
 A sign, index, power, factor, divisor or derivative is changed in what the paper prints; the edits
 that agree at rational points are decided by the kernel.  The ledger keeps the shortest repairs

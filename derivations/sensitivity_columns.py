@@ -1,4 +1,4 @@
-"""Sensitivities column by column: what numbers are computed from, without cancellation.
+"""Sensitivities column by column: formulas for numbers, without cancellation.
 
 A column is the change of the rates by one rate at t = 0 or by one moment of inertia.  Each is what
 it is where S_t, C_t and D_t stay, and what they change it by, along two directions alone: `_k`,

@@ -1,4 +1,4 @@
-"""What a derivation starts from, and what of it can be chosen.
+"""Setting of a derivation: what it starts from, with the choices that a user has.
 
 The paper's choice is the default: the basis (4), H = (c1 Omega1^2 + c2 Omega2^2 + c3 Omega3^2)/2,
 R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.

@@ -1,4 +1,4 @@
-"""The signs of Theorem 1: where (19) is right, which signs match, and what they cannot do.
+"""The signs of Theorem 1: where (19) is right, which signs match, and where no signs do.
 
 The step to y* is the half-angle step only where c3 Omega3 > 0.  Where it is negative, S1 S2 = -1
 makes up for it: R still has the momentum M.  But no constant signs do for a motion in which Omega3

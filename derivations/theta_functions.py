@@ -1,4 +1,4 @@
-"""The theta forms by the theta functions themselves: nothing about these is supposed.
+"""The theta forms by the theta functions themselves: none of their properties is assumed.
 
 T_4 and T_1 are declared to be theta functions of v - i rho b, and the kernel knows their rates.
 By `theta_laws` they satisfy what the theta forms ask of T_4 and T_1.  A motion is given by the

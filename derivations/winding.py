@@ -1,4 +1,4 @@
-"""How Pi winds: along the real line its integral meets no pole, and each half turn adds as much.
+"""Windings of Pi: its integral along the real line grows by the same amount each half turn.
 
     Pi(n; theta + k pi | m) = 2 k Pi(n | m) + Pi(n; theta | m),        n < 1,  m < 1,  k whole
 
