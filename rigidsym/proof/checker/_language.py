@@ -9,6 +9,7 @@ Each part is evaluated as soon as it is read; no tree is built.
 import keyword
 import re
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from operator import add, mul, sub, truediv
 from typing import Any, Generic, TypeAlias, TypeVar
 
@@ -19,6 +20,8 @@ NAME = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
 _NUMBER = r"(?:0|[1-9][0-9]{0,999})(?!\w)"
 _TOKEN = re.compile(rf" *({_NUMBER}|{NAME.pattern}|\*\*|[-+*/(),])", re.ASCII)
 _BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "**": 3}
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]]
+_ARITHMETIC = {"+": add, "-": sub, "*": mul, "/": truediv}
 _LENGTH = 20_000
 _OPEN = 50
 # An expression tree: a number, a name, or an operator with its operands.
@@ -50,7 +53,7 @@ class Language(ABC, Generic[Meaning]):
 
     def combine(self, operator: str, left: Any, right: Any) -> Meaning:
         """Return the value of ``left operator right`` for one of ``+ - * /``."""
-        return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
+        return _ARITHMETIC[operator](left, right)
 
     def negative(self, operand: Any) -> Meaning:
         """Return the value of ``-operand``."""
