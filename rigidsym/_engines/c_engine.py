@@ -34,13 +34,15 @@ class _Layout:
     """Memory layout of states with or without derivatives, and arguments of C for them.
 
     flags: arguments of C before the outputs; cost: of a time, in plain states; shapes and sizes: of
-    each array at one time; offsets: in bytes, where a time and all arrays follow each other.
+    each array at one time; rows: 1 for the time, then sizes; offsets: in bytes, where a time and
+    all arrays follow each other.
     """
 
     flags: tuple[int, ...]
     cost: int
     shapes: tuple[tuple[int, ...], ...]
     sizes: tuple[int, ...]
+    rows: tuple[int, ...]
     offsets: tuple[int, ...]
     memory: type[ctypes.Array[c_double]]
 
@@ -53,7 +55,10 @@ def _layout(names: tuple[str, ...] | None) -> _Layout:
     offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
     flags = () if names is None else (sum(1 << arrays.COLUMNS.index(name) for name in names),)
     cost = _SENSITIVITY if flags else 1
-    return _Layout(flags, cost, shapes, sizes, offsets, c_double * (1 + sum(sizes)))
+    return _Layout(flags, cost, shapes, sizes, (1, *sizes), offsets, c_double * (1 + sum(sizes)))
+
+
+_STATES = _layout(None)
 
 
 class CEngine(Engine):
@@ -121,7 +126,7 @@ class CEngine(Engine):
             return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
         times = arrays.times(t)
         found = arrays.outputs(out, times.shape, times)
-        self._compute(prepared, times, found, lenient, _layout(None))
+        self._compute(prepared, times, found, lenient, _STATES)
         return found
 
     def sensitivities(
@@ -191,18 +196,19 @@ class CEngine(Engine):
         if lenient:
             near = np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
             t = np.where(near, t, 0.0)
-        addresses, sizes = [x.ctypes.data for x in (t, *found)], (1, *layout.sizes)
+        addresses, sizes, flags = [x.ctypes.data for x in (t, *found)], layout.rows, layout.flags
 
         def piece(begin: int, end: int) -> int:
             first, *rows = _rows_from(begin, addresses, sizes)
-            return function(prepared, end - begin, first, *layout.flags, *rows)
+            return function(prepared, end - begin, first, *flags, *rows)
 
         codes = _shared(piece, t.size, layout.cost)
         if near is not None:
             for x in found:
                 x[~near] = np.nan
         # The code of a refused time comes before that of a derivative.
-        elif code := min(filter(None, codes), default=0):
+        elif any(codes):
+            code = min(filter(None, codes))
             raise self._refused(code, prepared, t, found)
 
     def _refused(
@@ -277,6 +283,8 @@ def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> lis
     return threads.in_parts(piece, states, threads.threads(cost * states), threads.PIECE // cost)
 
 
-def _rows_from(begin: int, addresses: Sequence[int], sizes: Sequence[int]) -> list[int]:
+def _rows_from(begin: int, addresses: Sequence[int], sizes: Sequence[int]) -> Sequence[int]:
     """Return the addresses of row `begin` of arrays whose rows have `sizes` doubles."""
+    if not begin:
+        return addresses
     return [x + begin * size * _DOUBLE for x, size in zip(addresses, sizes, strict=True)]
