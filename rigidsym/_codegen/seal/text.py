@@ -49,11 +49,14 @@ class Between:
         return self._lines[line - self.line]
 
 
-def between(file: str, text: str, first: str, last: str) -> Between:
-    """Return the text of a file between its first and its last part.
+def between(file: str, text: str, module: str, first: str, last: str) -> Between:
+    """Return the text of a file of a module, given by its key, between its first and last part.
 
+    The marks of both for digest and measured errors are filled as in the text.
     Raises InputError, naming the line, where a part is not there word for word.
     """
+    digest = header.digest_in(file, text)
+    first, last = (header.filled(part, module, digest) for part in (first, last))
     lines, head, tail = (x.split("\n") for x in (text, first.removesuffix("\n"), last))
     for number, wanted in enumerate(head):
         _check_by_hand(file, lines, number, wanted)

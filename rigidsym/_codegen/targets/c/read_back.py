@@ -72,6 +72,7 @@ def statements(file: str, derived: Between) -> Iterator[Statement]:
 
 
 def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:
+    """Raise InputError for the first character that a pattern finds."""
     found = what.search(text.text)
     if found:
         number = text.text.count("\n", 0, found.start())
@@ -167,7 +168,8 @@ def check(
     """Return the number of lines read back; raise InputError for one that is not its let."""
     source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
-    derived = _derived(files[source], functions, form)
+    parts = module.source_first(form), module.source_last(functions, form)
+    derived = between(source, files[source], key("c", form), *parts)
     given = statements(source, derived)
     for constant in named(functions, constants):
         kind, value = "double", repr(constant.hi)
@@ -201,11 +203,9 @@ def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
     file = module.HEADERS[form]
     kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
-    counts = shares(kinds, key("c", form))
-    said = module.header_first(form).replace(header.SHARES, counts)
-    first = header.filled(said, key("c", form), header.digest_in(file, text))
+    first = module.header_first(form).replace(header.SHARES, shares(kinds, key("c", form)))
     last = module.header_last(functions, form)
-    structs = statements(file, between(file, text, first, last))
+    structs = statements(file, between(file, text, key("c", form), first, last))
     given = iter(_without_rows(structs))
     for function in functions:
         if function.rounds and form != STEP:
@@ -224,14 +224,6 @@ def _without_rows(given: Iterator[Statement]) -> list[Statement]:
             statement = Statement(line, f"{text.removesuffix(';')}, {more}")
         rows.append(statement)
     return rows
-
-
-def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """Return the text between the hand-written parts."""
-    file = module.SOURCES[form]
-    digest = header.digest_in(file, text)
-    last = header.filled(module.source_last(functions, form), key("c", form), digest)
-    return between(file, text, module.source_first(form), last)
 
 
 def _next(file: str, given: Iterator[Statement], expected: object) -> Statement:

@@ -66,10 +66,9 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """Return the text between the hand-written parts."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
-    counts = shares(kinds, key("numpy", form))
-    said = module.first(form).replace(header.SHARES, counts)
-    first = header.filled(said, key("numpy", form), header.digest_in(file, text))
-    return between(file, text, first, module.last(form))
+    own = key("numpy", form)
+    first = module.first(form).replace(header.SHARES, shares(kinds, own))
+    return between(file, text, own, first, module.last(form))
 
 
 def _statements(derived: Between) -> list[ast.stmt]:
