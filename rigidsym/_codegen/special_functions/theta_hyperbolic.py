@@ -91,26 +91,16 @@ def values() -> list[Let]:
             lets.append(
                 let(f"{name}_{part}_odd = {variable}*({part}_1 + {square}*{part}_3)", *_SERIES)
             )
-    lets += [
-        let(
-            "T4_re = (near_re_even + near_re_odd) + w*(far_re_even + far_re_odd)",
-            "DLMF 20.2.2",
-        ),
-        let(
-            "T4_im = side*((near_im_even + near_im_odd) - w*(far_im_even + far_im_odd))",
-            "DLMF 20.2.2",
-        ),
-        let(
-            "T1_re = side*((near_re_even - near_re_odd) - w*(far_re_even - far_re_odd))",
-            "DLMF 20.2.1",
-        ),
-        let(
-            "T1_im = (near_im_even - near_im_odd) + w*(far_im_even - far_im_odd)",
-            "DLMF 20.2.1",
-        ),
-        *rate_values(),
-    ]
-    return lets
+    for name, part, inner, outer, source in (
+        ("T4_re", "re", "+", "+", "DLMF 20.2.2"),
+        ("T4_im", "im", "+", "-", "DLMF 20.2.2"),
+        ("T1_re", "re", "-", "-", "DLMF 20.2.1"),
+        ("T1_im", "im", "-", "+", "DLMF 20.2.1"),
+    ):
+        near, far = (f"({x}_{part}_even {inner} {x}_{part}_odd)" for x in ("near", "far"))
+        both = f"{near} {outer} w*{far}"
+        lets.append(let(f"{name} = {both if outer == '+' else f'side*({both})'}", source))
+    return [*lets, *rate_values()]
 
 
 def rate_values() -> list[Let]:
