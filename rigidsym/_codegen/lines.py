@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import TypedDict
 
-from rigidsym._codegen.forms import STEP, THETA, split
+from rigidsym._codegen.forms import PI, STEP, split
 from rigidsym._codegen.ir import KINDS, Function, Let
 
-# The hand-written sensitivities of the theta form.
-SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
 _COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
 MEANINGS = {
     "fact": "follow facts of the ledger, each named on its line",
@@ -106,16 +104,18 @@ def flat_results(function: Function) -> list[str]:
     ]
 
 
-def _of_c(names: str) -> tuple[str, ...]:
-    return tuple(f"targets/c/{name}.c" for name in names.split())
-
-
-# Written by hand, and run with what is generated: files of `rigidsym._codegen`, by target.
+# Files written by hand that run with what is generated; the Pi form has no sensitivities.
 RUNTIMES = {
-    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
-    "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
-    "c": _of_c("runtime bodies exact arithmetic rounding quotients double_double"),
-    "c-step": _of_c("step kick bodies step_arithmetic rounding quotients double_double"),
+    "numpy": ("numpy/runtime.py", "numpy/sensitivity.py", "numpy/double_double.py"),
+    "numpy-step": ("numpy/step.py", "numpy/double_double.py"),
+    "c": (
+        *("c/runtime.c", "c/sensitivity.c", "c/bodies.c", "c/exact.c", "c/arithmetic.c"),
+        *("c/rounding.c", "c/quotients.c", "c/double_double.c"),
+    ),
+    "c-step": (
+        *("c/step.c", "c/kick.c", "c/bodies.c", "c/step_arithmetic.c"),
+        *("c/rounding.c", "c/quotients.c", "c/double_double.c"),
+    ),
 }
 
 
@@ -134,12 +134,12 @@ def shares(kinds: Iterable[str], module: str) -> str:
 def handwritten(module: str) -> int:
     """Count the hand-written lines of a module, without blank lines and comments."""
     target, form = split(module)
-    names = RUNTIMES.get(module if form == STEP else target, ())
-    if form == THETA and target in SENSITIVITIES:
-        names = (*names, SENSITIVITIES[target])
-    texts = (
-        resources.files("rigidsym._codegen").joinpath(name).read_text("utf-8") for name in names
-    )
+    if target not in _COMMENT:
+        return 0
+    files = RUNTIMES[module if form == STEP else target]
+    home = resources.files("rigidsym._codegen.targets")
+    own = (file for file in files if form != PI or "sensitivity" not in file)
+    texts = (home.joinpath(file).read_text("utf-8") for file in own)
     # Other files, where one names them, are counted by themselves.
     without = re.compile(rf"{_COMMENT[target]}|@\w+\.c@", re.DOTALL)
     code = "\n".join(without.sub("", text) for text in texts)
