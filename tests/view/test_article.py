@@ -196,6 +196,29 @@ def solved(source: tuple[str, ...] = ("28",)) -> Step:
     return solve(scope, "plane.found", [(a * x, y)], [x], "solve for M1 < M2", source)
 
 
+def moved() -> Step:
+    scope = opened(witness={"x": "1"}, rates={"x": "2*x"})
+    return differentiate(scope, "plane.x", x**2, "its rate")
+
+
+def both() -> Step:
+    scope = opened(witness={"x": "1", "y": "1"})
+    return solve(scope, "plane.found", [(x + y, 1), (x - y, 3)], [x, y], "both")
+
+
+@pytest.mark.parametrize(
+    ("step", "text"),
+    [
+        (solved, r"x = \frac{y}{a}\tag*{(28)}"),
+        (lambda: solved(("R^-1 dR/dt",)), r"x = \frac{y}{a}\tag*{$R^{-1}\dot R$}"),
+        (moved, r"\frac{d}{dt}\left(x^{2}\right) = 4 x^{2}"),
+        (both, r"\begin{aligned}x &= 2 \\ y &= -1\end{aligned}"),
+    ],
+)
+def test_a_line_of_latex_is_aligned_and_tagged_by_the_papers_numbers(step, text):
+    assert step()._repr_latex_() == f"$${text}$$"
+
+
 def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
     html = solved()._repr_html_()
     assert r"x = \frac{y}{a}" in html
@@ -203,25 +226,7 @@ def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
     assert "<code>plane.found</code>" in html
     assert r"where </span><span>\(a \neq 0\)" in html
     assert r"Solve for <span>\(M_{1}\)</span> &lt; <span>\(M_{2}\)</span>:" in html
-
-
-def test_a_line_without_conditions_has_no_where():
-    scope = opened(witness={"x": "1"}, rates={"x": "2*x"})
-    step = differentiate(scope, "plane.x", x**2, "its rate")
-    assert "where" not in step._repr_html_()
-    assert step._repr_latex_() == r"$$\frac{d}{dt}\left(x^{2}\right) = 4 x^{2}$$"
-
-
-def test_a_line_of_latex_is_tagged_by_the_papers_numbers():
-    assert solved()._repr_latex_() == r"$$x = \frac{y}{a}\tag*{(28)}$$"
-    bare = solved(("R^-1 dR/dt",))._repr_latex_()
-    assert bare.endswith(r"\tag*{$R^{-1}\dot R$}$$")
-
-
-def test_several_equations_are_aligned():
-    scope = opened(witness={"x": "1", "y": "1"})
-    step = solve(scope, "plane.found", [(x + y, 1), (x - y, 3)], [x, y], "both")
-    assert step._repr_latex_() == r"$$\begin{aligned}x &= 2 \\ y &= -1\end{aligned}$$"
+    assert "where" not in moved()._repr_html_()
 
 
 def test_a_terminal_shows_the_line_in_two_dimensions():

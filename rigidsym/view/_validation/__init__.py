@@ -10,7 +10,7 @@ from rigidsym.view import _cards as cards
 from rigidsym.view import _report_data as formats
 from rigidsym.view._pages import render
 from rigidsym.view._report_data import Data, Figure, number
-from rigidsym.view._validation.figures import VIEWS, histograms, key, scatters
+from rigidsym.view._validation.figures import VIEWS, histograms, key, scatter
 
 if TYPE_CHECKING:
     from rigidsym.validate._report import ValidationReport
@@ -100,7 +100,7 @@ def page(data: Data) -> str:
         anchors={case["case"]: f"case-{k}" for k, case in enumerate(data["worst"], 1)},
         inputs=INPUTS,
         keys=[key(k) for k in range(len(everyone))],
-        views={view.key: scatters(everyone, view, bounds) for view in VIEWS},
+        views={x.key: [scatter(everyone, x, m, bounds[m]) for m in HEADINGS] for x in VIEWS},
         sizes=[
             (measure, heading, histograms(everyone, strata, measure, bounds[measure]))
             for measure, heading in HEADINGS.items()

@@ -7,7 +7,7 @@ colours on light and on dark ground, and titles for the pointer.
 import math
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 from typing import TYPE_CHECKING, NamedTuple
@@ -141,12 +141,12 @@ class Drawing:
         self.add(class_, line)
 
     def mark(
-        self, class_: str, k: int, x: Sequence[float], y: Sequence[float], titles: Sequence[str]
+        self, kind: str, k: int, x: Sequence[float], y: Sequence[float], titles: Sequence[str]
     ) -> None:
         """Draw marks in the shape of implementation k, with a title each."""
         shape = MARKERS[k % len(MARKERS)]
         (marks,) = self.axes.plot(x, y, marker=shape, markersize=8, linestyle="none")
-        self.add(class_, marks, titles)
+        self.add(f"{kind} {colour(k)}", marks, titles)
 
     def svg(self, label: str, class_: str = "plot") -> Markup:
         """Return the drawing as an SVG element with CSS classes instead of styles."""
@@ -193,22 +193,9 @@ VIEWS = (
 
 
 @defaults()
-def scatters(
-    implementations: Sequence[Data], view: View, bounds: Mapping[str, float]
-) -> list[Markup]:
-    """Draw the worst angle and rate error in each decade of a property of cases.
-
-    `bounds` are in units of 2^-53.
-    """
-    return [
-        _scatter(implementations, view, measure, label, bounds[measure])
-        for measure, label in Y_LABELS.items()
-    ]
-
-
-def _scatter(
-    implementations: Sequence[Data], view: View, measure: str, label: str, bound: float
-) -> Markup:
+def scatter(implementations: Sequence[Data], view: View, measure: str, bound: float) -> Markup:
+    """Draw the worst error in each decade of a property of cases; `bound` in units of 2^-53."""
+    label = Y_LABELS[measure]
     # The exponents of the decade and of the error of each cell.
     found = []
     for one in implementations:
@@ -241,7 +228,7 @@ def _scatter(
             drawing.line(f"trace {colour(k)}", *zip(*inside, strict=True))
         if places:
             titles = [_title(one["name"], at, cell) for at, _, cell in marks]
-            drawing.mark(f"mark {colour(k)}", k, *zip(*places, strict=True), titles)
+            drawing.mark("mark", k, *zip(*places, strict=True), titles)
     below = x.labels(33 / width, view.zero, view.beyond, 10)
     beside = y.labels(14 / drawing.inner[1], f"< {formats.power(10, y.low)}", "none", 10)
     axes.set_xticks([*below], [*below.values()])
@@ -345,5 +332,5 @@ def colour(k: int) -> str:
 def key(k: int) -> Markup:
     """Draw the legend mark of implementation k."""
     drawing = Drawing((12, 12), (0, 0, 0, 0))
-    drawing.mark(f"key {colour(k)}", k, [0.5], [0.5], [])
+    drawing.mark("key", k, [0.5], [0.5], [])
     return drawing.svg("", "")
