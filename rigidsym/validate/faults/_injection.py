@@ -2,8 +2,9 @@
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import ExitStack
 from dataclasses import dataclass
 from itertools import chain, product
 from typing import Any
@@ -188,7 +189,9 @@ def inject(
     of = sorted({fault.shown_in for fault in chosen})
     before, total = len(strata) * len(of), len(strata) * len(of) + len(chosen)
     enclosed: dict[str, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
-    with processes(processors()) as pool:
+    left, found = list(chosen), {}
+    with ExitStack() as pools:
+        pool = pools.enter_context(processes(processors()))
         with undisturbed():
             jobs = [
                 (kind, pool.submit(references, name, cases, digits, seed, kind))
@@ -197,46 +200,48 @@ def inject(
         for done, (kind, job) in enumerate(jobs, 1):
             enclosed[kind].append(job.result())
             progress(done, total)
-    left, found = list(chosen), {}
-    while left:
-        for fault, result in _until_a_crash(left, enclosed):
-            # A fault that may have ended the process is measured again alone.
-            found[fault] = _alone(fault, enclosed) if result is None else result
-            left.remove(fault)
-            progress(before + len(found), total)
+        while left:
+            for fault, result in _until_a_crash(pool, left, enclosed):
+                # A fault that may have ended the process is measured again alone.
+                found[fault] = _alone(fault, enclosed) if result is None else result
+                left.remove(fault)
+                progress(before + len(found), total)
+            # A pool that lost a process takes no more work.
+            pool = pools.enter_context(processes(processors()))
     outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
     return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
 
 
 def _until_a_crash(
-    faults: Sequence[Fault], enclosed: References
+    pool: ProcessPoolExecutor, faults: Sequence[Fault], enclosed: References
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
     """Yield faults with their detections until a process crashes, None if it may be the cause."""
     waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
     lost = False
-    with processes(processors()) as pool:
-        while running or (waiting and not lost):
-            try:
-                while waiting and len(running) < processors() and not lost:
-                    fault = waiting[0]
-                    with undisturbed():
-                        job = pool.submit(detections, fault, enclosed[fault.shown_in])
-                    running[job] = waiting.pop(0)
-            except BrokenProcessPool:
-                lost = True
-            for job in wait(running, return_when=FIRST_COMPLETED).done:
-                crashed = isinstance(job.exception(), BrokenProcessPool)
-                lost = lost or crashed
-                yield running.pop(job), None if crashed else job.result()
+    while running or (waiting and not lost):
+        try:
+            while waiting and len(running) < processors() and not lost:
+                fault = waiting[0]
+                with undisturbed():
+                    job = pool.submit(detections, fault, enclosed[fault.shown_in])
+                running[job] = waiting.pop(0)
+        except BrokenProcessPool:
+            lost = True
+        for job in wait(running, return_when=FIRST_COMPLETED).done:
+            crashed = isinstance(job.exception(), BrokenProcessPool)
+            lost = lost or crashed
+            yield running.pop(job), None if crashed else job.result()
 
 
 def _alone(fault: Fault, enclosed: References) -> list[Detection]:
-    """Measure a fault that may crash, with a new process for each stratum."""
+    """Measure a fault that may crash, in a process that is replaced when it does."""
     found = []
-    for stratum in enclosed[fault.shown_in]:
-        try:
-            with processes(1) as pool:
+    with ExitStack() as pools:
+        pool = pools.enter_context(processes(1))
+        for stratum in enclosed[fault.shown_in]:
+            try:
                 found += pool.submit(detections, fault, [stratum]).result()
-        except BrokenProcessPool:
-            found.append(Detection(stratum[0].sample.stratum, 0, (CRASHED,)))
+            except BrokenProcessPool:
+                found.append(Detection(stratum[0].sample.stratum, 0, (CRASHED,)))
+                pool = pools.enter_context(processes(1))
     return found

@@ -56,14 +56,18 @@ class UserIntegrator:
             if not callable(peer):
                 raise InputError("integrator", repr(peer), _RULE)
             peer = _OfFunction(peer, said)
-        own = {x: getattr(integrator, x, None) for x in ("name", "reach", "double_cover_sign")}
+
+        def chosen(given: Given | None, field: str, default: Given) -> Given:
+            values = given, getattr(integrator, field, None), default
+            return next(value for value in values if value is not None)
+
         called = getattr(integrator, "__name__", type(integrator).__name__).strip("<>")
         return cls(
             peer,
-            _checked_name(_first(name, own["name"], called)),
+            _checked_name(chosen(name, "name", called)),
             str(getattr(integrator, "version", VERSION)),
-            _checked_reach(_first(reach, own["reach"], REACH)),
-            bool(_first(double_cover_sign, own["double_cover_sign"], True)),
+            _checked_reach(chosen(reach, "reach", REACH)),
+            bool(chosen(double_cover_sign, "double_cover_sign", True)),
             said,
         )
 
@@ -120,10 +124,6 @@ def _tried(said: list[str], work: Callable[[], Given]) -> Given:
         line = text if isinstance(error, EngineError) else f"{type(error).__name__}: {text}"
         said.append(line.removesuffix(": "))
         raise EngineError("integrator", said[-1]) from None
-
-
-def _first(*values: Given | None) -> Given:
-    return next(value for value in values if value is not None)
 
 
 def _checked_name(name: str) -> str:

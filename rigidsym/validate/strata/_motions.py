@@ -91,7 +91,9 @@ def scaled(inertia: float, rate: float) -> Body:
     """Return a function that draws any body in other units of inertia and rates."""
 
     def draw(random: Random, index: int) -> Motion:
-        return _times(uniform(random, index), inertia, rate)
+        motion = uniform(random, index)
+        moments: Numbers = tuple(inertia * x for x in motion.inertia)
+        return Motion(moments, tuple(rate * x for x in motion.omega0))
 
     return draw
 
@@ -100,12 +102,7 @@ def any_scale(random: Random, index: int) -> Motion:
     """Draw moments by 1e-200 to 1e200 and rates by 1e-250 to 1e250, independently."""
     inertia = 10.0 ** spread(index, -200, 200)
     rate = 10.0 ** spread(index, 250, -250, base=3)
-    return _times(uniform(random, index), inertia, rate)
-
-
-def _times(motion: Motion, inertia: float, rate: float) -> Motion:
-    moments: Numbers = tuple(inertia * x for x in motion.inertia)
-    return Motion(moments, tuple(rate * x for x in motion.omega0))
+    return scaled(inertia, rate)(random, index)
 
 
 # At an edge
