@@ -33,7 +33,7 @@ class Known:
 
 
 def known(duration=20, omega0=OMEGA0, start_spin=(0, 0, 0), target_spin=(0, 0, 0)):
-    """A manoeuvre and the transfer that solves it."""
+    """Return a manoeuvre and the motion that solves it."""
     motion = TorqueFreeMotion(INERTIA, omega0)
     target = motion(float(duration))[0].tolist()
     spins = {"start_spin": start_spin, "target_spin": target_spin}
@@ -42,7 +42,7 @@ def known(duration=20, omega0=OMEGA0, start_spin=(0, 0, 0), target_spin=(0, 0, 0
 
 
 def short(length=40, period="0.1", **parts):
-    """The paper's flight, but short and with other settings: a dict of changes for each part."""
+    """Return the settings of a short flight, with a dict of changes for each part."""
     timing = Timing(length=Fraction(length), period=Fraction(period), **parts.pop("run", {}))
     base = Flight(run=timing)
     changed = {
@@ -53,13 +53,13 @@ def short(length=40, period="0.1", **parts):
 
 
 def flown(length=40, period="0.1", transfer=None, **parts):
-    """A short flight along the motion of `known(**transfer)`."""
+    """Fly along the motion of `known(**transfer)` for a short time."""
     asked, track = known(**(transfer or {}))
     return fly(asked, short(length, period, **parts), track)
 
 
 def tracked(length=40, message=None, **parts):
-    """A short flight along a motion of 10 s, with its manoeuvre and its settings."""
+    """Fly along a motion of 10 s; return the flight with its manoeuvre and settings."""
     asked, transfer = known(duration=10, omega0=(0.01, 0.02, -0.01))
     flight = replace(short(length, **parts), message=message or {})
     return Tracked(asked, flight, transfer, fly(asked, flight, transfer))

@@ -102,7 +102,7 @@ SYMMETRIES = [
 
 
 def costs_by_brute_force(inertia, turn, spins, most, rng):
-    """The costs of motions that random rates lead to, by the engine alone."""
+    """Return the costs of motions that arrive, found from random rates by the engine alone."""
     moments = np.array(inertia)
     one = turning(inertia, turn)
     rates = arriving(one, rng, most / moments.max(), 12_000, 1500)
@@ -125,7 +125,7 @@ def test_no_motion_is_cheaper_than_the_cheapest(inertia, turn, spins):
 
 
 def test_along_a_ring_the_cost_has_a_minimum_where_it_is_said_to_be():
-    """A little further round the polhode the same motion arrives and costs more."""
+    """A motion slightly further round the polhode also arrives, and costs more."""
     spins = ((5.0, 1.0, 4.5), (5.0, -1.0, -4.5))
     best = plan(UNEQUAL, START, HALF[1], 1, start_spin=spins[0], target_spin=spins[1]).best
     assert np.count_nonzero(np.abs(best.omega0) > 1e-3) == 3
@@ -138,7 +138,7 @@ def test_along_a_ring_the_cost_has_a_minimum_where_it_is_said_to_be():
 
 
 def test_a_ring_has_motions_that_keep_a_limit_when_its_cheapest_does_not():
-    """The largest burst is least elsewhere on the ring than the sum of both."""
+    """The largest burst and the sum of both are least at different points of the ring."""
     given = {"start_spin": (5.0, 1.0, 4.5), "target_spin": (5.0, -2.0, -3.0)}
     free = plan(UNEQUAL, START, HALF[1], 1, **given).best
     most = float(np.linalg.norm(free.bursts, axis=1).max()) * 0.99

@@ -50,7 +50,7 @@ def test_none_is_missing_of_many(index):
 
 
 def test_a_motion_whose_start_is_hard_to_refine_is_found():
-    """Nearly symmetric body, turn close to a symmetry: Gauss-Newton from afar lost it."""
+    """Gauss-Newton from afar lost it: body and turn are both close to a symmetry."""
     one = posed(manoeuvre(799721, 11), ENGINE)
     rates = np.array([-2.92506568, 7.44249348, 39.96993593])
     assert np.linalg.norm(families(one, 31.0) - rates, axis=1).min() < 1e-6
@@ -59,7 +59,7 @@ def test_a_motion_whose_start_is_hard_to_refine_is_found():
 @pytest.mark.parametrize("inertia", [("0.4", "0.6", "1"), (0.001, 1, 1.001)])
 @pytest.mark.parametrize("scalar", [0, 1e-14, 1e-10, 1e-8])
 def test_where_misses_hardly_depend_on_rates_only_motions_that_arrive_are_given(inertia, scalar):
-    """Flat bodies, half turns about the axis of largest moment: zeros of the third order."""
+    """Half turns of flat bodies about the axis of largest moment are zeros of third order."""
     one = turning(inertia, (scalar, 0, 0, 1))
     known = families(one, 1.01 * least(one))
     assert len(known) > 0

@@ -24,12 +24,12 @@ SPINS = [
 
 
 def aligned(q, target):
-    """The cosine of half the angle between two attitudes, of either sign and any length."""
+    """Return |cos| of half the angle between an attitude and a target of any length."""
     return abs(q @ np.asarray(target)) / np.linalg.norm(np.asarray(target, float))
 
 
 def test_the_package_offers_the_function():
-    """Each time: the first import of a module of the same name would hide it."""
+    """The first import of a module of the same name would hide the function."""
     from rigidsym import plan as first
 
     assert first is plan is rigidsym.plan is rigidsym.manoeuvre.plan
@@ -168,7 +168,7 @@ def test_impossible_plans_are_refused_with_the_users_own_numbers(given, message)
 
 
 def test_a_momentum_that_never_comes_back_arrives_once():
-    """An arc may touch the separatrix: no turns of an endless period took no time but NaN."""
+    """Where an arc touches the separatrix, zero turns of an infinite period once took NaN."""
     body = (1.5614618325857683, 0.9442333873922403, 0.8275281761617398)
     start = (0.4211459948828172, -0.36191427026915857, -1.7221082322007564, 1.2177924171983394)
     target = (1.5432495368389407, 1.7878151306613748, 0.2170367220342138, 0.34622010602059483)

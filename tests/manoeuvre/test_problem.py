@@ -38,7 +38,7 @@ def test_the_turn_leads_from_start_to_target():
 
 
 def test_momenta_keep_their_place_in_space():
-    """Rows m @ rotation are what m is in the body axes of the target."""
+    """A momentum m has the components m @ rotation in the body axes of the target."""
     posed = of(START, Q)
     momentum = np.array([0.3, -0.5, 0.8])
     vector = posed.turn * [1, -1, -1, -1]
@@ -69,7 +69,7 @@ def test_between_is_exact():
 
 
 def led_to(rates):
-    """The manoeuvre to where rates lead in 1 s, and its problem."""
+    """Return the manoeuvre to the attitude that rates lead to in 1 s, and its problem."""
     q = TorqueFreeMotion(BODY, rates, START).precise(1, 40)[0]
     asked = asked_for.manoeuvre(BODY, START, list(q), 1)
     return asked, posed(asked, engines.engine("c"))
@@ -100,6 +100,6 @@ def test_close_to_the_separatrix_decimals_arrive_where_doubles_do_not():
 
 
 def test_fast_spins_with_a_wobble_are_polished():
-    """The misses bend within less than a thousandth of the rates."""
+    """Misses are nonlinear within a thousandth of the rates."""
     found = solve(manoeuvre(858262, 11), 20)
     assert max(one.residual for one in found.transfers) <= 1e-12

@@ -18,7 +18,7 @@ def best():
 
 
 def turned(one, errors):
-    """The turn in space from the arrival with one error to that with another."""
+    """Return the rotation in space between the arrivals with two errors."""
     ends = []
     for error in errors:
         given = {"burst": np.zeros(3), "attitude": START, "inertia": INERTIA} | error

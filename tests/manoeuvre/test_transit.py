@@ -13,7 +13,7 @@ from rigidsym.motion import TorqueFreeMotion
 
 
 def flown(index):
-    """A random motion, and the problem of where it leads in time 1."""
+    """Return the problem that a random motion solves, its momentum and its direction."""
     rng = np.random.default_rng([3, index])
     inertia = manoeuvre(index).inertia
     moments = np.array([float(x / max(inertia)) for x in inertia])

@@ -30,7 +30,7 @@ POSED = Posed(INERTIA, TARGET, LIMIT)
 
 @cache
 def slew(task, mesh=MESH, settings="default"):
-    """The optimum of a turn about one principal axis, searched from no motion at all."""
+    """Return the optimum of a turn about one principal axis, searched from rest."""
     return optimum(task, POSED, guessed(mesh, INERTIA, task.model, still), settings, mesh)
 
 
@@ -119,7 +119,7 @@ def natural(t):
 
 
 def natural_defects(intervals):
-    """The largest defects of a natural motion: inside of the intervals, and at their ends."""
+    """Return the largest defects of a natural motion inside intervals and at their ends."""
     mesh = Mesh(intervals)
     found = guessed(mesh, INERTIA, Model.THRUSTERS, natural)
     inner = found.inner.reshape(intervals, -1)

@@ -41,7 +41,7 @@ def _seldom(monkeypatch):
 
 @cache
 def ways(actuators):
-    """The ways to fly, with the eigenaxis and its bursts in place of the optimum."""
+    """Return the ways to fly, with the eigenaxis and its bursts in place of the optimum."""
     inertia = CASE.inertia / CASE.inertia.max()
     motion = partial(flights.turned, CASE.rotation_vector, flights.constant)
     impulses = guessed(MESH, inertia, actuators, motion).impulses
@@ -118,7 +118,7 @@ def test_thrusters_are_not_told_of_gyroscopic_torques():
 
 
 def test_fed_forward_a_natural_motion_costs_its_bursts():
-    """By feedback alone it costs more; without disturbances a controller adds nothing else."""
+    """Feedback alone costs more; without disturbances it adds nothing to what is fed forward."""
     natural, feedback_alone = (
         measured(*flown(method, Model.THRUSTERS, still=True), Model.THRUSTERS).torque_integral
         for method in ("natural", "natural, feedback alone")

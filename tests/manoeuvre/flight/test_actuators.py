@@ -29,7 +29,7 @@ def burns(before=0.5):
 
 
 def burnt(thrusters, **parts):
-    """A flight of 35 s with thrusters, by default alone, along a motion of 30 s."""
+    """Fly for 35 s with thrusters, by default without feedback, along a motion of 30 s."""
     transfer = {"duration": 30, "omega0": (0.01, 0.02, -0.01)}
     alone = {"controller": NO_CONTROL, "disturbances": NOTHING}
     return flown(35, transfer=transfer, thrusters=thrusters, **(alone | parts))

@@ -73,7 +73,7 @@ def test_the_states(found):
 
 
 def test_the_message(found):
-    """Line by line: q1 q2 q3 qc at the times that were flown, from the orbit's epoch on."""
+    """Each line has q1 q2 q3 qc at a time of the flight, counted from the orbit's epoch."""
     lines = found.to_aem().splitlines()
     assert "START_TIME = 2013-07-17T12:00:00.000" in lines
     assert "REF_FRAME_A = GCRF" in lines

@@ -75,7 +75,7 @@ def test_the_shadow_falls_steadily():
 
 
 def test_the_sun_of_the_almanac():
-    """Meeus, Astronomical Algorithms, example 25.b, but for seven years of precession."""
+    """Compare with Meeus, Astronomical Algorithms, example 25.b, up to 7 years of precession."""
     (found,) = sky.sun_position(datetime(1992, 10, 13, tzinfo=UTC), np.array([0.0]))
     distance = np.linalg.norm(found)
     assert distance / ASTRONOMICAL_UNIT == pytest.approx(0.99760775, abs=2e-6)
@@ -93,7 +93,7 @@ def test_the_earths_turn():
 
 
 def test_the_field_at_a_known_place():
-    """30 degrees from the pole, 4 degrees east, as ppigrf says in its own axes."""
+    """Compare with ppigrf's own axes, 30 degrees from the pole and 4 degrees east."""
     epoch = datetime(2021, 3, 28, tzinfo=UTC)
     colatitude, longitude = np.radians([30.0, 4.0])
     across = np.array([np.cos(longitude), np.sin(longitude)])
