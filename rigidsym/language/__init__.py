@@ -1,1 +1,1 @@
-"""Expressions shared by proofs and numbers: trees, their text, their values and LaTeX."""
+"""Expression trees, which proofs and numerical code share, with evaluation and printing."""

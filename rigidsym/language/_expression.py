@@ -21,14 +21,17 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A quantity by its name."""
+    """A variable, identified by its name."""
 
     name: str
 
 
 @dataclass(frozen=True, slots=True)
 class Operation:
-    """A binary operation; its operator is one of + - * / **."""
+    """A binary operation in an expression.
+
+    The operator is one of + - * / **.
+    """
 
     operator: str
     left: "Expression"
@@ -37,7 +40,10 @@ class Operation:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A function call; negation is a call of `neg`."""
+    """A function call in an expression.
+
+    Negation is a call of `neg`.
+    """
 
     function: str
     arguments: tuple["Expression", ...]
@@ -47,7 +53,10 @@ Expression = Number | Name | Operation | Call
 
 
 def parse(text: str) -> Expression:
-    """Parse Python's syntax for an expression; raise ValueError on anything else."""
+    """Parse an expression written in Python syntax.
+
+    Raises ValueError for anything else.
+    """
     return _parse(ast.parse(text, mode="eval").body)
 
 
@@ -69,7 +78,7 @@ def _parse(node: ast.expr) -> Expression:
 def to_text(
     expression: Expression, rename: Mapping[str, str] | None = None, *, real: bool = False
 ) -> str:
-    """Return Python text of an expression, with no more parentheses than needed.
+    """Return an expression as Python source, with no more parentheses than needed.
 
     `rename` maps function names.  `real` writes integers with a decimal point, as C needs them.
     """
@@ -102,21 +111,24 @@ def _within(expression: Expression, bound: int, rename: Mapping[str, str], point
 
 
 def children(expression: Expression) -> tuple[Expression, ...]:
-    """Return the direct parts of an expression."""
+    """Return the operands of an operation or the arguments of a call.
+
+    Numbers and names have none.
+    """
     if isinstance(expression, Operation):
         return expression.left, expression.right
     return expression.arguments if isinstance(expression, Call) else ()
 
 
 def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression:
-    """Return the same node with other parts."""
+    """Return a copy of an expression node with new children."""
     if isinstance(expression, Operation):
         return Operation(expression.operator, *parts)
     return Call(expression.function, parts) if isinstance(expression, Call) else expression
 
 
 def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
-    """Substitute expressions for names, all at once."""
+    """Substitute expressions for names, all simultaneously."""
     if isinstance(expression, Name):
         return meaning.get(expression.name, expression)
     return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
@@ -131,7 +143,7 @@ def names(expression: Expression) -> Iterator[str]:
 
 
 def by_products(expression: Expression) -> Expression:
-    """Return the expression with `power(x, 2)` for `x**2`."""
+    """Replace each power `x**n` in an expression by the call `power(x, n)`."""
     parts = tuple(map(by_products, children(expression)))
     if isinstance(expression, Operation) and expression.operator == "**":
         return Call("power", parts)
@@ -139,7 +151,10 @@ def by_products(expression: Expression) -> Expression:
 
 
 def complement(parameter: Expression) -> Expression:
-    """Return 1 - m for a parameter m; return x where m is written 1 - x."""
+    """Return the complement 1 - m of a parameter m.
+
+    Where m is written 1 - x, the complement is x.
+    """
     match parameter:
         case Operation("-", Number(1), right):
             return right

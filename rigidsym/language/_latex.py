@@ -38,7 +38,7 @@ _FORMS: dict[str, Callable[[str, str], str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """Name in LaTeX, split into a head that takes an exponent and an argument."""
+    """The LaTeX form of a name, split into a head, which takes exponents, and an argument."""
 
     head: str
     argument: str = ""
@@ -46,17 +46,19 @@ class Symbol:
 
     @property
     def latex(self) -> str:
-        """The name without an exponent."""
+        """The LaTeX text of the name without an exponent."""
         return f"{self.head} {self.argument}" if self.argument else self.head
 
     def power(self, exponent: str) -> str:
-        """Return the name to a power."""
+        """Return the LaTeX text of the name raised to a power."""
         head = rf"\left({self.head}\right)" if self.raised else self.head
         return f"{head}^{{{exponent}}} {self.argument}".rstrip()
 
 
 def symbol(name: str) -> Symbol:
-    """Return a name in LaTeX, unless it is LaTeX already, with a backslash.
+    """Return the LaTeX form of a name.
+
+    A name with a backslash is LaTeX already and stays as it is.
 
     >>> symbol("Omega1").latex, symbol("sin_half_phi2").power("2")
     ('\\\\Omega_{1}', '\\\\sin^{2} \\\\frac{\\\\phi_{2}}{2}')
@@ -90,7 +92,7 @@ def _function(head: str, argument: str) -> Symbol:
 
 
 def _indexed(name: str) -> str:
-    """Return a name in LaTeX, with its indices."""
+    """Return the LaTeX text of a name with its indices."""
     base, *below = [part for part in name.split("_") if part]
     letters = base.rstrip("0123456789")
     below = [part for part in (base[len(letters) :], *below) if part]
@@ -110,14 +112,17 @@ def _below(parts: list[str]) -> str:
 
 
 def _letter(text: str) -> str:
-    """Return a Latin or Greek letter in LaTeX; empty for other names."""
+    """Return the LaTeX text of a Latin or Greek letter.
+
+    Return an empty text for any other name.
+    """
     if text in GREEK:
         return VARIANTS.get(text, f"\\{text}")
     return text if len(text) == 1 and text.isalpha() else ""
 
 
 def place(factor: Expression) -> Any:
-    """Return the rank of a factor in a product.
+    """Return the sort key that orders the factors of a printed product.
 
     Numbers are first, then Latin letters, then anything else; functions are last, where their
     arguments end.
@@ -169,7 +174,10 @@ class Printer:
         raise TypeError(f"{expression!r} is not an expression")
 
     def _power(self, base: Expression, exponent: str) -> str:
-        """Return a power, with the exponent of a function before its argument."""
+        """Return the LaTeX text of a power.
+
+        The exponent of a function stands before its argument.
+        """
         match base:
             case Name(name):
                 return symbol(name).power(exponent)
@@ -179,7 +187,10 @@ class Printer:
         return f"{self._within(base, _POWER + 1)}^{{{exponent}}}"
 
     def _call(self, function: str, arguments: Sequence[Expression]) -> tuple[str, str]:
-        """Return the name of a function, and its arguments in brackets if needed."""
+        """Return the LaTeX texts of a function's name and of its arguments.
+
+        The arguments are in brackets where they need them.
+        """
         if function in FUNCTIONS:
             return FUNCTIONS[function], f" {{{self._within(arguments[0], _PRODUCT)}}}"
         between = r" \mid " if function in JACOBI else ", "
@@ -188,7 +199,10 @@ class Printer:
 
     @staticmethod
     def _rate(whole: Symbol) -> str:
-        """Return the rate of a name, with a dot above a letter and d/dt before longer names."""
+        """Return the LaTeX text of a time derivative.
+
+        It is a dot above a single letter, and d/dt before a longer name.
+        """
         letter, _, _ = whole.head.partition("_")
         simple = not whole.raised and letter.removeprefix("\\").isalpha() and not whole.argument
         return dotted(whole.head) if simple else rf"\frac{{d}}{{dt}} {whole.latex}"
@@ -226,11 +240,14 @@ class Printer:
         return f"-{text}" if sign < 0 else text
 
     def _alone(self, factors: Sequence[Expression]) -> str:
-        """Return a product without brackets around a single sum."""
+        """Return the LaTeX text of a numerator or denominator.
+
+        A single factor that is a sum has no brackets.
+        """
         return self.of(factors[0]) if len(factors) == 1 else self._row(factors)
 
     def _row(self, factors: Iterable[Expression]) -> str:
-        """Return factors side by side, in the order of their ranks."""
+        """Return the LaTeX text of a product, with its factors sorted."""
         text = ""
         for k, factor in enumerate(sorted(factors, key=self.rank)):
             base = _base(factor)
@@ -259,7 +276,7 @@ class Printer:
 
 
 def signed(term: Expression) -> tuple[int, Expression]:
-    """Return the sign of a product, and the product without it."""
+    """Split a product into its sign and the product without its sign."""
     match term:
         case Call("neg", (inner,)):
             sign, bare = signed(inner)
@@ -281,7 +298,7 @@ def _terms(expression: Expression, sign: int) -> list[tuple[int, Expression]]:
 
 
 def _factors(expression: Expression) -> tuple[list[Expression], list[Expression]]:
-    """Return the factors of the numerator and of the denominator."""
+    """Return the factors of a product's numerator and denominator as two lists."""
     match expression:
         case Operation("*" | "/" as operator, left, right):
             (above, below), (more, less) = _factors(left), _factors(right)
@@ -297,7 +314,7 @@ def _base(factor: Expression) -> Expression:
 
 
 def dotted(head: str) -> str:
-    r"""Return the rate of a quantity, with a dot above its letter: \dot{\Omega}_{i}."""
+    r"""Put a dot above the letter of a LaTeX name: \dot{\Omega}_{i}."""
     letter, mark, rest = head.partition("_")
     return rf"\dot{{{letter}}}{mark}{rest}"
 
@@ -315,13 +332,16 @@ def latex(text: str) -> str:
 
 
 def word(text: str) -> str:
-    """Return the name of a context in upright letters."""
+    """Return the LaTeX text of a context's name, in upright letters."""
     escaped = text.replace("_", r"\_")
     return rf"\mathrm{{{escaped}}}"
 
 
 def statements(fact: Mapping[str, Any]) -> list[str]:
-    """Return the distinct components of a statement, without those of two equal sides."""
+    """Return the distinct components of a statement in LaTeX.
+
+    Components with two equal sides are left out.
+    """
     if fact["kind"] == "model":
         return [word(fact["rhs"][0])]
     if fact["kind"] == "partition":
@@ -333,12 +353,12 @@ def statements(fact: Mapping[str, Any]) -> list[str]:
 
 
 def turnstile(kind: str) -> str:
-    """Return the sign between hypotheses and statement."""
+    """Return the LaTeX symbol between the hypotheses and the statement of a fact."""
     return {"model": r"\models", "partition": "="}.get(kind, r"\vdash")
 
 
 def hypotheses(context: Mapping[str, Any]) -> dict[str, list[str]]:
-    """Return the assumptions of a context in LaTeX, by kind."""
+    """Return the assumptions of a context in LaTeX, grouped by kind."""
     rates = context["rates"] or {}
 
     def known(rate: str) -> str:
@@ -354,7 +374,10 @@ def hypotheses(context: Mapping[str, Any]) -> dict[str, list[str]]:
 
 
 def condition(text: str) -> str | None:
-    """Return a condition such as "c_i != c_j" in LaTeX, or None if it is in words."""
+    """Return a condition such as "c_i != c_j" in LaTeX.
+
+    Return None for a condition in words.
+    """
     for sign in RELATIONS:
         left, found, right = text.partition(sign)
         if found:
@@ -371,5 +394,5 @@ def point(values: Mapping[str, str]) -> list[str]:
 
 
 def listed(parts: Iterable[str]) -> str:
-    """Join formulas in one line."""
+    """Join LaTeX formulas into one line."""
     return r",\quad ".join(parts)

@@ -1,4 +1,4 @@
-"""Formulas, and sequences of them that are compiled once and evaluated over any numbers."""
+"""Formulas and formula sequences, which can be evaluated with any kind of numbers."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """A formula, name = expression, with its origin in the ledger.
+    """A formula that sets a name to an expression, with its origin in the ledger.
 
     `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
     that context says so, or "choice context.name" of a sign that makes its hypotheses hold;
@@ -38,7 +38,9 @@ class Formula:
 
 
 class FormulaSequence:
-    """Formulas in order of evaluation, over any numbers that mix with integers.
+    """A sequence of formulas, in the order of their evaluation.
+
+    The numbers may be of any kind that mixes with integers.
 
     Powers are calls of `power`, which the functions must include: the own powers of some kinds of
     numbers cannot be trusted.
@@ -50,16 +52,19 @@ class FormulaSequence:
 
     @cached_property
     def used(self) -> frozenset[str]:
-        """The names that the expressions use."""
+        """The names that occur in the formulas' expressions."""
         return frozenset(name for _, expression in self.formulas for name in names(expression))
 
     @cached_property
     def inputs(self) -> frozenset[str]:
-        """The names that expressions use and no formula sets, except for constants."""
+        """The names that the formulas need as inputs.
+
+        They occur in an expression and no formula sets them.  Constants are not among them.
+        """
         return self.used - {name for name, _ in self.formulas} - {*CONSTANTS}
 
     def up_to(self, wanted: frozenset[str]) -> "FormulaSequence":
-        """Return the formulas that are needed for some quantities."""
+        """Return only the formulas that the wanted quantities need."""
         if wanted not in self._parts:
             needed, kept = set(wanted), []
             for name, expression in reversed(self.formulas):
@@ -70,7 +75,9 @@ class FormulaSequence:
         return self._parts[wanted]
 
     def evaluate(self, values: Mapping[str, Value], functions: Functions) -> dict[str, Value]:
-        """Evaluate all formulas; return quantities, given values and functions by name.
+        """Evaluate all formulas and return their results by name.
+
+        The returned dictionary also contains the given values and functions.
 
         Raises NameError for a missing value or function.
         """
@@ -84,7 +91,7 @@ class FormulaSequence:
         functions: Functions,
         convert: Callable[[Value], Value],
     ) -> dict[str, Value]:
-        """Evaluate formulas, exactly where all their operands are rational.
+        """Evaluate all formulas, using exact arithmetic wherever all operands are rational.
 
         A quantity that `values` has is not computed again.  Where a formula uses any number that is
         not rational, all that it uses is converted first.

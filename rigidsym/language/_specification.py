@@ -1,4 +1,4 @@
-"""The specification: theorems that a ledger has to prove, each under exactly its hypotheses.
+"""The specification: theorems that a ledger must prove under exactly the given hypotheses.
 
 A specification is made of blocks.  A block is a line that names it and clauses below, one a line or
 with ``|`` between them; the items of a clause are separated by ``;`` and continue in lines that are
@@ -41,7 +41,7 @@ Statement: TypeAlias = tuple[str, str, str]
 
 
 class Published(NamedTuple):
-    """A published formula name = text: a definition, a reading, a fact, or a proved root.
+    """A published formula, and whether it is a definition, a reading, a fact or a root.
 
     A root is the square root of its text.
     """
@@ -63,7 +63,10 @@ class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
 
 @dataclass(slots=True)
 class Theorem:
-    """One block of a specification with its included blocks; texts have no spaces."""
+    """One block of a specification, merged with the blocks that it includes.
+
+    The texts have no spaces.
+    """
 
     name: str
     title: str = ""
@@ -95,7 +98,7 @@ def read(text: str) -> dict[str, Theorem]:
 
 
 def _blocks(text: str) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Yield the first line and the clauses with their contents, for each block."""
+    """Yield the first line and the clauses of each block in a specification."""
     lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
     for block in filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip())):
         head, *clauses = re.split(r" \| |\n {4}(?=\S)", block)
@@ -170,13 +173,19 @@ def theorems(specification: str) -> dict[str, Theorem]:
 
 
 def sequences(ledger: Mapping[str, Any]) -> dict[str, list[Any]]:
-    """Return the formula sequences that a ledger publishes, for numbers and for readers."""
+    """Return all formula sequences that a ledger publishes.
+
+    Some are for numerical code, and others for readers.
+    """
     published = ledger["published"]
     return {**published.get("sequences", {}), **published.get("forms", {})}
 
 
 def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
-    """Raise Unproved for the first theorem that a ledger does not prove."""
+    """Check that a ledger proves every theorem of a specification.
+
+    Raises Unproved for the first theorem that it does not prove.
+    """
     try:
         proved = ledger if isinstance(ledger, Proved) else Proved(ledger)
         for theorem in theorems(specification).values():
@@ -187,7 +196,10 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
 
 
 class Proved:
-    """The statements of a ledger's facts; checkers decide whether their proofs hold."""
+    """The statements that a ledger claims to prove.
+
+    Checkers decide whether the proofs hold.
+    """
 
     def __init__(self, ledger: Mapping[str, Any]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
@@ -211,7 +223,7 @@ class Proved:
                 )
 
     def lacks(self, theorem: Theorem) -> Iterator[str]:
-        """Yield a sentence for each part of a theorem that the ledger does not prove."""
+        """Yield one sentence for each part of a theorem that the ledger does not prove."""
         context = self.contexts.get(theorem.name)
         if context is None:
             yield "its hypotheses are not in the ledger"
@@ -241,14 +253,17 @@ class Proved:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
     def modelled(self, name: str) -> list[str]:
-        """Return a context and all contexts that it is a model of, directly or not."""
+        """Return a context and all contexts that it is a model of, directly or indirectly."""
         places = [name]
         for place in places:
             places += (other for other in self._models.get(place, ()) if other not in places)
         return places
 
     def formula(self, entry: Mapping[str, Any]) -> Published:
-        """Return a published formula; raise Unproved for a fact that is not one proved formula."""
+        """Return the formula of an entry in a published sequence.
+
+        Raises Unproved for a fact that is not one proved formula.
+        """
         for how, column in (("definition", "definitions"), ("reading", "reading")):
             if how in entry:
                 context, name = self.contexts[entry["context"]], entry[how]
@@ -261,7 +276,10 @@ class Proved:
         return Published(how, fact["context"], fact["lhs"][0], fact["rhs"][0])
 
     def _formulas(self, sequence: str, names: Iterable[str]) -> list[Published]:
-        """Return the formulas of a published sequence; if `names` are given, only those."""
+        """Return the formulas of a published sequence.
+
+        If `names` are given, return only the formulas that set them.
+        """
         wanted = {*names}
         if sequence not in self.sequences:
             raise Unproved(f"the formula sequence {sequence} is not published")
@@ -272,7 +290,7 @@ class Proved:
 
 
 def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the hypotheses that a theorem and its context do not share."""
+    """Yield the differences between the hypotheses of a theorem and those of its context."""
     rates = context["rates"]
     if (rates is None) != (theorem.moving is None):
         yield "it is about one instant, or about a motion, where the ledger has the other"
@@ -294,7 +312,10 @@ def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _unsaid(theorem: Theorem, context: Mapping[str, Any], published: set[str]) -> Iterator[str]:
-    """Yield definitions that differ, and those that only the context has."""
+    """Yield the differences between the definitions of a theorem and those of its context.
+
+    A definition that only the context has counts, unless it is among the published formulas.
+    """
     definitions = {name: _spaceless(text) for name, text in context["definitions"].items()}
     for name, text in theorem.let.items():
         if definitions.get(name) != text:

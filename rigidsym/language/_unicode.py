@@ -1,4 +1,4 @@
-r"""Conversion of LaTeX to a line of plain text for terminals.
+r"""Conversion of LaTeX formulas to one line of plain text for terminals.
 
 Fractions are written with a stroke, in brackets where they need them, matrices row by row; indices
 and powers are small where all their characters have a small form.
@@ -37,7 +37,10 @@ _SUB = dict(zip("0123456789+-=()aeijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈�
 
 
 def in_unicode(latex: str) -> str:
-    """Convert LaTeX to Unicode text; raise ValueError for an unknown command."""
+    """Convert a LaTeX formula to Unicode text.
+
+    Raises ValueError for an unknown command.
+    """
     text = _Reader(_TOKEN.findall(latex)).until("")
     for bare in _BARE:
         text = bare.sub(r"\1\2\3", text)
@@ -47,31 +50,34 @@ def in_unicode(latex: str) -> str:
 
 @dataclass(slots=True)
 class _Reader:
-    """Reader of LaTeX tokens from a position on."""
+    """A parser that converts LaTeX tokens to Unicode text."""
 
     tokens: list[str]
     place: int = 0
 
     def next(self) -> str:
-        """Return the next token, or "" at the end."""
+        """Read the next token and return it; return "" at the end."""
         self.place += 1
         return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
 
     def until(self, end: str) -> str:
-        """Return all text up to a token, and read that token."""
+        """Convert all tokens up to an end token, which is read as well."""
         parts = []
         while (token := self.next()) not in (end, ""):
             parts.append(self.written(token))
         return "".join(parts)
 
     def argument(self) -> str:
-        """Return a group or one token, without blanks before it."""
+        """Convert the next argument, which is a group in braces or a single token.
+
+        Blanks before it are skipped.
+        """
         while (token := self.next()) == " ":
             pass
         return self.until("}") if token == "{" else self.written(token)
 
     def written(self, token: str) -> str:
-        """Return the text of a token with its arguments."""
+        """Convert a token together with its arguments."""
         if token in _ATOMS:
             return _ATOMS[token](self)
         name = token.removeprefix("\\")
@@ -82,12 +88,12 @@ class _Reader:
         return self.function(name) if name in _FUNCTIONS else _letter("GREEK {} LETTER {}", name)
 
     def root(self) -> str:
-        """Return a square root."""
+        """Read the argument of a square root and return the root as text."""
         inside = self.argument()
         return f"√{inside}" if len(inside) == 1 else f"√({inside})"
 
     def words(self) -> str:
-        """Return the characters of a group, blanks included."""
+        """Return the characters of a group such as \text{...}, blanks included."""
         while (token := self.next()) == " ":
             pass
         if token != "{":
@@ -97,17 +103,17 @@ class _Reader:
         return "".join(_SIGNS.get(x[1:], x) for x in self.tokens[begin : self.place - 1])
 
     def function(self, name: str) -> str:
-        """Return a function's name, between blanks where letters would touch it."""
+        """Return the name of a function such as sin, with blanks where letters would touch it."""
         follows = self.tokens[self.place] if self.place < len(self.tokens) else ""
         return f" {name}" if follows in ("^", "_", "(", "\\left", "") else f" {name} "
 
     def accented(self, mark: str) -> str:
-        """Return a letter with its accent, which comes before indices."""
+        """Return the next argument with an accent on its first letter."""
         text = self.argument()
         return text[:1] + mark + text[1:]
 
     def matrix(self) -> str:
-        """Return the rows of a matrix in one line."""
+        """Return a matrix as text in one line, row by row."""
         self.argument()
         inside = self.until(r"\end")
         self.argument()
@@ -134,7 +140,7 @@ def _fraction(reader: _Reader) -> str:
 
 
 def _outside(text: str) -> str:
-    """Return a text without its bracketed parts."""
+    """Return a text without the parts in brackets."""
     while (shorter := re.sub(rf"\([^()]*\)|{_OPEN}[^{_OPEN}{_CLOSE}]*{_CLOSE}", "", text)) != text:
         text = shorter
     return text

@@ -1,4 +1,4 @@
-"""Formulas of the derived solution, read from the ledger."""
+"""Formulas of the closed-form solution, read from the ledger."""
 
 from rigidsym.solution._formulas import Formula, Solution, load, sealed, sequence
 

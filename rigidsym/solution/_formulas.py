@@ -1,4 +1,4 @@
-"""Formula sequences of the solution, as the ledger publishes them.
+"""Formula sequences of the closed-form solution, as the ledger publishes them.
 
 The number half starts here.  It reads ledger.json and nothing else of the proof half.  A formula is
 a proved fact, or a name's definition or reading in a context.  All other formulas are refused, and
@@ -100,7 +100,7 @@ _OF_PARAMETER = {
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """Formula sequences by name, with a digest of all their statements.
+    """The formula sequences of the solution by name, with a digest of all formulas.
 
     partition: the signs that decide the kind of a motion.  The ledger does not publish
     two of the sequences: `decisions` is the partition as formulas, and `signs` has the signs that
@@ -120,17 +120,20 @@ class Solution:
 
 @cache
 def sealed() -> Solution:
-    """Return the solution of the sealed ledger."""
+    """Return the formula sequences of the sealed ledger."""
     return load(sealed_text())
 
 
 def sequence(name: str) -> FormulaSequence:
-    """Return a formula sequence of the sealed ledger, ready to be evaluated."""
+    """Return one formula sequence of the sealed ledger, ready to be evaluated."""
     return sealed().evaluated[name]
 
 
 def load(text: str) -> Solution:
-    """Load the solution from a ledger; raise LedgerError if the ledger proves less."""
+    """Load the formula sequences from the text of a ledger.
+
+    Raises LedgerError if the ledger does not prove the whole specification.
+    """
     ledger, sequences = _published(text)
     evaluated = {name: _evaluated(formulas) for name, formulas in sequences.items()}
     for name in SEQUENCES:
@@ -161,7 +164,7 @@ def load(text: str) -> Solution:
 
 
 def _published(text: str) -> tuple[Proved, dict[str, tuple[Formula, ...]]]:
-    """Return what a ledger proves, and the sequences for numbers that it publishes."""
+    """Return the proved statements and the published formula sequences of a ledger."""
     try:
         ledger = Proved(ledger_data(text))
         return ledger, {
@@ -177,7 +180,7 @@ def _published(text: str) -> tuple[Proved, dict[str, tuple[Formula, ...]]]:
 
 @cache
 def _inputs() -> dict[str, frozenset[str]]:
-    """Return the inputs of each sequence in the installed ledger."""
+    """Return the inputs of each formula sequence in the installed ledger."""
     _, sequences = _published(ledger_text())
     return {name: _evaluated(formulas).inputs for name, formulas in sequences.items()}
 
@@ -187,7 +190,10 @@ def _evaluated(formulas: Iterable[Formula]) -> FormulaSequence:
 
 
 def _signs(theorem: Theorem, constants: Iterable[Formula], ledger: Proved) -> tuple[Formula, ...]:
-    """Return the formulas of the signs, and of tau, on which chi depends."""
+    """Return the formulas of the signs sigma, rho and chi.
+
+    The formula of tau is among them, because chi depends on it.
+    """
     (source,) = (tuple(x["source"]) for x in ledger.facts.values() if x["context"] == SIGNS_OF)
     *first, last = (
         Formula(name, expression, f"choice {SIGNS_OF}.{name}", SIGNS_OF, source)
@@ -198,7 +204,10 @@ def _signs(theorem: Theorem, constants: Iterable[Formula], ledger: Proved) -> tu
 
 
 def _formula(entry: Mapping[str, Any], ledger: Proved) -> Formula:
-    """Return a published formula with its origin; refuse an unknown reading."""
+    """Return a published formula with its origin in the ledger.
+
+    Raises LedgerError for a standard function that `READINGS` does not have.
+    """
     stated = ledger.facts[entry["fact"]] if "fact" in entry else entry
     how, context, name, text = ledger.formula(entry)
     expression = parse(f"sqrt({text})" if how == "root" else text)

@@ -1,4 +1,4 @@
-"""Kinds of motions, and how the signs of quantities decide them, from the ledger.
+"""The ledger's partition of all motions into kinds, by the signs of quantities.
 
 The ledger splits a context by the sign of a quantity into cases: zero, above zero and, for some
 quantities, below.  It splits cases again, down to leaves.  The fact `sorted_body.cases` says that
@@ -58,7 +58,7 @@ Record = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """The split of a context by the sign of a quantity.
+    """The split of one context of the ledger into cases, by the sign of a quantity.
 
     cases: those for zero, above zero and, for some quantities, below.
     fact: the fact that there are no other cases.
@@ -72,7 +72,9 @@ class Split:
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A kind of motion, with the fact that states the signs of its formulas.
+    """A kind of motion that is not split further, with its fact in the ledger.
+
+    The fact states the signs of its formulas.
 
     side: 1 where the rates circulate about the axis of largest moment, -1 where about that of the
     smallest, 0 where they are constant.
@@ -86,21 +88,31 @@ class Leaf:
 
 @dataclass(frozen=True, slots=True)
 class Partition:
-    """The splits of contexts, the leaves where they end, and the deciding quantities."""
+    """The decision tree that finds the kind of a motion from the signs of quantities.
+
+    splits: the inner nodes, by context.  leaves: the kinds of motion.  quantities: the formulas of
+    the quantities whose signs decide.
+    """
 
     splits: Mapping[str, Split]
     leaves: Mapping[str, Leaf]
     quantities: FormulaSequence
 
     def leaf(self, moments: tuple[Fraction, ...], rates: tuple[Fraction, ...]) -> Leaf:
-        """Return the leaf of a motion by its moments, largest first, and their axes' rates."""
+        """Return the leaf of the motion with the given moments and rates.
+
+        Moments are sorted, largest first; rates are about the same axes.
+        """
         c_1, c_2, c_3 = moments
         given = dict(zip(INPUTS, (c_3, c_1 - c_3, c_2 - c_3, *rates), strict=True))
         values = self.quantities.evaluate(given, {"power": pow})
         return self.walk(lambda quantity: (values[quantity] > 0) - (values[quantity] < 0))
 
     def walk(self, sign_of: Callable[[str], int]) -> Leaf:
-        """Return the leaf that the signs of quantities lead to; a sign is 0, 1 or -1."""
+        """Follow the splits by the signs of their quantities and return the leaf.
+
+        A sign is 0, 1 or -1.
+        """
         name = ROOT
         while name in self.splits:
             split = self.splits[name]
@@ -108,7 +120,7 @@ class Partition:
         return self.leaves[name]
 
     def path(self, case: str) -> tuple[tuple[str, int], ...]:
-        """Return the quantities, with their signs, that lead from the root to a case."""
+        """Return the quantities and signs that lead from the root to a case."""
         for name, split in self.splits.items():
             if case in split.cases:
                 sign = (0, 1, -1)[split.cases.index(case)]
@@ -117,7 +129,9 @@ class Partition:
 
 
 def partition_of(ledger: Proved, specified: Mapping[str, Theorem]) -> Partition:
-    """Read the partition from a ledger; raise LedgerError if the ledger proves none.
+    """Read the partition of all motions from a ledger.
+
+    Raises LedgerError if the ledger does not prove one.
 
     specified: the blocks of the specification, all of which the ledger proves.
     """
@@ -137,7 +151,7 @@ def partition_of(ledger: Proved, specified: Mapping[str, Theorem]) -> Partition:
 
 
 def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
-    """Return the splits by context, and every leaf that a split leads to."""
+    """Return the splits by context, and the names of all leaves that they lead to."""
     splits: dict[str, Split] = {}
     leaves, todo = [], [ROOT]
     for name in todo:
@@ -154,7 +168,10 @@ def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
 
 
 def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> FormulaSequence:
-    """Return the definitions of the root; every split context must have the same."""
+    """Return the formulas of the quantities that decide, from the root context.
+
+    Raises LedgerError unless every split context has the same definitions.
+    """
     root = contexts[ROOT]
     for name in splits:
         if contexts[name]["definitions"] != root["definitions"]:
@@ -169,7 +186,10 @@ def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> Form
 def check_order(
     place: str, formulas: Iterable[tuple[str, Expression]], inputs: Iterable[str]
 ) -> None:
-    """Raise LedgerError for a formula that uses an unknown name."""
+    """Check that formulas use only inputs and the results of earlier formulas.
+
+    Raises LedgerError for any other name.
+    """
     known = {*inputs}
     for name, expression in formulas:
         if missing := sorted({*names(expression)} - known):
@@ -178,7 +198,7 @@ def check_order(
 
 
 def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
-    """Return a leaf by name, with its fact and its side."""
+    """Return the leaf of a given name, read from the ledger."""
     theorem = specified[name]
     required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
     stating = [
@@ -194,7 +214,9 @@ def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
 
 
 def decisions(partition: Partition) -> tuple[Formula, ...]:
-    """Return formulas for the side of a motion (see Leaf), which the last one sets.
+    """Return the partition as formulas whose last one is the side of a motion.
+
+    `Leaf` explains the side.
 
     Raises LedgerError for a quantity that might have either sign.
     """
@@ -220,7 +242,10 @@ def decisions(partition: Partition) -> tuple[Formula, ...]:
 
 
 def _check_sign(expression: Expression) -> None:
-    """Check that an expression is a sum of products of nonnegative factors."""
+    """Check that an expression cannot be negative.
+
+    It has to be a sum of products of squares and of names that begin with `c_`.
+    """
     match expression:
         case Operation("+" | "*"):
             for part in children(expression):
@@ -234,7 +259,7 @@ def _check_sign(expression: Expression) -> None:
 
 
 def _chosen(split: Split) -> Expression:
-    """Return an expression that chooses a case by the sign of a quantity."""
+    """Return an expression that selects the case of a split by the sign of its quantity."""
     quantity, (zero, above, *below) = split.quantity, split.cases
     if below:
         zero = f"choose(0, {quantity}, {zero}, {below[0]})"
@@ -247,7 +272,9 @@ def handedness(a: int, b: int, d: int) -> int:
 
 
 def sign_rules(nonnegative: Iterable[str]) -> dict[str, Expression]:
-    """Derive the signs sigma, rho and chi from the products that SIGNS_OF states nonnegative.
+    """Derive formulas for the signs sigma, rho and chi from the theorem `SIGNS_OF`.
+
+    The theorem states that certain products are nonnegative.
 
     Each product starts with a sign.  The sign is that of the other factors, or 1 where they
     vanish.

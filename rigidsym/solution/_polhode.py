@@ -1,4 +1,4 @@
-"""Exact decision of the kind of a motion, by the ledger's partition."""
+"""Exact classification of a motion by the ledger's partition."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,9 @@ Value = TypeVar("Value")
 
 
 class Regime(StrEnum):
-    """The family a motion belongs to; every motion is in exactly one.
+    """The dynamical regime of a torque-free motion.
+
+    Every motion is in exactly one regime.
 
     The rates are constant in the first three, and change in the last four.
     """
@@ -39,7 +41,9 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Polhode:
-    """The regime, its leaf in the ledger's partition, and the axes by their role.
+    """The regime of a motion, with the roles of the body's axes and the signs of formulas.
+
+    `leaf` is the motion's leaf in the ledger's partition.
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
     `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
@@ -71,7 +75,7 @@ _REGIMES = {
 
 
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
-    """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
+    """Decide the regime of a motion exactly from its moments of inertia and body rates."""
     solution = sealed()
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
     order = (high, middle, low)
@@ -89,7 +93,10 @@ def _chosen(x: Fraction, y: Fraction, one: int, other: int) -> int:
 
 
 def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
-    """Return E_b = K^2 - 2 H c_b, b being the middle axis; its sign decides the circulation."""
+    """Return E_b = K^2 - 2 H c_b, whose sign decides the axis of circulation.
+
+    c_b is the middle moment, K the angular momentum and H the kinetic energy.
+    """
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values: dict[str, Any] = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
@@ -97,7 +104,7 @@ def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
 
 
 class Mode(StrEnum):
-    """The axis that the momentum circulates about, by its name in astronomy.
+    """The axis that the momentum circulates about, named as in astronomy.
 
     The long axis is that of the smallest moment, the short axis that of the largest.  Source:
     Samarasinha and A'Hearn, Icarus 93 (1991), 194-225.
@@ -108,7 +115,7 @@ class Mode(StrEnum):
 
 
 def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Mode | None:
-    """Decide the mode of a motion, or of a spin, exactly.
+    """Decide exactly whether a motion is in short-axis or long-axis mode.
 
     None on the separatrix, for spin about the middle axis, for spheres, and at rest.
     """
@@ -125,7 +132,9 @@ def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction
 
 
 def sine_axes(polhode: Polhode, i: int) -> tuple[int, int]:
-    """Return the other two axes j, k: zeta_i^2 is the root of (13) that contains c_j.
+    """Return the other two axes j and k in the order in which Theorem 1 needs them.
+
+    zeta_i^2 is the root of (13) that contains c_j.
 
     Where i is not the circulation axis, j is, and all is real.  For the circulation axis itself
     no choice is real, and j is the middle axis.
@@ -136,7 +145,7 @@ def sine_axes(polhode: Polhode, i: int) -> tuple[int, int]:
 
 
 def sine_sign(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int:
-    """Return the sign of Remark 1, the sign of Omega_i' at t = 0."""
+    """Return the sign of Omega_i' at t = 0, which Remark 1 needs."""
     torque = (inertia[i - 2] - inertia[i - 1]) * omega0[i - 2] * omega0[i - 1]
     return -1 if torque < 0 else 1
 
@@ -144,7 +153,10 @@ def sine_sign(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -
 def check_sines(
     field: str, value: str, regime: Regime, omega0: Sequence[Fraction], others_serve: str
 ) -> None:
-    """Raise InputError where Theorem 1 does not hold, or divides by zero at the start."""
+    """Check that Theorem 1 holds for a motion and does not divide by zero at t = 0.
+
+    Raises InputError otherwise.
+    """
     if regime not in (Regime.LARGEST, Regime.SMALLEST):
         rule = f"has no sines for this motion ({regime})"
         raise InputError(field, value, f"{rule}; {others_serve}")

@@ -1,4 +1,4 @@
-"""Special functions that SymPy lacks: Jacobi's functions, Legendre's Pi and theta functions."""
+"""Special functions that SymPy lacks: Jacobi's elliptic functions, Legendre's Pi and thetas."""
 
 from rigidsym.language.functions import _jacobi as jacobi
 from rigidsym.language.functions import _thetas as thetas

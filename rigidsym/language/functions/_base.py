@@ -1,4 +1,4 @@
-"""Base class of special functions, with cached values and code printers."""
+"""Base class of special functions for SymPy, with cached values and code printers."""
 
 from functools import lru_cache, partialmethod
 from typing import Any
@@ -11,13 +11,16 @@ _STEP = 128  # bits
 
 
 class Coded(DefinedFunction):
-    """A SymPy function whose implementations are in the tables `NUMPY` and `MPMATH`."""
+    """Base class of SymPy functions implemented in the tables `NUMPY` and `MPMATH`."""
 
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
 
     def _number(self, prec: int) -> Any:
-        """Return the value to `prec` bits; None for arguments outside of the domain."""
+        """Return the value of the function to `prec` bits.
+
+        Return None for arguments outside of the domain.
+        """
         try:
             wide = 2 * prec + 64 + self._guard(prec)  # 1 - m keeps enough digits when m is near 1
             with mp.workprec(prec):
@@ -27,18 +30,18 @@ class Coded(DefinedFunction):
         return Expr._from_mpmath(value, prec)
 
     def _over_mpmath(self, *values: Any) -> Any:
-        """Return the value for mpmath numbers, at the working precision."""
+        """Evaluate the function for mpmath numbers at the working precision."""
         raise NotImplementedError
 
     def _guard(self, prec: int) -> int:
-        """Return the extra bits that the arguments need for a value of `prec` bits."""
+        """Return how many extra bits the arguments need for a value of `prec` bits."""
         return 0
 
     def _eval_is_real(self) -> bool | None:
         return True if all(argument.is_real for argument in self._values()) else None
 
     def _values(self) -> Any:
-        """Return the arguments."""
+        """Return the arguments of the function."""
         return self.args
 
     def _code(self, printer: Any, table: str) -> str:
@@ -53,11 +56,11 @@ class Coded(DefinedFunction):
 
 
 def rounded_up(prec: int) -> int:
-    """Round a precision up to one of a few values, so that cached values are reused."""
+    """Round a precision up to a multiple of 128 bits, so that cached values are reused."""
     return -(-prec // _STEP) * _STEP
 
 
 @lru_cache(maxsize=4096)
 def _evaluated(function: Coded, prec: int) -> Any:
-    """Return the value of a function, cached because formulas repeat functions."""
+    """Return the value of a function; results are cached because formulas repeat functions."""
     return function._number(prec)

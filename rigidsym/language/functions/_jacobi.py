@@ -1,4 +1,4 @@
-r"""Jacobi's elliptic functions for SymPy: `jacobi_sn`, `_cn`, `_dn`, `_am` and `_epsilon`.
+r"""Jacobi's elliptic functions sn, cn, dn, am and epsilon for SymPy.
 
 Conventions: the second argument is the parameter m = k^2, as in SymPy's own elliptic integrals;
 the definitions are those of DLMF chapter 22, with mc = 1 - m the complement and K = K(m).
@@ -50,7 +50,10 @@ __all__ = [
 
 
 class _Rule(NamedTuple):
-    """The properties of one function; `du` and `dm` are its two derivatives."""
+    """Derivatives, special values and parity of one of Jacobi's functions.
+
+    `du` and `dm` are the derivatives with respect to u and m.
+    """
 
     du: Callable[[Any, Any], Any]
     dm: Callable[[Any, Any], Any]
@@ -61,14 +64,14 @@ class _Rule(NamedTuple):
 
 
 class _Jacobi(Coded):
-    """A function of (u, m) that follows its rule in `_RULES`.
+    """Base class of Jacobi's functions of (u, m), whose properties are in `_RULES`.
 
     SymPy counts the arguments of `eval`, which is why they are named there.
     """
 
     @classmethod
     def eval(cls, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Return the values at u = 0, m = 0 and m = 1, and use the parity in u."""
+        """Simplify the function at u = 0, m = 0, m = 1 and for negative u."""
         rule = _RULES[cls.__name__]
         if u is S.NaN or m is S.NaN:
             return S.NaN
@@ -83,7 +86,7 @@ class _Jacobi(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """Return the derivative with respect to u (1) or m (2)."""
+        """Return the derivative with respect to argument 1, which is u, or 2, which is m."""
         rule = _RULES[type(self).__name__]
         if argindex not in (1, 2):
             raise ArgumentIndexError(self, argindex)
@@ -105,15 +108,24 @@ class _Jacobi(Coded):
 
 
 class jacobi_sn(_Jacobi):  # noqa: N801 - SymPy's functions are lower case
-    """Jacobi's sn(u, m), odd in u: the sine of `jacobi_am`."""
+    """Jacobi's elliptic function sn(u, m), the sine of the amplitude.
+
+    It is odd in u.
+    """
 
 
 class jacobi_cn(_Jacobi):  # noqa: N801
-    """Jacobi's cn(u, m), even in u: the cosine of `jacobi_am`."""
+    """Jacobi's elliptic function cn(u, m), the cosine of the amplitude.
+
+    It is even in u.
+    """
 
 
 class jacobi_dn(_Jacobi):  # noqa: N801
-    """Jacobi's dn(u, m), even in u: sqrt(1 - m sn^2), continued from 1 at u = 0."""
+    """Jacobi's elliptic function dn(u, m), the derivative of the amplitude.
+
+    It is even in u and equals sqrt(1 - m sn^2), continued from 1 at u = 0.
+    """
 
     def _eval_is_positive(self) -> bool | None:
         u, m = self._values()
@@ -121,18 +133,27 @@ class jacobi_dn(_Jacobi):  # noqa: N801
 
 
 class jacobi_am(_Jacobi):  # noqa: N801
-    """Jacobi's amplitude am(u, m), odd in u: the integral of `jacobi_dn` from 0."""
+    """Jacobi's amplitude am(u, m), the integral of dn from 0 to u.
+
+    It is odd in u.
+    """
 
 
 class jacobi_epsilon(_Jacobi):  # noqa: N801
-    """Jacobi's epsilon function of (u, m), odd in u: the integral of `jacobi_dn`^2 from 0."""
+    """Jacobi's epsilon function of (u, m), the integral of dn^2 from 0 to u.
+
+    It is odd in u.
+    """
 
     def _symbol(self) -> str:
         return r"\mathcal{E}"
 
 
 def _is_one(m: Any) -> bool:
-    """Return True for the number 1, exact or a Float (which SymPy distinguishes)."""
+    """Return True if m is 1, either exactly or as a Float.
+
+    SymPy distinguishes the two.
+    """
     return m == 1 or m == 1.0
 
 
@@ -141,7 +162,7 @@ def _functions(u: Any, m: Any) -> tuple[Any, Any, Any]:
 
 
 def _drift(u: Any, m: Any) -> Any:
-    """Return D of the table above: (1 - m) u - epsilon."""
+    """Return D = (1 - m) u - epsilon, a term of the derivatives with respect to m."""
     return (1 - m) * u - jacobi_epsilon(u, m)
 
 
@@ -155,7 +176,7 @@ def _am_dm(u: Any, m: Any) -> Any:
 
 
 def _tilt(u: Any, m: Any) -> Any:
-    """Return W of the table above, a factor of d/dm of dn and epsilon."""
+    """Return W = (cn D + sn dn) / (2 (1 - m)), a factor in d/dm of dn and epsilon."""
     sn, cn, dn = _functions(u, m)
     if _is_one(m):
         return (u * cn + sn / cn) / 4
@@ -207,12 +228,15 @@ _RULES = {
 
 
 def _lost_bits(*arguments: Any) -> int:
-    """Return the bits that the reduction of u may lose, more for large m."""
+    """Return how many bits the reduction of u by periods may lose."""
     return sum(max(0, int(mp.mag(x))) for x in arguments if x and mp.isfinite(x))
 
 
 def _mp_am(u: Any, m: Any) -> Any:
-    """Return the amplitude of a real argument, reduced by am(u + 2 K) = am(u) + pi."""
+    """Return the amplitude am(u, m) of real mpmath numbers.
+
+    The argument is reduced by am(u + 2 K) = am(u) + pi.
+    """
     if mp.im(u) or mp.im(m):
         raise ValueError("am is many-valued off the real line: real u and m expected")
     u, m = mp.re(u), mp.re(m)
@@ -227,7 +251,7 @@ def _mp_am(u: Any, m: Any) -> Any:
 
 
 def _mp_epsilon(u: Any, m: Any) -> Any:
-    """Return epsilon by theta functions (DLMF 22.16.30)."""
+    """Compute Jacobi's epsilon from theta functions (DLMF 22.16.30)."""
     if m == 1:
         return mp.tanh(u)
     k, q = mp.ellipk(m), mp.qfrom(m=m)
@@ -237,7 +261,10 @@ def _mp_epsilon(u: Any, m: Any) -> Any:
 
 
 def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
-    """Return one of the five functions for mpmath numbers, at the working precision."""
+    """Return the mpmath implementation of one of Jacobi's five functions.
+
+    It is evaluated at the working precision.
+    """
     function = {"am": _mp_am, "epsilon": _mp_epsilon}.get(
         kind, lambda u, m: mp.ellipfun(kind, u, m=m)
     )
@@ -256,7 +283,10 @@ def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
 
 
 def _np_agm(mc: Any) -> list[tuple[Any, Any]]:
-    """List the pairs of the AGM of 1 and sqrt(mc) (DLMF 19.8(i)), with 1 for mc = 0."""
+    """List the iterates of the arithmetic-geometric mean of 1 and sqrt(mc) (DLMF 19.8(i)).
+
+    For mc = 0, they are those of 1 and 1.
+    """
     b = np.sqrt(np.where(mc == 0, 1.0, mc))
     a = np.ones_like(b)
     steps = [(a, b)]
@@ -267,7 +297,7 @@ def _np_agm(mc: Any) -> list[tuple[Any, Any]]:
 
 
 def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
-    """List tan(am u), 0 <= u <= K/2, and its descending Landen transforms.
+    """List tan(am u) for 0 <= u <= K/2 and its descending Landen transforms.
 
     DLMF 22.7(i) for t = sc / a, with a and b from the AGM: only positive terms are added.
     """
@@ -280,7 +310,9 @@ def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
 
 
 def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], list[Any]]:
-    """Reduce an argument to u = 2 K turns + v; return both, the AGM and the tangents.
+    """Reduce an argument by half turns, u = 2 K turns + v.
+
+    Return turns, v, whether |v| > K/2, the iterates of the AGM, and the tangents.
 
     A far |v| is reflected to K - |v| (DLMF 22.4(iii)), so that cn and dn come without
     cancellation.  m = 1, where K is infinite, has its closed forms.
@@ -296,7 +328,7 @@ def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], l
 
 
 def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
-    """Return the half turns in am(u), the sine and cosine of the rest, and dn."""
+    """Return the half turns in am(u), the sine and cosine of the remainder, and dn."""
     mc = 1 - m
     turns, v, far, _, (t, *_) = _np_reduce(u, mc)
     size, kc = np.abs(v), np.sqrt(mc)
@@ -308,7 +340,7 @@ def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def _np_epsilon(u: Any, m: Any) -> Any:
-    """Return epsilon: E u / K plus Jacobi's zeta function of v.
+    """Compute Jacobi's epsilon as E u / K plus Jacobi's zeta function.
 
     Gauss's transformation (DLMF 19.8(iii)) of the integral of x cos^2 am + y sin^2 am leaves one
     of the same form and a term of zeta, until x = y = E / K.  For m >= 0 no term is negative.
@@ -326,7 +358,10 @@ def _np_epsilon(u: Any, m: Any) -> Any:
 
 
 def _np_function(kind: str) -> Callable[[Any, Any], Any]:
-    """Return one of the five functions for arrays that broadcast; nan for m > 1."""
+    """Return the NumPy implementation of one of Jacobi's five functions.
+
+    Its arguments broadcast.  It returns nan for m > 1.
+    """
 
     @np.errstate(all="ignore")
     def evaluate(u: Any, m: Any) -> Any:

@@ -29,7 +29,7 @@ class _Part(Coded):
 
     @classmethod
     def eval(cls, k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Return zero on an axis where the part vanishes."""
+        """Simplify the function to zero on an axis on which it vanishes."""
         if not (k.is_Integer and 1 <= k <= 4 and r.is_Integer and r >= 0):
             raise ValueError(f"{cls.__name__}: k = 1, 2, 3 or 4 and whole r >= 0 expected")
         if y.is_zero and not cls._real_part:
@@ -41,7 +41,7 @@ class _Part(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """Return the derivative with respect to x, y or q."""
+        """Return the derivative with respect to x, y or q, which are arguments 2, 3 and 4."""
         k, x, y, q, r = self._values()
         if argindex == 2:
             return type(self)(k, x, y, q, r + 1)
@@ -87,7 +87,7 @@ def _mp_theta(k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:
 
 
 def _np_theta(k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:
-    """Return the r-th derivative by the series in q (DLMF 20.2(i))."""
+    """Return the r-th derivative of a theta function by its series in q (DLMF 20.2(i))."""
     z = np.asarray(x, dtype=float) + 1j * np.asarray(y, dtype=float)
     q, r = np.asarray(q, dtype=float), int(r)
     total = np.zeros(np.broadcast(z, q).shape, dtype=complex)

@@ -26,11 +26,14 @@ _ROUNDS = 14  # of duplication: the rest is below 4^-84 of the arguments' spread
 
 
 class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
-    """Pi(n; am(u | m) | m), odd in u: the integral of 1/(1 - n sn^2) from 0."""
+    """The elliptic integral of the third kind Pi(n; am(u | m) | m) as a function of (n, u, m).
+
+    It is odd in u, and equals the integral of 1/(1 - n sn^2) from 0 to u.
+    """
 
     @classmethod
     def eval(cls, n: Any, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Return the values at u = 0, n = 0 and m = 1, and use the parity in u."""
+        """Simplify the function at u = 0, n = 0, m = 1 and for negative u."""
         if u.is_zero:
             return S.Zero
         if n.is_zero:
@@ -66,7 +69,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
 
 
 def _mp_pi(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi by R_J (DLMF 19.25.14), after reducing u by half turns."""
+    """Compute Pi from Carlson's R_J (DLMF 19.25.14), after reducing u by half turns."""
     n, u, m = map(mp.convert, (n, u, m))
     if mp.im(n) or mp.im(m) or mp.re(m) > 1 or mp.re(n) >= 1:
         raise ValueError("jacobi_pi: real n < 1 and m <= 1 expected")
@@ -89,7 +92,10 @@ def _mp_pi(n: Any, u: Any, m: Any) -> Any:
 
 
 def _mp_across(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi(+-K + i y) = Pi(+-K) + i (y + n/(1 - n) Pi(m'/(1 - n); y | m'))."""
+    """Compute Pi for complex arguments u = +-K + i y.
+
+    Pi(+-K + i y) = Pi(+-K) + i (y + n/(1 - n) Pi(m'/(1 - n); y | m')), where m' = 1 - m.
+    """
     with mp.extraprec(64):
         quarter, y = mp.ellipk(m), mp.im(u)
         if abs(abs(mp.re(u)) - quarter) > mp.ldexp(quarter, -mp.prec // 4):
@@ -99,7 +105,10 @@ def _mp_across(n: Any, u: Any, m: Any) -> Any:
 
 
 def _np_pi(n: Any, u: Any, m: Any) -> Any:
-    """Return Pi for arrays of real numbers that broadcast; m < 1 and n < 1."""
+    """Compute Pi for NumPy arrays of real numbers.
+
+    The arrays broadcast; m < 1 and n < 1.
+    """
     n, u, m = (np.asarray(x, dtype=float) for x in (n, u, m))
     mc = 1 - m
     period = 2 * np.pi / sum(jacobi._np_agm(np.asarray(mc))[-1])  # 2 K by the AGM
@@ -112,7 +121,10 @@ def _np_pi(n: Any, u: Any, m: Any) -> Any:
 
 
 def _np_rj(x: Any, y: Any, p: Any) -> Any:
-    """Return R_J(x, y, 1, p) by duplication (DLMF 19.26.18); x, y >= 0, not both 0; p > 0."""
+    """Compute Carlson's R_J(x, y, 1, p) by duplication (DLMF 19.26.18).
+
+    x >= 0, y >= 0, not both 0; p > 0.
+    """
     x, y, p = np.broadcast_arrays(x, y, p)
     z = np.ones_like(p)
     total, scale = np.zeros_like(p), 1.0
@@ -133,7 +145,7 @@ def _np_rj(x: Any, y: Any, p: Any) -> Any:
 
 
 def _symmetric(x: Any, y: Any, z: Any) -> tuple[Any, Any, Any, Any]:
-    """Return E_2 to E_5 of R_J (DLMF 19.36(i))."""
+    """Return the symmetric functions E_2 to E_5 in the series of R_J (DLMF 19.36(i))."""
     p = -(x + y + z) / 2
     e2 = x * y + x * z + y * z - 3 * p * p
     e3 = x * y * z + 2 * e2 * p + 4 * p**3
@@ -141,7 +153,10 @@ def _symmetric(x: Any, y: Any, z: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def _np_rc1(e: Any) -> Any:
-    """Return R_C(1, 1 + e): arctan(sqrt e)/sqrt e, or artanh where e < 0."""
+    """Compute Carlson's R_C(1, 1 + e).
+
+    It is arctan(sqrt e)/sqrt e, or artanh(sqrt(-e))/sqrt(-e) where e < 0.
+    """
     root = np.sqrt(np.where(np.abs(e) < 1e-8, 1.0, np.abs(e)))
     far = np.where(e > 0, np.arctan(root), np.arctanh(np.minimum(root, 1 - 1e-16))) / root
     return np.where(np.abs(e) < 1e-8, 1 - e / 3 + e * e / 5, far)

@@ -52,14 +52,20 @@ BY_PARAMETER: Functions = {
 
 
 def _elliptic_j(u: Any, n: Any, m: Any) -> Any:
-    """Return the integral of sn^2/(1 - n sn^2); for n = 0, where m = 0, it is elementary."""
+    """Return the integral of sn^2/(1 - n sn^2) from 0 to u in SymPy.
+
+    n is 0 only where m is 0; there the integral is elementary.
+    """
     if n == 0:
         return (u - sympy.sin(u) * sympy.cos(u)) / 2
     return (jacobi_pi(n, u, m) - u) / n
 
 
 def _elliptic_pi(n: Any, *rest: Any) -> Any:
-    """Return the complete integral, or the incomplete one by Jacobi's argument."""
+    """Return Legendre's Pi in SymPy, complete for two arguments and incomplete for three.
+
+    The incomplete integral is written as a function of Jacobi's argument.
+    """
     if len(rest) == 1:
         return elliptic_pi(n, *rest)
     amplitude, m = rest

@@ -1,4 +1,4 @@
-"""Forms of the solution in SymPy, with free symbols or with a motion's numbers."""
+"""The closed-form solution in SymPy, with free symbols or with a motion's numbers."""
 
 from rigidsym.solution._symbolic.forms import FORMS, of_motion, symbolic
 from rigidsym.solution._symbolic.value import Symbolic

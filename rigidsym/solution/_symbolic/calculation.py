@@ -1,4 +1,4 @@
-"""Symbolic calculations by the formulas of the ledger, and their conditions."""
+"""Symbolic evaluation of the ledger's formulas in SymPy, and its conditions."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ _CONSTANTS = {"pi": pi, "I": I}
 
 @dataclass(frozen=True, slots=True)
 class ExactMotion:
-    """A motion in SymPy's exact numbers, with its kind.
+    """Moments, initial state and regime of a motion, in exact SymPy numbers.
 
     exact: moments and rates as fractions.
     """
@@ -35,7 +35,7 @@ class ExactMotion:
     exact: tuple[Sequence[Fraction], Sequence[Fraction]]
 
     def numbers(self, axes: Sequence[int] = (0, 1, 2)) -> list[Any]:
-        """List moments, rates and quaternion at t = 0, with the axes in a given order."""
+        """List the moments, rates and quaternion at t = 0, with the axes in a given order."""
         columns = (self.inertia, self.omega0, self.attitude0[1:])
         moments, rates, vector = ([values[k] for k in axes] for values in columns)
         return [*moments, *rates, self.attitude0[0], *vector]
@@ -43,7 +43,7 @@ class ExactMotion:
 
 @dataclass
 class Calculation:
-    """A symbolic calculation: known quantities, constants in order, and facts used.
+    """A symbolic calculation with its known quantities, its constants and the facts it used.
 
     With the numbers of a motion, constants are numbers with a name.  Otherwise later constants
     contain the symbols of earlier ones, except for those that are a number whatever the motion.
@@ -64,7 +64,7 @@ class Calculation:
         quantities: Mapping[str, Any],
         dynamics: Dynamics,
     ) -> Symbolic:
-        """Return a form of the solution with the constants and facts of this calculation."""
+        """Return the solution with the constants and facts of this calculation."""
         return Symbolic(
             form=self.form,
             regime=self.given.polhode.regime if self.given else None,
@@ -79,11 +79,11 @@ class Calculation:
         )
 
     def values(self, *names: str) -> tuple[Any, ...]:
-        """Return known quantities by name."""
+        """Return the values of known quantities."""
         return tuple(self.known[name] for name in names)
 
     def begin(self, names: Sequence[str], numbers: Iterable[Any]) -> None:
-        """Name the inputs of a form: free symbols, or a motion's numbers."""
+        """Set the inputs of a form to free symbols or to a motion's numbers."""
         if self.given is None:
             self.known |= {name: named(name) for name in names}
         else:
@@ -91,7 +91,7 @@ class Calculation:
                 self.name(name, value)
 
     def name(self, name: str, value: Any, rename: str = "") -> None:
-        """Add a constant under its symbol."""
+        """Add a named constant to the calculation."""
         symbol = named(rename or name)
         self.constants[symbol] = value
         plain = Constant(rename or name, value) if self.given else symbol
@@ -103,7 +103,10 @@ class Calculation:
         only: Iterable[str] | None = None,
         rename: Mapping[str, str] | None = None,
     ) -> None:
-        """Compute the unknown constants of a sequence, all or those needed for `only`."""
+        """Compute the constants of a formula sequence that are not known yet.
+
+        If `only` is given, compute only the constants that these names need.
+        """
         solution = sealed()
         needed = solution.evaluated[sequence].up_to(frozenset(only)).formulas if only else ()
         wanted = {name for name, _ in needed}
@@ -116,7 +119,7 @@ class Calculation:
     def work_out(
         self, sequence: str, known: Mapping[str, Any], constant: Collection[str] = ()
     ) -> dict[str, Any]:
-        """Evaluate a sequence, with each quantity substituted into the later ones.
+        """Evaluate a formula sequence and substitute each quantity into the later ones.
 
         Those in `constant` are skipped.  Only the facts are added to the calculation.
         """
@@ -130,10 +133,10 @@ class Calculation:
 
 
 def evaluated(expression: Expression, known: Mapping[str, Any]) -> Any:
-    """Evaluate an expression of the ledger in SymPy, with values for its names."""
+    """Evaluate an expression of the ledger in SymPy, given the values of its names."""
 
     def argument(sn: Any, cn: Any, dn: Any) -> Any:
-        """Return u of sn where cn >= 0."""
+        """Return the argument u of sn(u, m) = sn for cn >= 0."""
         m = known["m"]
         return atanh(sn) if m == 1 else elliptic_f(asin(sn), m)
 
@@ -144,7 +147,7 @@ def evaluated(expression: Expression, known: Mapping[str, Any]) -> Any:
 
 
 def used(*sequences: str) -> frozenset[str]:
-    """Return the names that sequences use."""
+    """Return the names that occur in the expressions of formula sequences."""
     return frozenset[str]().union(*(sealed().evaluated[name].used for name in sequences))
 
 
@@ -156,7 +159,7 @@ def _contexts() -> dict[str, Mapping[str, Any]]:
 def conditions_of(
     context: str, known: Mapping[str, Any], given: Iterable[str] = ()
 ) -> tuple[Boolean, ...]:
-    """Return the conditions of a context on known names."""
+    """Return the hypotheses of a context that concern known names only."""
     ledger, inputs = _contexts()[context], {*given}
     clauses = (("units", Ne, {*known}), ("nonnegative", Ge, {*known}), ("relations", Eq, inputs))
     found = (
@@ -169,5 +172,5 @@ def conditions_of(
 
 
 def nontrivial(conditions: Iterable[Any]) -> tuple[Boolean, ...]:
-    """Return the conditions that are not always true, each once."""
+    """Return the distinct conditions that are not trivially true."""
     return tuple(dict.fromkeys(c for c in conditions if c is not True and c != True))  # noqa: E712

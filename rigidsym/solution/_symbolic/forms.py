@@ -1,4 +1,4 @@
-"""Forms of the solution by name, built from the sequences of the ledger."""
+"""The forms of the closed-form solution in SymPy, built from the ledger's formulas."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -110,7 +110,7 @@ def _form(form: str) -> tuple[Maker, tuple[Regime, ...]]:
 
 
 def _regular(work: Calculation) -> Symbolic:
-    """Return a form by the axes a, b and d: pi, theta, or one of the two edges."""
+    """Return the form pi, theta, separatrix or symmetric, in the axes a, b and d."""
     form, known, given = work.form, work.known, work.given
     names = [f"{c}_{x}" for c in ("c", "Omega") for x in AXES]
     names += ["q_0", *(f"q_{x}" for x in AXES), *_SIGNS]
@@ -160,7 +160,7 @@ def _regular(work: Calculation) -> Symbolic:
 
 
 def _thetas(work: Calculation) -> None:
-    """Add the constants of the theta form, and its constant quaternion in front."""
+    """Add the constants of the theta form, including its constant quaternion."""
     work.compute("theta", used("circular_state", "circular") | {"Lambda"})
     work.compute("circular")
     begin = work.work_out("circular_state", {"t": S.Zero, **_IDENTITY})
@@ -199,7 +199,10 @@ def _quantities(work: Calculation) -> dict[str, Any]:
 
 
 def _steady(work: Calculation) -> Symbolic:
-    """Return a form with constant rates, whose attitude is one exponential."""
+    """Return the form sphere or spin, which has constant rates.
+
+    Its attitude is one exponential.
+    """
     moments, rates = ([f"{letter}{k}" for k in (1, 2, 3)] for letter in ("c", "Omega"))
     start, known = ["p0", "p1", "p2", "p3"], work.known
     work.begin([*moments, *rates, *start], work.given.numbers() if work.given else ())

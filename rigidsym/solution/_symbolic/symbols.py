@@ -1,4 +1,4 @@
-"""SymPy symbols for names of formulas, and named constants of exact value."""
+"""SymPy symbols for the names in formulas, and named constants with exact values."""
 
 from functools import lru_cache
 from typing import Any
@@ -18,7 +18,10 @@ _COMPLEX = ("zeta_", "xi_", "mu_", "C_", "alpha_", "root_")
 
 
 def named(name: str) -> Any:
-    """Return the symbol of a name, `lambda` for `lambda_`."""
+    """Return the SymPy symbol for a name of the ledger.
+
+    `lambda_` becomes `lambda`.
+    """
     text = name.rstrip("_")
     if name == "t":
         return TIME
@@ -43,7 +46,7 @@ class Constant(AtomicExpr):
     value: Any
 
     def __new__(cls, name: str, value: Any) -> "Constant":
-        """Return the same object for the same name and value."""
+        """Create a constant, or return the existing one with the same name and value."""
         key = str(name), sympify(value)
         known = _KNOWN.get(key)
         if known is None:

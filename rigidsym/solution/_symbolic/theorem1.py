@@ -43,7 +43,10 @@ _INPUTS = [
 
 
 def theorem1(work: Calculation) -> Symbolic:
-    """Return the paper's solution on one interval, or a motion's solution at all times."""
+    """Return the solution of the paper's Theorem 1.
+
+    With free symbols it holds on one interval, with a motion's numbers at all times.
+    """
     given = work.given
     if given:
         check_sines("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
@@ -84,7 +87,10 @@ def theorem1(work: Calculation) -> Symbolic:
 
 
 def _sine(work: Calculation, i: int) -> Calculation:
-    """Compute the constants of one rate; their names end with the number of its axis."""
+    """Compute the constants of one body rate in Theorem 1.
+
+    Their names end with the number of the axis.
+    """
     given = work.given
     j, k = sine_axes(given.polhode, i) if given else _CYCLIC[i]
     known: dict[str, Any] = {
@@ -106,7 +112,7 @@ def _sine(work: Calculation, i: int) -> Calculation:
 
 
 def _across_the_line(part: Calculation, i: int) -> None:
-    """Add the real constants of an imaginary xi, and compute sn from them."""
+    """Replace an imaginary xi by real constants, and compute sn from them."""
     known = part.known
     sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
     part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
@@ -127,7 +133,7 @@ def _third_kind_across(work: Calculation) -> Expr:
 def _followed(
     work: Calculation, given: ExactMotion, moving: dict[str, Any], third: dict[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return (18) at t = 0 and at all times, made continuous at zeros of Omega3."""
+    """Return the quaternion of (18) at t = 0 and at all times, continuous at zeros of Omega3."""
     right = _by_angles(work, moving)
     start = _by_angles(work, {"t": S.Zero, "Pi": S.Zero})
     (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
@@ -156,19 +162,22 @@ def _followed(
 
 
 def _left(right: dict[str, Any]) -> dict[str, Any]:
-    """Return (18) for phi3 larger by pi: -F4 takes the place of F3, and F3 that of F4."""
+    """Return the quaternion of (18) for an angle phi3 that is larger by pi.
+
+    -F4 takes the place of F3, and F3 that of F4.
+    """
     zero, a, b, d = right.values()
     return dict(zip(right, (-a, zero, d, -b), strict=True))
 
 
 def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
-    """Return the quaternion of (18), with axes 1, 2, 3 named a, b, d."""
+    """Evaluate the quaternion of (18), with axes 1, 2, 3 named a, b, d."""
     found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
 
 def _turned(work: Calculation, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
-    """Return the attitude that starts at the given one, by the constant quaternion of (37)."""
+    """Multiply by the constant quaternion of (37), so that the attitude starts as given."""
     given = {f"q_{x}": work.known[f"q{k}"] for k, x in enumerate(_ABD)}
     front = work.work_out("pull_back", {**start, **given, "epsilon": S.One})
     for x in _ABD:

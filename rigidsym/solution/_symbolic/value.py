@@ -1,4 +1,4 @@
-"""A solution as SymPy expressions of the time, with its Taylor polynomials.
+"""A solution as SymPy expressions in time, with its Taylor polynomials.
 
 The polynomials follow from Euler's equations and q' = q (0, Omega)/2: the equations give one
 coefficient after the other by products alone.  SymPy's `series` of a quotient of square roots of
@@ -24,7 +24,7 @@ _CYCLIC = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
-    """Moments and the state at t = 0, about the axes of the solution's columns.
+    """Moments and initial state of a motion, about the axes of the solution's columns.
 
     handedness: 1, or the symbol that is -1 where these axes are left-handed.
     """
@@ -35,7 +35,7 @@ class Dynamics:
     handedness: Any = 1
 
     def taylor(self, q: Any, omega: Any, count: int) -> tuple[Coefficients, Coefficients]:
-        """Return the first Taylor coefficients of q and omega about these values."""
+        """Return the first Taylor coefficients of q and omega from their initial values."""
         turn, rate, c = [[x] for x in q], [[x] for x in omega], self.moments
         for k in range(1, count):
             slopes = [self._turning(turn, rate, i) for i in range(4)]
@@ -56,12 +56,15 @@ class Dynamics:
 
 
 def _product(x: list[Any], y: list[Any]) -> Any:
-    """Return the last coefficient of the product of two power series."""
+    """Return the highest-order coefficient of the product of two power series.
+
+    Both series have the same number of terms.
+    """
     return sum(one * other for one, other in zip(x, reversed(y), strict=True))
 
 
 def column(entries: Iterable[Any]) -> ImmutableMatrix:
-    """Return a column of expressions, rebuilt so that SymPy evaluates each part."""
+    """Return a column vector of expressions, rebuilt so that SymPy evaluates each part."""
 
     def rebuilt(expression: Any) -> Any:
         return expression.func(*expression.args) if expression.args else expression
@@ -71,7 +74,7 @@ def column(entries: Iterable[Any]) -> ImmutableMatrix:
 
 @dataclass(frozen=True, slots=True)
 class Symbolic:
-    """Attitude and rates as SymPy's expressions of the time, in one form.
+    """Attitude and body rates of a motion as SymPy expressions in time.
 
     Quaternions are scalar first, body to inertial; rates are in body axes, rad/s; t is in s.
 
@@ -106,7 +109,7 @@ class Symbolic:
 
     @property
     def t(self) -> Symbol:
-        """The time, s."""
+        """The SymPy symbol of the time, in s."""
         return TIME
 
     def q(self, t: Any = TIME) -> ImmutableMatrix:
@@ -140,7 +143,7 @@ class Symbolic:
         return self.rates if t == TIME else self.rates.subs(TIME, t)
 
     def taylor(self, n: int = 6, at: Any = 0) -> tuple[ImmutableMatrix, ImmutableMatrix]:
-        """Return Taylor polynomials of q and omega, by the equations of motion.
+        """Return Taylor polynomials of q and omega, derived from the equations of motion.
 
         Parameters
         ----------
@@ -172,7 +175,7 @@ class Symbolic:
         return q, omega
 
     def explicit(self, expression: Any) -> Any:
-        """Return an expression with every constant replaced, down to the inputs.
+        """Substitute all constants in an expression until only the inputs remain.
 
         Parameters
         ----------
