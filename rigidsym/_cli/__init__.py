@@ -1,4 +1,4 @@
-"""The `rigidsym` command: its parser, and the exit status of what it runs.
+"""The `rigidsym` command: its argument parser and its exit status.
 
 Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad input or usage.
 """
@@ -51,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def parser() -> argparse.ArgumentParser:
-    """Return the parser of all commands, computed from the table of commands."""
+    """Build the argument parser from the table of commands."""
     whole = _Parser(
         prog="rigidsym",
         description="Exact torque-free motion of a rigid body.",
@@ -84,7 +84,7 @@ class _Parser(argparse.ArgumentParser):
     """A parser that reports errors in one line."""
 
     def error(self, message: str) -> NoReturn:
-        """Exit with status 2 and one line that points to the help."""
+        """Print one line that points to the help, and exit with status 2."""
         self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
 
 

@@ -25,7 +25,10 @@ def plan(options: Namespace) -> int:
 
 
 def track(options: Namespace) -> int:
-    """Fly a manoeuvre in closed loop; return 1 where it misses the target."""
+    """Simulate a manoeuvre under closed-loop control.
+
+    Returns 1 if the flight misses the target.
+    """
     from rigidsym.manoeuvre.flight._results import track
 
     if options.output:
@@ -48,7 +51,7 @@ def figures(options: Namespace) -> int:
 
 
 def compare(options: Namespace) -> int:
-    """Compare flight methods over random manoeuvres."""
+    """Compare control methods on random manoeuvres."""
     from rigidsym.manoeuvre._comparison import compare
 
     if options.output:
@@ -67,7 +70,10 @@ def compare(options: Namespace) -> int:
 
 
 def fit(options: Namespace) -> int:
-    """Fit a motion to a file of observations; return 1 without convergence or agreement."""
+    """Fit a motion to a file of observations.
+
+    Returns 1 if the fit does not converge or does not agree with the observations.
+    """
     from rigidsym.fitting import fit
     from rigidsym.fitting._files import load
 

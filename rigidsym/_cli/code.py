@@ -9,7 +9,10 @@ from rigidsym.errors import InputError
 
 
 def codegen(options: Namespace) -> int:
-    """Write, print or check a generated module; return 1 where it differs from files."""
+    """Generate a numeric module, and write, print or check it.
+
+    With --check, returns 1 if it differs from the files on disk.
+    """
     import rigidsym.generated
     from rigidsym._cli.proofs import replayed
     from rigidsym._codegen import generate
@@ -36,7 +39,10 @@ def codegen(options: Namespace) -> int:
 
 
 def _differences(texts: dict[str, str], directory: Path) -> int:
-    """Print a diff against the files in a directory; return 1 where there is one."""
+    """Print the differences between generated texts and the files in a directory.
+
+    Returns 1 if there are any.
+    """
     from difflib import unified_diff
 
     status = 0
@@ -52,7 +58,7 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 
 def trace(options: Namespace) -> int:
-    """Print the facts behind a generated line, or the lines that rest on an equation."""
+    """Print the proved facts behind a generated line, or the lines derived from an equation."""
     from rigidsym._codegen.trace import TraceError, lines_of_equation, told
     from rigidsym.proof.paper import EQUATIONS
 

@@ -14,21 +14,25 @@ _MOST = 999_999_999
 
 
 class Argument:
-    """Names and keywords of one argument, as for `ArgumentParser.add_argument`."""
+    """One command-line argument, with the parameters of `ArgumentParser.add_argument`."""
 
     def __init__(self, *names: str, **keywords: Any) -> None:
         self.names, self.keywords = names, keywords
 
 
 class Group:
-    """Arguments with a title of their own in the help, or without one, that exclude each other."""
+    """A group of command-line arguments.
+
+    With a title, they have a section of their own in the help.  Without one, they are mutually
+    exclusive.
+    """
 
     def __init__(self, *arguments: Argument, title: str = "") -> None:
         self.arguments, self.title = arguments, title
 
 
 class Command:
-    """One command with its function, summary, example and arguments."""
+    """One command, with its function, summary, example and arguments."""
 
     def __init__(
         self, name: str, run: str, summary: str, example: str, *arguments: Argument | Group
@@ -38,14 +42,20 @@ class Command:
 
 
 def as_path(text: str) -> Path:
-    """Parse a path; raise ArgumentTypeError for an empty one."""
+    """Parse a path that must not be empty.
+
+    Raises ArgumentTypeError for an empty text.
+    """
     if not text:
         raise argparse.ArgumentTypeError("'' must name a file or directory")
     return Path(text)
 
 
 def as_count(text: str) -> int:
-    """Parse a positive whole number; raise ArgumentTypeError for other text."""
+    """Parse a positive whole number.
+
+    Raises ArgumentTypeError for other text.
+    """
     if not re.fullmatch(r"[0-9]+(_[0-9]+)*", text) or not 1 <= int(text[:20]) <= _MOST:
         rule = f"must be a whole number, at least 1 and at most {_MOST}"
         raise argparse.ArgumentTypeError(f"{text!r:.40} {rule}")
@@ -53,7 +63,10 @@ def as_count(text: str) -> int:
 
 
 def as_seconds(text: str) -> float:
-    """Parse a positive number of seconds; raise ArgumentTypeError for other text."""
+    """Parse a positive number of seconds.
+
+    Raises ArgumentTypeError for other text.
+    """
     try:
         seconds = float(text)
     except ValueError:

@@ -10,7 +10,10 @@ from rigidsym.io._files import probe, write_text
 
 
 def reproduce(options: Namespace) -> int:
-    """Run all stages of the main job and print a table of them; return 1 where one fails."""
+    """Reproduce all results of the package, and print a table of the stages.
+
+    Returns 1 if a stage fails.
+    """
     from rigidsym._reproduce import reproduce
     from rigidsym.proof.derivation import DerivationError
 
@@ -32,7 +35,7 @@ def reproduce(options: Namespace) -> int:
 
 
 def init(options: Namespace) -> int:
-    """Write a template file with comments."""
+    """Write a commented template of an input file."""
     path = options.output or Path(options.template)
     if path.exists():
         raise InputError("output", path, "is there already: give -o FILE")
@@ -42,7 +45,7 @@ def init(options: Namespace) -> int:
 
 
 def completion(options: Namespace) -> int:
-    """Print the completion script of a shell."""
+    """Print a script that completes `rigidsym` commands in a shell."""
     from rigidsym._cli import parser
 
     shtab = package("shtab", "rigidsym completion", "completion")

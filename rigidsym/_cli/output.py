@@ -1,4 +1,4 @@
-"""Output of commands: tables on stdout, messages and progress on stderr."""
+"""Functions that print tables to stdout, and messages and progress bars to stderr."""
 
 import io
 import os
@@ -17,7 +17,11 @@ BARS = ExitStack()
 
 
 def prepare_output() -> None:
-    """Let output never fail because a stream is closed or cannot encode a character."""
+    """Prepare stdout and stderr so that printing never raises an exception.
+
+    A closed stream is replaced by a buffer, and characters that cannot be encoded by question
+    marks.
+    """
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
@@ -27,13 +31,13 @@ def prepare_output() -> None:
 
 
 def discard_output() -> None:
-    """Send buffered output to the null device, so that the exit does not fail again."""
+    """Redirect stdout to the null device, so that flushing it at exit does not fail."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextmanager
 def reader_may_leave() -> Generator[None]:
-    """Ignore a pipe that its reader closes early, as `head` does."""
+    """Ignore the error that occurs when a reader such as `head` closes the pipe early."""
     try:
         yield
         sys.stdout.flush()
@@ -42,9 +46,10 @@ def reader_may_leave() -> Generator[None]:
 
 
 def progress(label: str) -> Callable[[int, int], None]:
-    """Return a function that updates a progress bar by the steps done and their total.
+    """Start a progress bar, and return the function that updates it.
 
-    The bar is shown on a terminal only, with the time left.
+    The function takes the number of steps done and their total.  The bar is shown on a terminal
+    only, with the time left.
     """
     if not sys.stderr.isatty():
         return lambda done, total: None
@@ -66,12 +71,15 @@ def progress(label: str) -> Callable[[int, int], None]:
 
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-    """Print a table that is as wide as the terminal; 120 characters elsewhere."""
+    """Print a table that is as wide as the terminal.
+
+    It is 120 characters wide where stdout is not a terminal.
+    """
     sys.stdout.write(table_text(title, columns, rows))
 
 
 def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table as text."""
+    """Format a table as text."""
     from rich.table import Table
     from rich.text import Text
 
@@ -84,7 +92,7 @@ def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
 
 
 def entries_text(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Return a list of names with their descriptions, below a title, as text.
+    """Format a titled list of names and their descriptions as text.
 
     A name is shown once for all consecutive entries.
     """
@@ -111,7 +119,7 @@ def _rendered(table: "Table") -> str:
 
 
 def page(text: str) -> None:
-    """Print long text, through the user's pager on a terminal.
+    """Print long text, using the user's pager on a terminal.
 
     The pager exits by itself where all fits on one screen.
     """
@@ -125,7 +133,11 @@ def page(text: str) -> None:
 
 
 def deliver(options: Namespace, result: Any, show: Callable[[], None]) -> None:
-    """Write a result to -o DIR, print it as JSON or by `show`, and name the written files."""
+    """Output a command's result to the files and in the format that the user chose.
+
+    With -o DIR the result is written there.  It is printed as JSON or by `show`.  The paths of
+    written files are printed to stderr.
+    """
     written = list(result.write(options.output)) if options.output else []
     if options.json:
         print(result.to_json(), end="")

@@ -23,7 +23,10 @@ ERRATA_SCHEMA = "rigidsym.errata/2"
 
 
 def derive(options: Namespace) -> int:
-    """Derive chapters, print them, and write the ledger; return 1 where a proof fails."""
+    """Derive chapters, print a summary of them, and write the ledger.
+
+    Returns 1 if a proof fails.
+    """
     from derivations.setting import setting_of
     from rigidsym.proof.derivation import DerivationError, derive, sealed_counts
 
@@ -53,7 +56,7 @@ def derive(options: Namespace) -> int:
 
 
 def _chapters(derivation: "Derivation") -> None:
-    """Print a table of chapters that counts computed and guessed facts."""
+    """Print a table with the numbers of computed and guessed facts in each chapter."""
     rows = []
     for chapter in derivation.chapters:
         facts, computed = len(chapter.facts), chapter.computed
@@ -65,7 +68,7 @@ def _chapters(derivation: "Derivation") -> None:
 
 
 def _mutants(derivation: "Derivation") -> None:
-    """Print how many mutants were counted now, and how many in an earlier run."""
+    """Print how many altered facts (mutants) were counted in this run and in an earlier one."""
     facts = derivation.mutants
     if not facts:
         return
@@ -118,7 +121,10 @@ def _compared(ledger: str) -> str:
 
 
 def check(options: Namespace) -> int:
-    """Check a ledger and count its facts by grade; return 1 where it is not accepted."""
+    """Check the proofs in a ledger, and print its number of facts of each grade.
+
+    Returns 1 if the ledger is not accepted.
+    """
 
     grades = _independent_grades if options.independent else _kernel_grades
     specification = "" if options.facts else stored.specification_text()
@@ -161,7 +167,10 @@ def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
 
 
 def replayed() -> str:
-    """Return the sealed ledger; raise LedgerError unless the independent checker accepts it."""
+    """Check the sealed ledger by the independent checker, and return its text.
+
+    Raises LedgerError if the checker refuses it.
+    """
     from rigidsym.proof.checker import Refused, check
 
     text = _ledger_text(None)
@@ -178,7 +187,10 @@ def _ledger_text(path: Path | None) -> str:
 
 
 def export(options: Namespace) -> int:
-    """Write a ledger as theorems of Coq; with --check, run Coq on them."""
+    """Translate a ledger to Coq theorems, and write them to files.
+
+    With --check, runs Coq on them.
+    """
     from rigidsym.proof._coq import export
     from rigidsym.proof.algebra._enclosures import encloses
     from rigidsym.proof.kernel import KernelError, replay
@@ -197,7 +209,7 @@ def export(options: Namespace) -> int:
 
 
 def _exported(written: "Export") -> None:
-    """Print how many facts of each rule Coq states, and which facts it does not state."""
+    """Print the number of facts exported to Coq by each rule, and the facts left out."""
     from rigidsym.proof._coq import SUPPOSED
 
     total = sum(written.exported.values())
@@ -214,7 +226,10 @@ def _exported(written: "Export") -> None:
 
 
 def _make(directory: Path) -> int:
-    """Run Coq by make; return 1 where Coq refuses a theorem or is not installed."""
+    """Run Coq on the exported theorems by `make`.
+
+    Returns 1 if Coq refuses a theorem or is not installed.
+    """
     from os import cpu_count
     from shutil import which
     from subprocess import run
@@ -283,7 +298,10 @@ def errata(options: Namespace) -> int:
 
 
 def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
-    """Select verdicts by the options; raise InputError for an unknown equation."""
+    """Select the verdicts that the user's options ask for.
+
+    Raises InputError for an unknown equation.
+    """
     numbers = {verdict.equation.number.lower(): verdict for verdict in ruled}
     wanted = [name.strip("()").lower() for name in options.equations]
     for name, given in zip(wanted, options.equations, strict=True):

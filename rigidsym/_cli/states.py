@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def propagate(options: Namespace) -> int:
-    """Write the states of a case file to stdout or to a file."""
+    """Compute the states of a case file, and write them to stdout or to a file."""
     from rigidsym.io._tables import FORMATS
 
     options.format = _format(options)
@@ -40,7 +40,10 @@ def propagate(options: Namespace) -> int:
 
 
 def _format(options: Namespace) -> str:
-    """Return the output format by option or by file name; raise InputError for neither."""
+    """Return the output format that the option or the file name's suffix selects.
+
+    Raises InputError if neither does.
+    """
     if options.format or not options.output:
         return options.format or STATE_FORMATS[0]
     ending = options.output.suffix.removeprefix(".").lower()
@@ -51,7 +54,10 @@ def _format(options: Namespace) -> str:
 
 
 def _heading(options: Namespace) -> dict[str, Any]:
-    """Return the options of --format aem; raise InputError where they are for another format."""
+    """Return the options that only the format `aem` has.
+
+    Raises InputError if one of them is given with another format.
+    """
     names = [name.replace("-", "_") for name in MESSAGE]
     given = {name: getattr(options, name) for name in (*names, "rates")}
     given = {name: value for name, value in given.items() if value is not None}
@@ -100,7 +106,7 @@ def _states(case: "Case", options: Namespace) -> "Table":
 
 
 def methods(options: Namespace) -> int:
-    """Print the cost and accuracy of the methods for many digits."""
+    """Print the cost and accuracy of the arbitrary-precision methods."""
     from rigidsym.precise._comparison import DIGITS, compare
 
     if options.output:

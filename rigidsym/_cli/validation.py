@@ -25,7 +25,7 @@ _APPLICATIONS = {"fits": "rigidsym.validate._fits", "torques": "rigidsym.validat
 
 
 def compare_forms(options: Namespace) -> int:
-    """Print costs and errors of the three forms of the solution."""
+    """Measure and print the costs and errors of the solution's three forms."""
     from rigidsym.validate._forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
     if options.output:
@@ -47,7 +47,11 @@ def compare_forms(options: Namespace) -> int:
 
 
 def validate(options: Namespace) -> int:
-    """Measure modules, faults, sensitivities, fits or torques; return 1 for broken bounds."""
+    """Run the validation that the options select, and print its report.
+
+    This measures modules, injected faults, sensitivities, fits or torques.  Returns 1 if an error
+    bound is broken.
+    """
     from rigidsym.validate import _session as session
 
     mode = next((name for name in _NOT_WITH if getattr(options, name)), "")
@@ -69,7 +73,7 @@ def validate(options: Namespace) -> int:
 
 
 def _chosen(options: Namespace) -> dict[str, Any]:
-    """Return the arguments of a campaign from the options.
+    """Convert the command's options to the arguments of a validation campaign.
 
     Without targets these are all that can be measured on this machine.
     """

@@ -1,4 +1,4 @@
-"""Engines that compute states, by NumPy or by C that is compiled on this machine.
+"""Engines that compute states, by NumPy or by C code compiled on this machine.
 
 Their states at the same times agree within the errors they are measured to have.  A warning about
 an engine is given once in a process.
@@ -48,45 +48,61 @@ _WARNED: dict[str, Any] = {}
 
 
 def engine(name: str) -> Engine:
-    """Return an engine by its name in EVERY; without a C compiler, warn and return NumPy's.
+    """Return the engine of a name, or NumPy's engine if there is no C compiler.
 
-    The first call for C's may compile, for a second or two.  Raises InputError for other names.
+    Names are those in EVERY. Warns if there is no C compiler.  The first call for C's may compile,
+    for a second or two.  Raises InputError for other names.
     """
     found = _compiled_or_reason(name) if checked(name).startswith("c") else ""
     return _numpy(name) if isinstance(found, str) else found
 
 
 def exactly(name: str) -> Engine:
-    """Return an engine by its name; raise InputError if it needs a missing C compiler."""
+    """Return the engine of a name, without a substitute.
+
+    Raises InputError if it needs a C compiler that is missing.
+    """
     return _exactly(checked(name))
 
 
 def stepper(name: str) -> Stepper:
-    """Return the stepper of an engine; without a C compiler, warn and return NumPy's."""
+    """Return the stepper of an engine's name, or NumPy's stepper if there is no C compiler.
+
+    Warns if there is no C compiler.
+    """
     found = _compiled_or_reason("c-step") if checked(name, ENGINES) == "c" else ""
     return _NUMPY_STEPS if isinstance(found, str) else found
 
 
 def exact_stepper(name: str) -> Stepper:
-    """Return a stepper by its name in STEPPERS; raise InputError without its C compiler."""
+    """Return the stepper of a name, without a substitute.
+
+    Names are those in STEPPERS. Raises InputError if it needs a C compiler that is missing.
+    """
     return _exactly(checked(name, STEPPERS))
 
 
 def integrator() -> CStepper | None:
-    """Return the stepper in C, which also integrates; None without a compiler."""
+    """Return the C stepper, which also integrates under torques.
+
+    Returns None without a C compiler.
+    """
     found = _compiled_or_reason("c-step")
     return None if isinstance(found, str) else found
 
 
 def checked(name: str, among: tuple[str, ...] = EVERY) -> str:
-    """Return the name; raise InputError unless it is in `among`."""
+    """Check the name of an engine and return it.
+
+    Raises InputError unless the name is in `among`.
+    """
     if name not in among:
         raise InputError("engine", repr(name), f"must be one of: {', '.join(among)}")
     return name
 
 
 def forget() -> None:
-    """Forget the C engines, so that the next use looks for a compiler again."""
+    """Clear the cache of C engines, so that the next use searches for a compiler again."""
     _obtained.cache_clear()
     _WARNED.clear()
 
@@ -99,7 +115,7 @@ def _exactly(name: str) -> Any:
 
 
 def _numpy(name: str) -> Any:
-    """Return the engine or stepper of a name on a NumPy module."""
+    """Return the NumPy engine or stepper of a name."""
     if "-" not in name:
         return _NUMPY
     if name in STEPPERS:
@@ -111,7 +127,10 @@ def _numpy(name: str) -> Any:
 
 
 def _compiled_or_reason(name: str) -> Any:
-    """Return a C engine or the reason why there is none; warn of problems once."""
+    """Return a C engine, or the reason why there is none.
+
+    Problems cause a warning, once in a process.
+    """
     found = _WARNED.get(name)
     if found is None:
         with _LOCK:
@@ -125,7 +144,10 @@ def _compiled_or_reason(name: str) -> Any:
 
 @cache
 def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
-    """Return a C engine, or the reason why there is none, and warnings to give."""
+    """Build or load a C engine, and return it with the warnings to give.
+
+    Without a C engine the first result is the reason, as text.
+    """
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym._engines.build import CompilerError, library
     from rigidsym._engines.c_engine import CEngine

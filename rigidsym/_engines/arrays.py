@@ -1,4 +1,4 @@
-"""Input and output arrays of engines: times, batches of bodies, and states."""
+"""Checks and allocation of the engines' input and output arrays."""
 
 import math
 from collections.abc import Iterable
@@ -29,7 +29,7 @@ _DOUBLE = np.dtype(np.float64)
 
 
 class Batch(NamedTuple):
-    """Bodies and times of a batch, as arrays that broadcast.
+    """Bodies and times whose states are computed together, as arrays that broadcast.
 
     bodies: inertia (..., 3), omega0 (..., 3) and attitude0 (..., 4) by name.  t: (), (N,) or
     (..., N).  leading: the shape that their leading axes broadcast to.
@@ -46,17 +46,26 @@ class Batch(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The shape of the states: the bodies' leading shape, then the number of times."""
+        """The leading shape of the states.
+
+        It consists of the bodies' leading shape and the number of times.
+        """
         return *self.leading, *self.t.shape[-1:]
 
     @property
     def times(self) -> np.ndarray:
-        """The times as one row (1, N) for all bodies, or a row for each body (B, N)."""
+        """The times as a matrix of one row for all bodies or of a row for each.
+
+        Its shape is (1, N) or (B, N).
+        """
         return row_or_rows(self.t, self.leading)
 
 
 def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayLike) -> Batch:
-    """Make a batch of bodies and times; raise InputError if their shapes do not broadcast."""
+    """Combine arrays of bodies and times to a batch.
+
+    Raises InputError if their shapes do not broadcast.
+    """
     given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     bodies = {name: np.asarray(value, float) for name, value in given.items()}
     for name, array in bodies.items():
@@ -79,7 +88,10 @@ def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayL
 
 
 def times(t: ArrayLike) -> np.ndarray:
-    """Convert times to a contiguous float64 array () or (N,)."""
+    """Convert times to a contiguous float64 array.
+
+    Its shape is () or (N,).
+    """
     array = np.asarray(t, float)
     if array.ndim > 1:
         raise EngineError("t", BAD_TIMES)
@@ -87,26 +99,35 @@ def times(t: ArrayLike) -> np.ndarray:
 
 
 def is_lenient(errors: str) -> bool:
-    """Return True for "nan" and False for "raise"; raise InputError for other values."""
+    """Return True if the option `errors` asks for NaN instead of exceptions.
+
+    Its values are "nan" and "raise". Raises InputError for others.
+    """
     if errors not in ERRORS:
         raise InputError("errors", errors, "must be 'raise' or 'nan'")
     return errors == "nan"
 
 
 def in_one_piece(array: np.ndarray) -> np.ndarray:
-    """Return the array, or a copy if it is not contiguous and aligned."""
+    """Return an array itself, or a copy if it is not contiguous and aligned."""
     whole = array.flags.c_contiguous and array.flags.aligned
     return array if whole else array.copy(order="C")
 
 
 def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Broadcast vectors to a leading shape and flatten it: (B, 3) or (B, 4)."""
+    """Broadcast vectors to a leading shape, and return them as the rows of a matrix.
+
+    Its shape is (B, 3) or (B, 4).
+    """
     size = array.shape[-1]
     return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(math.prod(shape), size))
 
 
 def row_or_rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Return one row (1, N) if all bodies share it, else a row for each body (B, N)."""
+    """Convert vectors to a matrix of one row for all bodies or of a row for each.
+
+    Its shape is (1, N) if all bodies share the vector, else (B, N).
+    """
     if math.prod(array.shape[:-1]) == 1:
         return in_one_piece(array.reshape(1, array.size))
     return rows(array, shape)
@@ -118,10 +139,10 @@ def outputs(
     *inputs: object,
     own: tuple[object, object] = (None, None),
 ) -> States:
-    """Return the checked output arrays of a caller, or new ones: (*shape, 4), (*shape, 3).
+    """Check the caller's output arrays for states, or allocate new ones.
 
-    They must share no memory with each other or an input that is an array, but may be the two of
-    `own`, each in its place.
+    Their shapes are (*shape, 4) and (*shape, 3).  They must share no memory with each other or an
+    input that is an array, but may be the two of `own`, each in its place.
     """
     if out is None:
         return np.empty((*shape, 4)), np.empty((*shape, 3))
@@ -143,7 +164,7 @@ def outputs(
 
 
 def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool:
-    """Return True if outputs and inputs certainly share no memory.
+    """Return True if it is certain that outputs and inputs share no memory.
 
     False does not mean that they overlap.
     """
@@ -163,7 +184,10 @@ def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool
 
 
 def columns(names: Iterable[str] | None) -> tuple[str, ...]:
-    """Sort names of columns as in COLUMNS; return all for None.  Raises InputError."""
+    """Check the names of derivatives' columns, and return them in the order of COLUMNS.
+
+    None stands for all columns.  Raises InputError for other names.
+    """
     if names is None or names is COLUMNS:
         return COLUMNS
     try:
@@ -179,7 +203,10 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
 
 
 def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
-    """Return the last axes of q, omega and, unless `columns` is None, of their derivatives."""
+    """Return the trailing shapes of the arrays of states and of their derivatives.
+
+    Those of derivatives are left out if `columns` is None.
+    """
     if columns is None:
         return (4,), (3,)
     by_t = (3 if "t" in columns else 0,)
@@ -188,7 +215,7 @@ def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
 
 
 def sensitivities(shape: tuple[int, ...], columns: tuple[str, ...] = COLUMNS) -> Sensitivities:
-    """Allocate arrays for states of a shape and their derivatives."""
+    """Allocate arrays for states and their derivatives."""
     count, ends = math.prod(shape), shapes(columns)
     block, begin, derivatives = _memory(count * sum(map(math.prod, ends[2:]))), 0, []
     for last in ends[2:]:
@@ -201,7 +228,7 @@ def sensitivities(shape: tuple[int, ...], columns: tuple[str, ...] = COLUMNS) ->
 
 
 class _Loan:
-    """Memory that returns to the cache when no array uses it any more."""
+    """Block of memory that returns to the cache when no array uses it any more."""
 
     def __init__(self, room: np.ndarray) -> None:
         self.room, self.__array_interface__ = room, room.__array_interface__

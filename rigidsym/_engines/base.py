@@ -1,4 +1,4 @@
-"""The abstract class of engines, with the methods that all engines share."""
+"""Abstract base class of the engines."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
@@ -19,7 +19,7 @@ Prepared: TypeAlias = Any
 
 
 class Engine(ABC):
-    """Engine that prepares motions and computes their states and sensitivities in float64.
+    """Abstract engine, which computes states of motions and their derivatives in float64.
 
     Times in s, rates in rad/s, inertia in kg m^2, quaternions scalar first.  With `out`, a pair of
     C-contiguous arrays of exactly the shapes named that share no memory with each other or an
@@ -33,11 +33,17 @@ class Engine(ABC):
     @property
     @abstractmethod
     def has_sensitivities(self) -> bool:
-        """True if the engine has sensitivities; only modules of the theta form have them."""
+        """True if the engine can compute derivatives of states.
+
+        Only modules of the theta form have these sensitivities.
+        """
 
     @abstractmethod
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion from float64 arrays (3,), (3,) and (4,)."""
+        """Compute the constants of one motion from float64 inputs.
+
+        The shapes are (3,), (3,) and (4,).
+        """
 
     def prepare_exactly(
         self,
@@ -45,7 +51,10 @@ class Engine(ABC):
         omega0: Sequence[Fraction],
         attitude0: Sequence[Fraction],
     ) -> Prepared:
-        """Prepare one motion from exact numbers, without rounding them to float64."""
+        """Compute the constants of one motion from exact inputs.
+
+        These are not rounded to float64.
+        """
         # Here, because doubles need nothing of it.
         from rigidsym._engines.exact_inputs import exact_inputs
 
@@ -53,13 +62,16 @@ class Engine(ABC):
 
     @abstractmethod
     def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
-        """Prepare one motion from numbers that are sums of two doubles."""
+        """Compute the constants of one motion from inputs that are sums of two doubles."""
 
     @abstractmethod
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """Return q (4,) and omega (3,) at a scalar t, or (N, 4) and (N, 3) at t (N,)."""
+        """Return the states of a prepared motion at times.
+
+        These are q (4,) and omega (3,) at a scalar t, or (N, 4) and (N, 3) at t (N,).
+        """
 
     @abstractmethod
     def sensitivities(
@@ -69,15 +81,19 @@ class Engine(ABC):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return states at times and their derivatives by the named columns, or by all."""
+        """Return the states of a prepared motion at times, and their derivatives.
+
+        columns: names of the inputs to differentiate by, all by default.
+        """
 
     @abstractmethod
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """Return q (count, 4) and omega (count, 3) at the times start + k step.
+        """Return the states of a prepared motion at equally spaced times start + k step.
 
-        C takes these times exactly, NumPy the doubles nearest to them.
+        These are q (count, 4) and omega (count, 3).  C takes these times exactly, NumPy the doubles
+        nearest to them.
         """
 
     def propagate(
@@ -89,11 +105,11 @@ class Engine(ABC):
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
-        """Return q (..., N, 4) and omega (..., N, 3) of many bodies.
+        """Return the states of many bodies at times.
 
-        Leading shapes broadcast, those of t (..., N) among them: (N,) are times of all bodies,
-        (B, N) a row for each; a scalar t has no N.  Errors have the index of the body, counted
-        through all leading axes.
+        These are q (..., N, 4) and omega (..., N, 3).  Leading shapes broadcast, those of t (...,
+        N) among them: (N,) are times of all bodies, (B, N) a row for each; a scalar t has no N.
+        Errors have the index of the body, counted through all leading axes.
         """
         batch = arrays.batch(inertia, omega0, attitude0, t)
         return self.batch_states(batch, arrays.is_lenient(errors), out)
@@ -107,12 +123,15 @@ class Engine(ABC):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return the states of many bodies and their derivatives."""
+        """Return the states of many bodies at times, and their derivatives."""
         batch, names = arrays.batch(inertia, omega0, attitude0, t), arrays.columns(columns)
         return self.batch_sensitivities(batch, arrays.is_lenient(errors), names)
 
     def batch_states(self, batch: Batch, lenient: bool, out: Outputs = None) -> States:
-        """Return the states of a batch; with `lenient`, NaN for refused bodies and times."""
+        """Return the states of a batch of bodies.
+
+        With `lenient`, bodies and times that are refused have states of NaN.
+        """
         states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
         self._fill(batch, states, lenient, None)
         return states
@@ -120,7 +139,7 @@ class Engine(ABC):
     def batch_sensitivities(
         self, batch: Batch, lenient: bool, columns: tuple[str, ...]
     ) -> Sensitivities:
-        """Return the states of a batch and their derivatives."""
+        """Return the states of a batch of bodies, and their derivatives."""
         self._check_has_sensitivities()
         found = arrays.sensitivities(batch.shape, columns)
         self._fill(batch, found, lenient, columns)
@@ -134,7 +153,10 @@ class Engine(ABC):
         lenient: bool,
         columns: tuple[str, ...] | None,
     ) -> None:
-        """Write the states of a batch and, unless `columns` is None, their derivatives."""
+        """Compute the states of a batch and their derivatives into given arrays.
+
+        Without derivatives `columns` is None.
+        """
 
     def _check_has_sensitivities(self) -> None:
         if not self.has_sensitivities:

@@ -1,4 +1,7 @@
-"""Conversion of user input to arrays of doubles, with errors that name the wrong number."""
+"""Conversion of user input to checked arrays of doubles.
+
+Errors name the wrong number.
+"""
 
 import math
 import sys
@@ -19,9 +22,10 @@ _BLOCK = 1 << 14
 def array(
     name: str, value: ArrayLike, lenient: bool = False, last: tuple[int, ...] = ()
 ) -> np.ndarray:
-    """Convert user input to an array of doubles whose last axes have the sizes `last`.
+    """Convert user input to an array of doubles with given trailing axes.
 
-    Raises InputError for the first number that is masked or, unless `lenient`, not finite.
+    last: the sizes of these axes.  Raises InputError for the first number that is masked or, unless
+    `lenient`, not finite.
     """
     if isinstance(value, np.ma.MaskedArray):
         for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
@@ -52,7 +56,7 @@ def batch(
     degrees: bool,
     allow_nonphysical: bool,
 ) -> arrays.Batch:
-    """Convert bodies and times as users give them to a batch.
+    """Convert a user's bodies and times to a batch for engines.
 
     Raises InputError for the first number that is refused, unless `lenient`, and for shapes.
     """
@@ -65,7 +69,10 @@ def batch(
 
 
 def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
-    """Convert times to a float or an array (N,); raise InputError as `array` does."""
+    """Convert a user's times to a float or a one-dimensional array.
+
+    Raises InputError as `array` does.
+    """
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
     if is_number and abs(t) <= sys.float_info.max:
         return float(t)
@@ -76,7 +83,10 @@ def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
 
 
 def number(name: str, value: ArrayLike) -> float:
-    """Convert one finite number to a float; raise InputError for anything else."""
+    """Convert one finite number of user input to a float.
+
+    Raises InputError for anything else.
+    """
     found = array(name, value)
     if found.ndim:
         raise InputError(name, f"an array of shape {found.shape}", "must be one number")
@@ -84,7 +94,10 @@ def number(name: str, value: ArrayLike) -> float:
 
 
 def floats(value: object, length: int) -> tuple[float, ...] | None:
-    """Convert a plain vector to floats fast; return None if it needs the full checks."""
+    """Convert a vector of plain numbers to floats without the full checks.
+
+    Returns None for a vector that needs them.
+    """
     listed = value.tolist() if type(value) is np.ndarray else value
     if not isinstance(listed, (tuple, list)) or len(listed) != length:
         return None
@@ -100,10 +113,11 @@ def floats(value: object, length: int) -> tuple[float, ...] | None:
 
 
 def moments(value: object) -> tuple[float, ...] | None:
-    """Convert plain moments of a body that can exist to floats; else return None.
+    """Convert plain moments of inertia to floats without the full checks.
 
     Where a rounded sum is above a double, so is the exact sum; and three moments that are each
-    below the sum of the others are positive.
+    below the sum of the others are positive.  Returns None for moments that need them, or that no
+    body can have.
     """
     found = floats(value, 3)
     if found is None:
@@ -113,9 +127,10 @@ def moments(value: object) -> tuple[float, ...] | None:
 
 
 def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
-    """Check moments (..., 3); raise InputError for the first body that cannot exist.
+    """Check that rigid bodies can have the given principal moments.
 
-    Where `lenient`, return a copy in which such bodies have moments of NaN.
+    Where `lenient`, return a copy in which such bodies have moments of NaN. Raises InputError for
+    the first body (..., 3) that cannot exist.
     """
     if not inertia.ndim or inertia.shape[-1] != 3:
         return inertia
@@ -139,15 +154,16 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
 
 @np.errstate(over="ignore", invalid="ignore")
 def _doubtful(inertia: np.ndarray) -> np.ndarray:
-    """Return the indices of bodies (B, 3) that rounded sums do not prove possible."""
+    """Return the indices of bodies for which rounded sums do not prove the triangle inequality."""
     a, b, c = inertia.T
     return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
 
 
 def _are_impossible(inertia: np.ndarray) -> np.ndarray:
-    """Return a mask of bodies (B, 3) that `inputs.can_exist` refuses, decided exactly.
+    """Return a mask of the bodies that violate the triangle inequality, decided exactly.
 
-    With largest moments between 1 and 2 every sum is a double and its error, which decide.
+    The decision is that of `inputs.can_exist`.  With largest moments between 1 and 2 every sum is a
+    double and its error, which decide.
     """
     exponent = np.frexp(np.max(inertia, axis=-1, keepdims=True))[1]
     low, middle, high = np.sort(np.ldexp(inertia, 1 - exponent), axis=-1).T
@@ -158,7 +174,7 @@ def _are_impossible(inertia: np.ndarray) -> np.ndarray:
 
 
 def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the rounded sum of a and b and its rounding error (Knuth)."""
+    """Return the rounded sum of two doubles and its rounding error (Knuth's two-sum)."""
     total = a + b
     part = total - a
     return total, (a - (total - part)) + (b - part)
@@ -173,7 +189,7 @@ def _refuse(
 
 
 def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
-    """Convert an EngineError to an InputError with the refused value and its index.
+    """Convert an engine's error to an InputError with the refused value and its index.
 
     given: what the engine was given, by name: arrays of shape (..., k), dt (...), and others.
     """
@@ -203,5 +219,8 @@ def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
 
 
 def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
-    """Return the leading shape of an array: all axes but the last, or all axes of dt."""
+    """Return the leading shape of an argument, which is that of the bodies.
+
+    It has all axes but the last, or all axes of dt.
+    """
     return array.shape if field == "dt" else array.shape[:-1]

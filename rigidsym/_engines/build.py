@@ -1,4 +1,4 @@
-"""The C library for this machine: the search for a compiler, compilation, and the cache.
+"""Compilation and caching of the C library for this machine.
 
 The user's cache directory keeps built libraries.  The name of a file has the digest of what it was
 built from and of its own bytes, so that a damaged file is noticed.  One move puts it there whole,
@@ -55,19 +55,28 @@ _PROCESSOR = {"model name", "flags", "Features", "CPU implementer", "CPU archite
 
 
 class CompilerError(Exception):
-    """Missing or failing compiler; the message is one line."""
+    """Error for a missing or failing C compiler.
+
+    The message has one line.
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class Compiler:
-    """Command of a C compiler and the text of its --version."""
+    """C compiler, given by its command and version.
+
+    version: the output of --version.
+    """
 
     command: tuple[str, ...]
     version: str
 
 
 def find() -> Compiler:
-    """Return the compiler in $CC, or the first of cc, gcc and clang on the path."""
+    """Find a C compiler on this machine.
+
+    This is the one in $CC, or the first of cc, gcc and clang on the path.
+    """
     given = os.environ.get("CC", "")
     try:
         named = shlex.split(given)
@@ -84,7 +93,10 @@ def find() -> Compiler:
 def compile_library(
     compiler: Compiler, sources: Mapping[str, str], directory: Path, flags: tuple[str, ...] = FLAGS
 ) -> Path:
-    """Compile sources into a shared library in an empty directory, and return its path."""
+    """Compile C sources into a shared library, and return its path.
+
+    directory: an empty directory, in which this works.
+    """
     for name, text in sources.items():
         (directory / name).write_text(text, encoding="utf-8")
     units = [name for name in sources if name.endswith(".c")]
@@ -122,9 +134,10 @@ def _run(command: list[str], directory: Path | None = None) -> subprocess.Comple
 
 
 def library(remarks: list[str], engine: str = "c") -> Library:
-    """Load the C library of an engine, or build it; append warnings to `remarks`.
+    """Load the C library of an engine from the cache, or build it.
 
-    Raises CompilerError and LibraryError where there can be no library.
+    Warnings are appended to `remarks`.  Raises CompilerError and LibraryError where there can be no
+    library.
     """
     sources, compiler = package_sources(engine), find()
     determining = [dict(sources), FLAGS, compiler.command, compiler.version, processor()]
@@ -141,7 +154,10 @@ def package_sources(engine: str = "c") -> Mapping[str, str]:
 
 
 def processor() -> list[str]:
-    """Return lines that identify the processor, on which `-march=native` depends."""
+    """Return lines of text that identify the processor.
+
+    The code that `-march=native` makes depends on it.
+    """
     found = [platform.machine()]
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as file:
@@ -172,7 +188,7 @@ def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library
 
 
 def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
-    """Compile a library and, if possible, put it into the cache."""
+    """Compile a C library, put it into the cache if possible, and load it."""
     try:
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
             built = compile_library(compiler, sources, Path(work))
@@ -192,13 +208,17 @@ def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: li
 
 
 class CacheError(Exception):
-    """Cache directory that cannot be used; the message is one line."""
+    """Error for a cache directory that cannot be used.
+
+    The message has one line.
+    """
 
 
 def cache_directory() -> Path:
-    """Return the cache directory: $RIGIDSYM_CACHE, or `rigidsym` in the platform's cache.
+    """Return the directory in which compiled libraries are cached.
 
-    Raises CacheError where a user has no home.
+    This is $RIGIDSYM_CACHE, or `rigidsym` in the platform's cache.  Raises CacheError where a user
+    has no home.
     """
     if named := os.environ.get("RIGIDSYM_CACHE"):
         return Path(named).absolute()
@@ -217,7 +237,7 @@ def cache_directory() -> Path:
 
 
 def is_whole(path: Path) -> bool:
-    """Return True if the digest of a file is the one in its name."""
+    """Return True if a cached file has the digest that its name says."""
     try:
         return path.stem.rsplit("-", 1)[1] == _digest(path.read_bytes())
     except OSError:
@@ -225,7 +245,10 @@ def is_whole(path: Path) -> bool:
 
 
 def _keep(key: str, built: Path) -> Path:
-    """Copy a built library to the cache; raise CacheError on failure."""
+    """Copy a compiled library to the cache.
+
+    Raises CacheError if that fails.
+    """
     place, data = cache_directory(), built.read_bytes()
     try:
         return write_bytes(place / f"{_PREFIX}-{key}-{_digest(data)}{_SUFFIX}", data)
@@ -234,7 +257,7 @@ def _keep(key: str, built: Path) -> Path:
 
 
 def _drop(path: Path) -> None:
-    """Remove a file if possible."""
+    """Remove a file, and ignore errors."""
     with suppress(OSError):
         path.unlink(missing_ok=True)
 

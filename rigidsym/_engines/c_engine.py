@@ -1,4 +1,4 @@
-"""The engine on the generated C module, compiled on this machine."""
+"""The engine that computes states by the generated and compiled C module."""
 
 import ctypes
 import math
@@ -31,7 +31,7 @@ PREPARATION, _SENSITIVITY = 256, 8
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """Memory layout of states with or without derivatives, and arguments of C for them.
+    """Memory layout of states and derivatives, with the C functions' arguments for it.
 
     flags: arguments of C before the outputs; cost: of a time, in plain states; shapes and sizes: of
     each array at one time; rows: 1 for the time, then sizes; offsets: in bytes, where a time and
@@ -49,7 +49,10 @@ class _Layout:
 
 @cache
 def _layout(names: tuple[str, ...] | None) -> _Layout:
-    """Return the layout of states with these columns, or of states alone for None."""
+    """Return the memory layout of states and of their derivatives' named columns.
+
+    None stands for states without derivatives.
+    """
     shapes = arrays.shapes(names)
     sizes = tuple(map(math.prod, shapes))
     offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
@@ -62,7 +65,10 @@ _STATES = _layout(None)
 
 
 class CEngine(Engine):
-    """Engine on torque_free.c; threads may share it and its prepared motions."""
+    """Engine that calls the compiled C module.
+
+    The module is torque_free.c.  Threads may share the engine and its prepared motions.
+    """
 
     __slots__ = ("_prepared_type", "_state_at", "library")
 
@@ -74,11 +80,11 @@ class CEngine(Engine):
 
     @property
     def has_sensitivities(self) -> bool:
-        """True if the module has sensitivities."""
+        """True if the C library can compute derivatives of states."""
         return hasattr(self.library, "states_with_columns")
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion by the C library."""
+        """Compute the constants of one motion by the C library."""
         given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
         return self._prepared(self.library.motion_init, given, ())
 
@@ -94,7 +100,10 @@ class CEngine(Engine):
         tail: tuple[int, ...],
         *unit: float,
     ) -> Prepared:
-        """Prepare a motion by a C function from arrays (3, *tail) or (4, *tail)."""
+        """Compute the constants of a motion by one of two C functions.
+
+        Inputs have the shapes (3, *tail) or (4, *tail).
+        """
         bodies = {}
         for name, value in given.items():
             array = np.asarray(value, float)
@@ -115,7 +124,7 @@ class CEngine(Engine):
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """Return states at times by the C library."""
+        """Compute states at times by the C library."""
         lenient = errors != "raise" and arrays.is_lenient(errors)
         if out is None and isinstance(t, float) and not lenient:
             # NumPy's types do not know that arrays of ctypes are buffers.
@@ -136,7 +145,7 @@ class CEngine(Engine):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return states and derivatives at times by the C library."""
+        """Compute states and their derivatives at times by the C library."""
         self._check_has_sensitivities()
         lenient, names = arrays.is_lenient(errors), arrays.columns(columns)
         layout = _layout(names)
@@ -148,7 +157,7 @@ class CEngine(Engine):
         return found
 
     def _sensitivities_at(self, prepared: Prepared, t: float, layout: _Layout) -> Sensitivities:
-        """Return states and derivatives at one time, with few calls between Python and C."""
+        """Compute a state and its derivatives at one time by a single call of C."""
         numbers: Any = layout.memory(t)
         address = addressof(numbers)
         rows = (address + offset for offset in layout.offsets)
@@ -165,7 +174,7 @@ class CEngine(Engine):
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """Return states at exactly start + k step by the C library."""
+        """Compute states at the exact times start + k step by the C library."""
         q, omega = arrays.outputs(out, (count,))
         addresses = q.ctypes.data, omega.ctypes.data
 
@@ -190,7 +199,10 @@ class CEngine(Engine):
         lenient: bool,
         layout: _Layout,
     ) -> None:
-        """Fill the arrays of one motion at times t; threads share the times."""
+        """Compute states of one motion into given arrays.
+
+        Threads share the times t.
+        """
         function = self.library.states_with_columns if layout.flags else self.library.states_at
         near = None
         if lenient:
@@ -214,7 +226,7 @@ class CEngine(Engine):
     def _refused(
         self, code: int, prepared: Prepared, t: np.ndarray, found: Sequence[np.ndarray] = ()
     ) -> EngineError:
-        """Convert an error code to an EngineError with the index of the first refused time."""
+        """Return the exception for an error code, with the index of the first refused time."""
         flat, rule = t.reshape(-1), self.library.rule(code).decode()
         if len(found) > 2 and code == self.library.GROWTH:
             lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
@@ -240,7 +252,10 @@ class CEngine(Engine):
         work = layout.cost * times + PREPARATION
 
         def alone(k: int) -> None:
-            """Compute body k alone; errors have its index."""
+            """Compute the states of body k alone.
+
+            Errors have the index k.
+            """
             rows = [
                 x.reshape(count, times, *y)[k] for x, y in zip(found, layout.shapes, strict=True)
             ]
@@ -276,7 +291,7 @@ class CEngine(Engine):
 
 
 def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> list[int]:
-    """Run pieces of a number of states by threads; return their codes.
+    """Share the computation of states among threads, and return the error code of each piece.
 
     cost: the cost of each state in plain states.
     """
@@ -284,7 +299,10 @@ def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> lis
 
 
 def _rows_from(begin: int, addresses: Sequence[int], sizes: Sequence[int]) -> Sequence[int]:
-    """Return the addresses of row `begin` of arrays whose rows have `sizes` doubles."""
+    """Return the memory addresses of one row in each of several arrays.
+
+    begin: the number of the row; sizes: the numbers of doubles in a row.
+    """
     if not begin:
         return addresses
     return [x + begin * size * _DOUBLE for x, size in zip(addresses, sizes, strict=True)]

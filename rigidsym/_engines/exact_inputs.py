@@ -1,4 +1,4 @@
-"""Conversion of exact inputs to pairs of doubles, unevaluated sums for numeric modules.
+"""Conversion of exact inputs to unevaluated sums of two doubles.
 
 Rounding inertia and rates to doubles would put the motion on another polhode, which is a different
 motion near the separatrix or where moments nearly agree.  So each number becomes two doubles, right
@@ -27,7 +27,10 @@ INDISTINCT = Fraction(1, 2**250)
 
 
 class ExactInputs(NamedTuple):
-    """Arguments of `prepare_from_double_doubles` in a numeric module."""
+    """Inputs of a motion as sums of two doubles, for a numeric module.
+
+    They are the arguments of its function `prepare_from_double_doubles`.
+    """
 
     inertia: list[DoubleDouble]
     differences: list[DoubleDouble]
@@ -40,7 +43,7 @@ class ExactInputs(NamedTuple):
 def exact_inputs(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> ExactInputs:
-    """Scale exact inputs by powers of two and round them to pairs of doubles.
+    """Scale exact inputs by powers of two, and round each to a sum of two doubles.
 
     Raises InputError for numbers out of range.
     """
@@ -59,9 +62,9 @@ def exact_inputs(
 
 
 def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
-    """Convert derivatives by scaled moments to derivatives by moments in kg m^2, in place.
+    """Convert derivatives by scaled moments to derivatives by moments in kg m^2.
 
-    `exact_inputs` has divided the moments by a power of two.
+    The arrays are changed in place.  `exact_inputs` has divided the moments by a power of two.
     """
     unit = 2.0 ** _over_power_of_two(inertia)[1]
     for derivatives in found[2:4]:
@@ -69,9 +72,10 @@ def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
 
 
 def pair(value: Fraction) -> DoubleDouble:
-    """Return the double nearest to a number, and the double nearest to the remainder.
+    """Round a number to a sum of two doubles.
 
-    The first is zero only if the number is zero.
+    These are the double nearest to the number, and the double nearest to the remainder.  The first
+    is zero only if the number is zero.
 
     >>> pair(Fraction(1, 10))
     (0.1, -5.551115123125783e-18)
@@ -83,7 +87,10 @@ def pair(value: Fraction) -> DoubleDouble:
 
 
 def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
-    """Make moments equal that differ by less than INDISTINCT of the smallest."""
+    """Make moments of inertia equal where their relative difference is below INDISTINCT.
+
+    The difference is relative to the smallest moment.
+    """
     merged, least = list(moments), min(moments) * INDISTINCT
     order = sorted(range(3), key=lambda k: moments[k])
     for low, high in pairwise(order):
@@ -93,7 +100,10 @@ def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
 
 
 def _over_power_of_two(values: Sequence[Fraction]) -> tuple[tuple[Fraction, ...], int]:
-    """Divide by the power of two that puts the largest in [1, 2); also return its exponent."""
+    """Scale numbers by a power of two so that the largest absolute value is in [1, 2).
+
+    Returns the scaled numbers and the exponent of the divisor.
+    """
     largest = max(map(abs, values))
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length() if largest else 0
     if largest and largest < Fraction(2) ** exponent:

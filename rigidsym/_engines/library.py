@@ -1,4 +1,4 @@
-"""Calls of compiled functions through the prototypes in a generated header."""
+"""Calls of compiled C functions with arguments checked against a header's prototypes."""
 
 import ctypes
 import operator
@@ -20,12 +20,12 @@ _PLAIN = {"double": c_double, "int": c_int, "size_t": c_size_t}
 
 
 class LibraryError(Exception):
-    """File that is not a library built from the sources."""
+    """Error for a file that is not a library built from the expected sources."""
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """Parameter of a C function as its prototype declares it.
+    """Parameter of a C function, as declared in its prototype.
 
     least: the number of elements that a pointer must have.
     """
@@ -39,9 +39,10 @@ class Parameter:
     may_be_null: bool
 
     def given(self, value: Any, sizes: Mapping[str, int]) -> Any:
-        """Convert an argument for ctypes; raise TypeError for another type than declared.
+        """Convert a Python value to the ctypes argument of this parameter.
 
-        A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.
+        A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.  Raises
+        TypeError for another type than declared.
         """
         found = self._address(value, sizes) if self.is_pointer else self._number(value)
         if found is None and not (value is None and self.may_be_null):
@@ -52,7 +53,10 @@ class Parameter:
         return found
 
     def _address(self, value: Any, sizes: Mapping[str, int]) -> int | None:
-        """Return the address of memory that this pointer can have; None for other values."""
+        """Return the address of an array's memory if this pointer parameter can have it.
+
+        Returns None for other values.
+        """
         kind = _PLAIN.get(self.type)
         if isinstance(value, np.ndarray):
             flags = value.flags
@@ -69,7 +73,10 @@ class Parameter:
         return ctypes.addressof(value) if fits and ctypes.sizeof(value) >= least else None
 
     def _number(self, value: Any) -> float | int | None:
-        """Return a number as this type has it; None for other values."""
+        """Convert a number to this parameter's type.
+
+        Returns None for values that the type does not have.
+        """
         if isinstance(value, bool | str):
             return None
         try:
@@ -85,14 +92,17 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """C function as its prototype declares it."""
+    """Signature of a C function, as declared in its prototype."""
 
     name: str
     result: type[c_char_p | c_double | c_int | c_size_t]
     parameters: tuple[Parameter, ...]
 
     def arguments(self, given: tuple[Any, ...], sizes: Mapping[str, int]) -> list[Any]:
-        """Convert all arguments for ctypes; raise TypeError for a wrong number or type."""
+        """Convert Python values to the ctypes arguments of this function.
+
+        Raises TypeError for a wrong number or type.
+        """
         if len(given) != len(self.parameters):
             names = ", ".join(x.name for x in self.parameters)
             rule = f"{self.name} takes {len(self.parameters)} arguments ({names})"
@@ -101,7 +111,9 @@ class Signature:
 
 
 def signatures(header: str) -> dict[str, Signature]:
-    """Parse the prototypes of a generated header; return the functions by name.
+    """Parse the function prototypes in a generated C header.
+
+    Returns the signatures by the functions' names.
 
     >>> found = signatures("int f(size_t n, const double x[3], int *codes /* or NULL */);")
     >>> [x.text for x in found["f"].parameters]
@@ -130,11 +142,12 @@ def _parameters(text: str) -> tuple[Parameter, ...]:
 
 
 class Library:
-    """Compiled functions as attributes, named without the module's prefix.
+    """Shared library with its C functions as attributes.
 
-    A call with a wrong number of arguments, or a wrong one, raises TypeError.  `raw` has the same
-    functions for engines, which pass addresses of arrays that they have checked: other types raise
-    there, too.  It also has the header's constants, in capitals.
+    Attributes are named without the module's prefix.  A call with a wrong number of arguments, or a
+    wrong one, raises TypeError.  `raw` has the same functions for engines, which pass addresses of
+    arrays that they have checked: other types raise there, too.  It also has the header's
+    constants, in capitals.
     """
 
     def __init__(self, shared: ctypes.CDLL, header: str, stem: str) -> None:
@@ -171,7 +184,10 @@ class Library:
 
 
 def load(path: Path, sources: Mapping[str, str]) -> Library:
-    """Load the library in a file; raise LibraryError unless it was built from the sources."""
+    """Load a shared library that was built from given sources.
+
+    Raises LibraryError if it cannot be loaded or was built from other sources.
+    """
     header = next(name for name in sources if name.endswith(".h"))
     try:
         library = Library(ctypes.CDLL(str(path)), sources[header], PurePath(header).stem)
@@ -186,7 +202,7 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
 
 
 def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError if options of the compiler broke the arithmetic of a library."""
+    """Raise LibraryError if compiler options broke the floating-point arithmetic of a library."""
     one, size = np.ones(4), ctypes.sizeof(c_double)
     if "body_init" in library.signatures:
         code = library.body_init((c_double * -(-library.body_size() // size))(), one)
@@ -198,7 +214,7 @@ def check_arithmetic(library: Library) -> None:
 
 
 def written_digest(sources: Mapping[str, str]) -> str | None:
-    """Return the digest in a comment of the sources; None without one."""
+    """Return the digest that a comment in the sources states, or None without one."""
     text = "\n".join(sources.values())
     found = re.search(r"^\W*digest ([0-9a-f]{64})\b", text, re.MULTILINE)
     return found[1] if found else None

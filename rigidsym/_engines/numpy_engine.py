@@ -1,4 +1,4 @@
-"""The engine on the generated NumPy module, which needs no compiler."""
+"""The engine that computes states by the generated NumPy module."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -22,24 +22,30 @@ _BODIES = 4096
 
 @dataclass(frozen=True, slots=True)
 class NumpyEngine(Engine):
-    """Engine on `rigidsym.generated.torque_free` or a module like it."""
+    """Engine that calls a generated NumPy module.
+
+    By default this is `rigidsym.generated.torque_free`.
+    """
 
     module: Any = torque_free
 
     @property
     def has_sensitivities(self) -> bool:
-        """True if the module has sensitivities."""
+        """True if the NumPy module can compute derivatives of states."""
         return hasattr(self.module, "sensitivities")
 
     def _called(self, function: Callable[..., Any], *given: Any) -> Any:
-        """Call a function of the module; raise EngineError where the module refuses."""
+        """Call a function of the NumPy module.
+
+        Raises EngineError if the module refuses the arguments.
+        """
         try:
             return function(*given)
         except self.module._RefusedError as error:
             raise EngineError(error.field, error.rule, error.body, error.time) from None
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion by the NumPy module."""
+        """Compute the constants of one motion by the NumPy module."""
         return self._called(self.module.prepare, inertia, omega0, attitude0)
 
     def _prepare_pairs(self, given: "ExactInputs") -> Prepared:
@@ -48,7 +54,7 @@ class NumpyEngine(Engine):
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
-        """Return states at times by the NumPy module."""
+        """Compute states at times by the NumPy module."""
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*prepared["shape"], *times.shape), times)
@@ -61,7 +67,7 @@ class NumpyEngine(Engine):
         errors: str = "raise",
         columns: Iterable[str] | None = None,
     ) -> Sensitivities:
-        """Return states and derivatives at times by the NumPy module."""
+        """Compute states and their derivatives at times by the NumPy module."""
         self._check_has_sensitivities()
         names = arrays.columns(columns)
         return self._called(self.module.sensitivities, prepared, t, errors, names)
@@ -69,7 +75,7 @@ class NumpyEngine(Engine):
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """Return states at the doubles nearest to start + k step."""
+        """Compute states at the doubles nearest to the times start + k step."""
         return self.states(prepared, start + step * np.arange(count), out)
 
     def _fill(
@@ -99,7 +105,10 @@ class NumpyEngine(Engine):
 
 
 def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
-    """Yield blocks of bodies as slices, with their rows (B, 3), (B, 3) and (B, 4)."""
+    """Divide a batch into blocks of bodies, and yield their slices and inputs.
+
+    Inputs are rows (B, 3), (B, 3) and (B, 4).
+    """
     leading = batch.leading
     whole = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in batch.bodies.values()]
     for first in range(0, batch.number, _BODIES):

@@ -1,4 +1,4 @@
-"""Single steps of many bodies by NumPy or C, and integrations under a torque by C."""
+"""Single time steps of many bodies by NumPy or C, and integration under torques by C."""
 
 import ctypes
 import struct
@@ -48,7 +48,7 @@ class _Splitting(ctypes.Structure):
 
 @dataclass(frozen=True, slots=True)
 class Kicks:
-    """Arguments of an integration in C: bodies, torque and splitting method.
+    """Bodies, torque and splitting method of an integration in C.
 
     Arrays are contiguous and float64.
 
@@ -67,23 +67,30 @@ class Kicks:
 
 
 def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
-    """Return the address of row `first` and the stride of rows, 0 if one row serves all."""
+    """Return the memory address of a row, and the stride between rows.
+
+    The stride is 0 if all bodies share one row.
+    """
     stride = rows.size // len(rows) if len(rows) > 1 else 0
     return rows.ctypes.data + first * stride * _DOUBLE, stride
 
 
 class Stepper(ABC):
-    """Engine of single steps, on a generated module of the form `step`."""
+    """Abstract engine of single time steps of torque-free motion.
+
+    It uses a generated module of the form `step`.
+    """
 
     __slots__ = ()
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """Write the states of B bodies after dt to out, which may be (q, omega).
+        """Compute the states of many bodies after a time step into given arrays.
 
-        inertia (B, 3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece
-        of memory.  Raises EngineError with the index of the first body that is refused.
+        out: the arrays, which may be (q, omega) themselves; B: the number of bodies.  inertia (B,
+        3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece of memory.
+        Raises EngineError with the index of the first body that is refused.
         """
         if len(q) == 1:
             moments, start = tuple(inertia[0].tolist()), (q[0].tolist(), omega[0].tolist())
@@ -101,21 +108,28 @@ class Stepper(ABC):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Return q (4,) and omega (3,) of one body after dt, with the same bits as `step`.
+        """Return the state of one body after a time step.
 
-        They are new arrays, or those of out.  Return None, and write nothing, for a body that
-        `step` refuses or that leaves binary64 on the way.
+        It is q (4,) and omega (3,) after dt, with the same bits as `step`.  They are new arrays, or
+        those of out.  Return None, and write nothing, for a body that `step` refuses or that leaves
+        binary64 on the way.
         """
 
     @abstractmethod
     def _steps(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """Write the states of all bodies after dt, or raise EngineError."""
+        """Compute the states of many bodies after a time step.
+
+        Raises EngineError for the first body that is refused.
+        """
 
 
 class NumpyStepper(Stepper):
-    """Stepper on `rigidsym.generated.torque_free_step` or a module like it."""
+    """Stepper that calls a generated NumPy module.
+
+    By default this is `rigidsym.generated.torque_free_step`.
+    """
 
     __slots__ = ("_body", "_module")
 
@@ -139,7 +153,10 @@ class NumpyStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Step one body by the NumPy module; return None for a body that it refuses."""
+        """Advance one body by a time step of the NumPy module.
+
+        Returns None for a body that the module refuses.
+        """
         try:
             after = self._module.step_one(self._body(inertia), q, omega, dt)
         except (ValueError, ArithmeticError):
@@ -151,7 +168,7 @@ class NumpyStepper(Stepper):
 
 
 class _Memory(threading.local):
-    """Memory of each thread for one state, with its addresses and arrays."""
+    """Thread-local memory for one state, with its addresses and arrays."""
 
     def __init__(self) -> None:
         state = (ctypes.c_double * 7)()
@@ -160,7 +177,10 @@ class _Memory(threading.local):
 
 
 class CStepper(Stepper):
-    """Stepper on the compiled torque_free_step.c; threads share the bodies."""
+    """Stepper that calls the compiled C module.
+
+    The module is torque_free_step.c.  Threads share the bodies.
+    """
 
     __slots__ = ("_body", "_library", "_memory", "_put", "_step")
 
@@ -171,7 +191,7 @@ class CStepper(Stepper):
 
         @lru_cache(_KEPT)
         def prepared(inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
-            """Return the constants of a body, or None if C refuses it."""
+            """Return the constants of a body, or None if the C library refuses the body."""
             body = (ctypes.c_double * size)()
             return None if raw.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
 
@@ -200,7 +220,10 @@ class CStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Step one body by the C library; return None for a body that it refuses."""
+        """Advance one body by a time step of the C library.
+
+        Returns None for a body that the library refuses.
+        """
         body = self._body(inertia)
         state, at_q, at_omega, q_after, omega_after = self._memory.state
         self._put(state, 0, *q, *omega)
@@ -215,9 +238,10 @@ class CStepper(Stepper):
     def integrate(
         self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
     ) -> None:
-        """Integrate bodies q (B, 4), omega (B, 3) in place; threads share the bodies.
+        """Integrate the motion of bodies under a torque, in place.
 
-        span: the time begin (s), the step (s), and the first and last number of steps.  Raises
+        q (B, 4), omega (B, 3): the states, which are overwritten.  Threads share the bodies.  span:
+        the time begin (s), the step (s), and the first and last number of steps.  Raises
         EngineError for the first body that is refused; states are undefined then.
         """
         begin, step, first, last = span
@@ -243,7 +267,10 @@ class CStepper(Stepper):
     def _run(
         self, piece: Callable[[int, int], tuple[int, int] | None], count: int, parts: int, some: int
     ) -> None:
-        """Run pieces of bodies by threads; raise EngineError for the first refused body."""
+        """Share the computation of many bodies among threads.
+
+        Raises EngineError for the first refused body.
+        """
         for refused in threads.in_parts(piece, count, parts, some):
             if refused:
                 code, body = refused

@@ -1,4 +1,4 @@
-"""Sharing of work among threads, with results that do not depend on their number.
+"""Division of work among threads, with results that do not depend on their number.
 
 Threads are kept from one call to the next.  Each takes the next piece when it is done with one, the
 caller's among them, so that a thread which starts late, or not at all, delays nothing.
@@ -26,7 +26,7 @@ _kept: list[ThreadPoolExecutor] = []
 
 
 def threads(states: int) -> int:
-    """Return how many threads are worth using for a number of states."""
+    """Return the number of threads to use for computing a number of states."""
     wanted = min(_MOST, states // (_LEAST * PIECE))
     return min(wanted, processors()) if wanted > 1 else 1
 
@@ -34,9 +34,10 @@ def threads(states: int) -> int:
 def in_parts(
     work: Callable[[int, int], Result], count: int, parts: int, piece: int
 ) -> list[Result]:
-    """Run work(begin, end) on pieces of range(count); return the results in order.
+    """Run a function on pieces of a range in several threads, and return the results in order.
 
-    The first error of a piece is raised once all threads are done.
+    It is called as work(begin, end) on pieces of range(count).  The first error of a piece is
+    raised once all threads are done.
     """
     if parts == 1:
         return [work(0, count)]
@@ -73,7 +74,10 @@ def processors() -> int:
 
 
 def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
-    """Start helper threads; none if the interpreter is shutting down."""
+    """Start helper threads that run a function.
+
+    None are started if the interpreter is shutting down.
+    """
     with suppress(RuntimeError), _LOCK:
         if not _kept:
             _kept.append(ThreadPoolExecutor(_MOST - 1, "rigidsym"))
@@ -82,7 +86,7 @@ def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
 
 
 def _forget() -> None:
-    """Reset threads and lock in a forked process, which inherits no threads."""
+    """Reset the thread pool and its lock in a forked process, which inherits no threads."""
     global _LOCK
     _LOCK = threading.Lock()
     _kept.clear()

@@ -1,4 +1,4 @@
-"""Case files, tables of states, and exports for other programs: CCSDS messages and splines."""
+"""Case files, tables of states, CCSDS attitude messages, and attitude splines."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -11,7 +11,10 @@ __all__ = ["Track", "aem", "rotation_spline", "sampled"]
 
 
 def __getattr__(name: str) -> object:
-    """Import a public name at its first use, because reading files needs no motions."""
+    """Import a public name of this package when it is first used.
+
+    Modules that only read files are then imported without those of motions.
+    """
     if name not in __all__:
         raise AttributeError(f"module 'rigidsym.io' has no attribute {name!r}")
     home = "attitude_ephemeris" if name == "aem" else "tracks"

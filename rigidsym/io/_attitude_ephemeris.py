@@ -1,4 +1,6 @@
-"""CCSDS attitude ephemeris messages: written by 504.0-B-2, read by 504.0-B-1 and -2, in KVN.
+"""Writer and reader of CCSDS attitude ephemeris messages (AEM).
+
+Messages are in KVN.  They are written by the standard 504.0-B-2 and read by 504.0-B-1 and -2.
 
 The quaternion of a message is "from frame A to frame B": of the rotation that carries the axes of A
 into those of B (annex F2.1).  With A inertial and B the body it turns components along B into
@@ -52,7 +54,9 @@ def aem(
     time_system: str = "UTC",
     creation_date: str | None = None,
 ) -> str:
-    """Write one or several tracks as a CCSDS attitude ephemeris message (AEM), in ASCII.
+    """Write one or several tracks as a CCSDS attitude ephemeris message (AEM).
+
+    The message is in ASCII.
 
     Parameters
     ----------
@@ -118,7 +122,10 @@ def aem(
 
 
 def _check_order(instants: Sequence[Sequence[int]]) -> None:
-    """Raise InputError unless times increase within and between segments (4.2.4.8.1)."""
+    """Raise InputError unless times increase within and between segments.
+
+    The standard asks for this in 4.2.4.8.1.
+    """
     for within in instants:
         for k, (one, other) in enumerate(pairwise(within), 1):
             if other <= one:
@@ -130,7 +137,10 @@ def _check_order(instants: Sequence[Sequence[int]]) -> None:
 
 
 def text_value(field: str, text: str) -> str:
-    """Return a text value; raise InputError unless the standard allows it (6.6, 6.8.6 to 6.8.8)."""
+    """Return a text value that the CCSDS standard allows.
+
+    Raises InputError for other values (6.6, 6.8.6 to 6.8.8).
+    """
     if not isinstance(text, str) or not _PRINTABLE.fullmatch(text):
         raise InputError(field, ascii(text), "must be printable ASCII characters on one line")
     if text != " ".join(text.split()):
@@ -144,9 +154,10 @@ def text_value(field: str, text: str) -> str:
 
 
 def _segment(track: Track, instants: Sequence[int], names: Message, rates: bool) -> list[str]:
-    """Return the lines of one segment: metadata (table 4-3), then data (table 4-4).
+    """Return the lines of one message segment, which are its metadata and its data.
 
-    USEABLE_START_TIME and USEABLE_STOP_TIME are optional: the states are good to both ends.
+    Metadata are those of table 4-3, and data those of table 4-4. USEABLE_START_TIME and
+    USEABLE_STOP_TIME are optional: the states are good to both ends.
     """
     system, digits = names["TIME_SYSTEM"], epochs.decimals(instants)
     times = [epochs.printed(instant, system, digits) for instant in instants]
@@ -178,7 +189,7 @@ def _fields(fields: Message) -> list[str]:
 
 
 def message_fields(table: object, known: Collection[str] = MESSAGE_FIELDS) -> Message:
-    """Check the table [message] of a file, and return its fields as arguments of `aem`.
+    """Convert the table [message] of a file to arguments of `aem`.
 
     Dates are strings or TOML's own.  Raises InputError for the first unknown key, and for text that
     the standard does not allow.
@@ -215,10 +226,10 @@ class Ephemeris:
 
 
 def read(text: str) -> Ephemeris:
-    """Parse an attitude ephemeris message; raise InputError for the first wrong line.
+    """Parse an attitude ephemeris message.
 
     Quaternions are read, with angular velocities or without.  Several segments are read as one
-    track if they have the same frames.
+    track if they have the same frames.  Raises InputError for the first wrong line.
     """
     first, ticks, rows, widths = "", [], [], set()
     for number, metadata, line in _states(text):
@@ -242,7 +253,7 @@ def read(text: str) -> Ephemeris:
 
 
 def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
-    """Yield each line of data as its number, the metadata of its segment, and its text."""
+    """Yield the line number, the segment's metadata and the text of each data line."""
     metadata: dict[str, str] = {}
     frames: tuple[str | None, ...] | None = None
     inside = False
@@ -267,7 +278,7 @@ def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
 
 
 def _row(where: str, values: list[str], metadata: dict[str, str], width: int) -> list[float]:
-    """Convert the numbers of a line to a quaternion, scalar first, and rates in deg/s."""
+    """Convert the numbers of a data line to a scalar-first quaternion and rates in deg/s."""
     try:
         numbers = [float(x) for x in values]
     except ValueError:

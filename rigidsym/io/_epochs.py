@@ -1,4 +1,4 @@
-"""Epochs as text and as instants, exact to 1e-14 s, with leap seconds.
+"""Conversion of epochs between text and whole ticks of 1e-14 s, with leap seconds.
 
 An instant is a whole number of ticks of 1e-14 s since 0001-01-01T00:00:00 of its own time system,
 counted by that system's clock: days of 86400 s, and in UTC the leap seconds besides.
@@ -46,9 +46,10 @@ _FORMAT = "must be YYYY-MM-DDThh:mm:ss[.d...] or YYYY-DDDThh:mm:ss[.d...]"
 
 
 def parse(field: str, text: str, system: str) -> int:
-    """Parse an epoch (CCSDS 504.0-B-2, 6.8.9) into an instant; in UTC it may end in Z.
+    """Parse the text of an epoch to an instant, in ticks of 1e-14 s.
 
-    23:59:60 is an epoch on days with a leap second.  Raises InputError.
+    The format is that of CCSDS 504.0-B-2, 6.8.9. In UTC the text may end in Z. 23:59:60 is an epoch
+    on days with a leap second.  Raises InputError.
     """
     if system not in TIME_SYSTEMS:
         rule = f"must be one of: {', '.join(TIME_SYSTEMS)}"
@@ -83,7 +84,7 @@ def parse(field: str, text: str, system: str) -> int:
 
 
 def later(instant: int, seconds: float) -> int:
-    """Add seconds to an instant, rounded to a tick.
+    """Add seconds, rounded to a tick of 1e-14 s, to an instant.
 
     A double is taken as its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
     gives the same double.
@@ -92,7 +93,10 @@ def later(instant: int, seconds: float) -> int:
 
 
 def decimals(instants: Iterable[int]) -> int:
-    """Return how many decimals of a second, at least 3, write all instants exactly."""
+    """Return the least number of decimals of a second that writes all instants exactly.
+
+    It is at least 3.
+    """
     common = math.gcd(SECOND, *instants)
     count = DECIMALS
     while count > FEWEST_DECIMALS and common % 10 == 0:
@@ -102,7 +106,7 @@ def decimals(instants: Iterable[int]) -> int:
 
 
 def printed(instant: int, system: str, digits: int) -> str:
-    """Write an instant as YYYY-MM-DDThh:mm:ss with `digits` decimals.
+    """Format an instant as YYYY-MM-DDThh:mm:ss with `digits` decimals.
 
     Raises InputError outside of the years with four digits, and for UTC before 1972.
     """

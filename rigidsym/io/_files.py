@@ -1,4 +1,7 @@
-"""Reading of text and TOML files with one-line errors, and atomic writing."""
+"""Functions that read text and TOML files and write files atomically.
+
+Errors have one-line messages.
+"""
 
 import os
 import tempfile
@@ -19,7 +22,7 @@ _READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
 
 
 def probe(directory: Path) -> None:
-    """Create a directory; raise InputError if files cannot be written there."""
+    """Create a directory, and raise InputError if no file can be written there."""
     try:
         directory.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory):
@@ -29,7 +32,10 @@ def probe(directory: Path) -> None:
 
 
 def read_text(field: str, path: str | Path) -> str:
-    """Return the text of a user's file; raise InputError if it cannot be read or is not UTF-8."""
+    """Return the text of a user's file.
+
+    Raises InputError if the file cannot be read or is not UTF-8.
+    """
     try:
         return Path(path).read_text("utf-8")
     except OSError as error:
@@ -47,7 +53,10 @@ def parse_toml(field: str, text: str) -> TomlTable:
 
 
 def subtable(field: str, value: object, known: Collection[str]) -> TomlTable:
-    """Return a field that is a table with known keys; raise InputError otherwise."""
+    """Check that a TOML value is a table with known keys only, and return it.
+
+    Raises InputError otherwise.
+    """
     if not isinstance(value, Mapping):
         raise InputError(field, repr(value), f"must be a table of {', '.join(sorted(known))}")
     check_keys(field, value, known)
@@ -57,7 +66,7 @@ def subtable(field: str, value: object, known: Collection[str]) -> TomlTable:
 def check_keys(
     field: str, table: TomlTable, known: Collection[str], needed: Collection[str] = ()
 ) -> None:
-    """Raise InputError for an unknown key, and for a needed key that is missing."""
+    """Raise InputError if a TOML table has an unknown key or lacks a needed one."""
     for key in table:
         if key not in known:
             rule = f"is not one of: {', '.join(sorted(known))}"
@@ -70,12 +79,18 @@ def check_keys(
 
 
 def write_text(path: Path, text: str) -> Path:
-    """Write text under a temporary name and move it into place; raise InputError on failure."""
+    """Write a text file atomically.
+
+    Raises InputError if that fails.
+    """
     return write_bytes(path, text.encode("utf-8"))
 
 
 def write_all(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path]:
-    """Write files by name to a directory, each as `write_bytes` does, and return their paths."""
+    """Write several files to a directory atomically, and return their paths.
+
+    The contents are given by file name.
+    """
     return [
         write_bytes(directory / name, data.encode("utf-8") if isinstance(data, str) else data)
         for name, data in contents.items()
@@ -83,7 +98,10 @@ def write_all(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path
 
 
 def write_bytes(path: Path, data: bytes) -> Path:
-    """Write bytes under a temporary name and move them into place; raise InputError on failure."""
+    """Write a binary file atomically.
+
+    The file is written under a temporary name and then renamed.  Raises InputError if that fails.
+    """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)

@@ -27,20 +27,29 @@ Row = tuple[Number, list[Number], list[Number]]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Rows of time, attitude and rates; `parts` names the parts of numbers that are balls."""
+    """Table of states, with a row of time, attitude and rates for each.
+
+    Numbers are decimal strings or balls; `parts` has the names of a ball's parts.
+    """
 
     rows: list[Row]
     parts: tuple[str, ...] = ()
 
 
 def doubles(case: Case) -> Table:
-    """Compute the states in float64, written as the shortest decimals of the doubles."""
+    """Compute the table of a case's states in float64.
+
+    Numbers are written as the shortest decimals of the doubles.
+    """
     times = inputs.doubles("times", case.times)
     return _table(times, case.motion(times), repr, lambda x: repr(float(x)))
 
 
 def decimals(case: Case, digits: int, **how: Any) -> Table:
-    """Compute the states to `digits` digits; `how` are other arguments of `precise`."""
+    """Compute the table of a case's states to `digits` significant digits.
+
+    how: other arguments of `precise`.
+    """
     from mpmath import mp
 
     def text(x: "mpf") -> str:
@@ -51,7 +60,10 @@ def decimals(case: Case, digits: int, **how: Any) -> Table:
 
 
 def balls(case: Case, digits: int, **how: Any) -> Table:
-    """Enclose the states in decimal balls; `how` are other arguments of `enclose`."""
+    """Compute the table of a case's states as decimal balls that contain the true values.
+
+    how: other arguments of `enclose`.
+    """
     from rigidsym.precise._printed import printed_ball, printed_rational
 
     states = case.motion.enclose(list(case.times), digits, **how)
@@ -75,7 +87,10 @@ def _table(
 
 
 def to_csv(table: Table) -> bytes:
-    """Write a table as CSV; a ball takes two columns, such as q0_mid and q0_rad."""
+    """Convert a table of states to CSV.
+
+    A ball takes two columns, such as q0_mid and q0_rad.
+    """
     columns = [f"{c}_{part}" for c in COLUMNS for part in table.parts] or COLUMNS
     lines = [",".join(columns)]
     for t, q, omega in table.rows:
@@ -85,13 +100,19 @@ def to_csv(table: Table) -> bytes:
 
 
 def to_json(table: Table) -> bytes:
-    """Write a table as JSON (rigidsym.states/1); numbers are decimal strings, or balls of two."""
+    """Convert a table of states to JSON.
+
+    The schema is rigidsym.states/1.  Numbers are decimal strings, or balls with two of them.
+    """
     states = [{"t": t, "q": q, "omega": omega} for t, q, omega in table.rows]
     return (json.dumps({"schema": SCHEMA, "states": states}, indent=1) + "\n").encode()
 
 
 def to_npz(table: Table) -> bytes:
-    """Write a table as NPZ with float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
+    """Convert a table of states to a NumPy archive (NPZ).
+
+    The archive has float64 arrays t (N,), q (N, 4) and omega (N, 3).
+    """
     t, q, omega = (np.array([row[k] for row in table.rows], dtype=float) for k in range(3))
     buffer = io.BytesIO()
     np.savez(buffer, t=t, q=q.reshape(-1, 4), omega=omega.reshape(-1, 3))

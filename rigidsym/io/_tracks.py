@@ -1,4 +1,4 @@
-"""Tracks, which are sampled states for export, and splines through them."""
+"""Tracks of sampled states for export, and splines through their attitudes."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """Attitudes and rates at increasing times; at least one state.
+    """Attitudes and body rates at a list of increasing times.
+
+    There is at least one state.
 
     Parameters
     ----------
@@ -51,7 +53,10 @@ class Track:
         object.__setattr__(self, "omega", self._rows("omega", 3))
 
     def _rows(self, name: str, width: int) -> np.ndarray:
-        """Return a copy of an array (N, width); raise InputError for another shape."""
+        """Return a copy of a field that must be an array (N, width).
+
+        Raises InputError for another shape.
+        """
         array = np.array(batches.array(name, getattr(self, name)))
         if array.shape != (self.times.size, width):
             rule = f"must have the shape ({self.times.size}, {width}), a row for each time"
@@ -60,7 +65,7 @@ class Track:
 
 
 def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
-    """Sample a motion at times as a track.
+    """Evaluate a motion at times, and return the states as a track.
 
     Parameters
     ----------
@@ -84,7 +89,10 @@ def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
 
 
 def _unit(q: np.ndarray) -> np.ndarray:
-    """Normalise quaternions, without overflow; raise InputError for a zero quaternion."""
+    """Normalise quaternions without overflow.
+
+    Raises InputError for a zero quaternion.
+    """
     most = np.max(np.abs(q), axis=1, keepdims=True)
     for k in np.flatnonzero(most == 0)[:1]:
         raise InputError(f"q[{k}]", q[k].tolist(), "must not be zero")
@@ -93,13 +101,13 @@ def _unit(q: np.ndarray) -> np.ndarray:
 
 
 def rotation_spline(track: Track) -> "RotationSpline":
-    """Interpolate the attitudes of a track by a SciPy RotationSpline, body to inertial.
+    """Interpolate the attitudes of a track by a SciPy RotationSpline.
 
-    It is cubic between the times, with continuous rates and angular accelerations.  Where the times
-    are h apart, the angle between it and the motion decreases as h^4, but at both ends as h^2,
-    because SciPy takes the mean rates of the first and of the last interval for the rates at the
-    ends.  This error decreases by a factor of about 4 with each interval, so sample some intervals
-    further than needed.
+    The rotations are from body to inertial axes.  The spline is cubic between the times, with
+    continuous rates and angular accelerations.  Where the times are h apart, the angle between it
+    and the motion decreases as h^4, but at both ends as h^2, because SciPy takes the mean rates of
+    the first and of the last interval for the rates at the ends.  This error decreases by a factor
+    of about 4 with each interval, so sample some intervals further than needed.
 
     Parameters
     ----------

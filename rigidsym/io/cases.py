@@ -1,4 +1,4 @@
-"""Case files: one motion and its times, as TOML."""
+"""Reader of case files, which define a motion and its times in TOML."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -19,7 +19,7 @@ _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion, its times, and the fields of its attitude ephemeris message."""
+    """A motion, the times to evaluate it at, and the fields of its CCSDS message."""
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
@@ -40,12 +40,18 @@ def paper_case() -> Case:
 
 
 def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
-    """Read a case file; raise InputError for the first mistake."""
+    """Read a case file.
+
+    Raises InputError for the first mistake.
+    """
     return parse_case(read_text("case", path), allow_nonphysical)
 
 
 def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
-    """Parse a case from TOML; numbers are floats, or strings, which are exact decimals."""
+    """Parse the TOML text of a case.
+
+    Numbers are floats, or strings, which are exact decimals.
+    """
     data = parse_toml("case", text)
     check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
     motion = TorqueFreeMotion(
@@ -64,7 +70,7 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
 
 
 def _grid(table: TomlTable) -> tuple[Fraction, ...]:
-    """Return equally spaced times from a table of start, stop and count."""
+    """Return equally spaced times from a TOML table with start, stop and count."""
     if set(table) != {"start", "stop", "count"}:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")
     start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))

@@ -1,4 +1,4 @@
-"""The sealed ledger, its seal and the specification, as files of the package."""
+"""Access to the package's files of proofs: the ledger, its seal, and the specification."""
 
 import hashlib
 import json
@@ -11,15 +11,16 @@ SEAL = "ledger.sha256"
 
 
 def ledger_text() -> str:
-    """Return the text of the ledger that came with this installation."""
+    """Return the text of the installed ledger of proofs."""
     return _derived("ledger.json", "run `rigidsym derive --in-place` to write it")
 
 
 def sealed_text() -> str:
-    """Return the text of the ledger; raise LedgerError unless it is as it was sealed.
+    """Return the text of the installed ledger if it agrees with its seal.
 
     Certificates are not replayed for numbers: a digest that `rigidsym derive` leaves beside the
-    ledger certifies that they were.  It detects accidental changes and edits by hand.
+    ledger certifies that they were.  It detects accidental changes and edits by hand.  Raises
+    LedgerError if the text and its seal disagree.
     """
     text = ledger_text()
     if seal(text) != _derived(SEAL, "run `rigidsym derive --in-place` to write it"):
@@ -31,12 +32,12 @@ def sealed_text() -> str:
 
 
 def seal(text: str) -> str:
-    """Return the text of a ledger's seal, which has its SHA-256 digest."""
+    """Return the text of a ledger's seal, which contains the ledger's SHA-256 digest."""
     return f"{hashlib.sha256(text.encode()).hexdigest()}  ledger.json\n"
 
 
 def specification_text() -> str:
-    """Return the text of the specification that a ledger has to prove."""
+    """Return the text of the specification, which lists the theorems that a ledger must prove."""
     return _derived("specification.txt", "it comes with this package")
 
 
@@ -48,7 +49,10 @@ def _derived(name: str, advice: str) -> str:
 
 
 def ledger_data(text: str) -> dict[str, Any]:
-    """Parse the text of a ledger; raise LedgerError unless it has facts and contexts."""
+    """Parse the text of a ledger.
+
+    Raises LedgerError unless it has facts and contexts.
+    """
     try:
         data = json.loads(text)
         for part, key in (("facts", "id"), ("contexts", "name")):

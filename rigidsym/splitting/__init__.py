@@ -1,4 +1,4 @@
-"""Motion under torques, integrated by splitting methods (`integrate`)."""
+"""Numerical integration of motion under torques by splitting methods."""
 
 from rigidsym.splitting._integration import integrate
 from rigidsym.splitting._methods import METHODS, Method

@@ -1,4 +1,4 @@
-"""Choice of steps by a tolerance."""
+"""Integration with automatic steps that meet a tolerance."""
 
 from dataclasses import dataclass, replace
 
@@ -26,13 +26,13 @@ _COARSE = 128
 def chosen(
     splitting: Splitting, start: State, times: np.ndarray, tolerance: float, stops: np.ndarray
 ) -> Trajectory:
-    """Halve the steps until the estimated error is below the tolerance, and return that run.
+    """Integrate with ever shorter steps until the estimated error meets the tolerance.
 
-    The first run chooses its steps by local errors (`Panels`).  The error of a run is its
-    difference from the one before, over the ratio at which these differences fall, less 1.  Where
-    they fall too slowly, another first run is finer. stops: times at which steps begin anew, s,
-    from times[0] to times[-1].  Raises PrecisionError with the reason where no step reaches the
-    tolerance; its `trajectory` is the best.
+    The first run chooses its steps by local errors (`Panels`); each run after it halves them.  The
+    error of a run is its difference from the one before, over the ratio at which these differences
+    fall, less 1.  Where they fall too slowly, another first run is finer. stops: times at which
+    steps begin anew, s, from times[0] to times[-1].  Raises PrecisionError with the reason where no
+    step reaches the tolerance; its `trajectory` is the best.
     """
     if times.size == 1:
         return replace(run(splitting, start, times, Mesh(times.tolist(), [1.0])), error=0.0)
@@ -53,7 +53,10 @@ class _Search:
     is_stable: bool = False
 
     def found(self) -> Trajectory:
-        """Return the trajectory below the tolerance, or raise PrecisionError."""
+        """Return a trajectory whose estimated error is within the tolerance.
+
+        Raises PrecisionError if none is found.
+        """
         order = self.splitting.method.order
         first = max(self.tolerance, min(self.tolerance * _LOOSE**order, _FIRST))
         share = 1.0
@@ -71,7 +74,7 @@ class _Search:
         raise self._refused("runs with ever shorter steps do not come closer to each other")
 
     def _halved(self, last: Trajectory, panels: Panels) -> Trajectory:
-        """Repeat a run with half the steps each time, and return the last one.
+        """Halve the steps of a run repeatedly, and return the last run.
 
         It is below the tolerance, or the runs do not converge as they should.
         """
@@ -111,7 +114,7 @@ class _Search:
         return run(self.splitting, start or self.start, self.times, mesh)
 
     def _refuse_rounding(self, count: float, panels: Panels) -> None:
-        """Raise PrecisionError if rounding over `count` kicks is above the tolerance."""
+        """Raise PrecisionError if the rounding error of `count` kicks exceeds the tolerance."""
         least = rounding(count, panels.turned)
         if least > self.tolerance:
             if self.best is None:
@@ -119,7 +122,7 @@ class _Search:
             raise self._refused(f"rounding alone amounts to {least:.0e} rad")
 
     def _refuse_chaos(self, found: Trajectory) -> None:
-        """Raise PrecisionError if rounding of the start alone changes the end too much."""
+        """Raise PrecisionError if rounding of the initial state grows beyond the tolerance."""
         if self.is_stable:
             return
         q, omega = self.start.q, self.start.omega
@@ -133,7 +136,7 @@ class _Search:
         self.is_stable = True
 
     def _follow_coarsely(self) -> None:
-        """Run twice with equal steps, and keep the finer run as the best one."""
+        """Integrate twice with equal steps, and keep the finer run as the best result so far."""
         fastest = np.max(np.linalg.norm(self.start.omega, axis=-1))
         lengths = np.diff(self.stops)
         steps = lengths / (_COARSE * np.ceil(1 + lengths * fastest / 8))
@@ -151,7 +154,7 @@ class _Search:
 
 
 def gap(one: Trajectory, other: Trajectory) -> float:
-    """Return the largest difference of two trajectories in attitude or rates.
+    """Return the largest difference between the states of two trajectories.
 
     It is a rotation, rad, or a difference of rates as a part of the largest rate of that body.
     """

@@ -1,4 +1,4 @@
-"""The public function `integrate`, which checks its input and chooses how to step."""
+"""The public function `integrate`, which integrates the motion of bodies under a torque."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,7 +31,7 @@ def integrate(
     engine: str = "numpy",
     allow_nonphysical: bool = False,
 ) -> Trajectory:
-    """Integrate the motion of bodies under a torque.
+    """Integrate the motion of rigid bodies under a torque.
 
     Parameters
     ----------
@@ -157,7 +157,7 @@ def _positive(field: str, value: float) -> float:
 
 
 def _refuse_rate_dependence(splitting: Splitting, state: State, t: float) -> None:
-    """Raise InputError if the torque at the start changes with the rates.
+    """Raise InputError if the torque at the initial states depends on the rates.
 
     Kicks would then be of the first order only.
     """

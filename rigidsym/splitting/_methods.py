@@ -1,4 +1,4 @@
-"""Coefficients of splitting methods, which alternate free motions (A) and kicks (B).
+"""Coefficients of splitting methods, which alternate free motions (drifts) and kicks.
 
 Errors are those of Laskar and Robutel (Celestial Mechanics and Dynamical Astronomy 80, 39-62):
 with a torque that is epsilon times what turns the body, and steps h, a method of orders (r, s) has
@@ -15,7 +15,7 @@ _ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A symmetric splitting method: drift, kick, drift ... kick, drift.
+    """A symmetric splitting method, which alternates drifts and kicks.
 
     Attributes
     ----------
@@ -48,14 +48,17 @@ class Method:
 def _symmetric(
     drifts: tuple[float, ...], kicks: tuple[float, ...], orders: tuple[int, int], source: str
 ) -> Method:
-    """Complete a symmetric method from its first drifts and kicks."""
+    """Return the symmetric method that begins with given drifts and kicks."""
     one_kick = len(drifts) == len(kicks)
     whole = _mirrored(drifts, 2 if one_kick else 1), _mirrored(kicks, 1 if one_kick else 2)
     return Method(*whole, orders, source)
 
 
 def _mirrored(half: tuple[float, ...], middle: int) -> tuple[float, ...]:
-    """Mirror parts of a step around `middle` equal parts that complete the sum to 1."""
+    """Return a palindrome of coefficients with the sum 1, given its first half.
+
+    middle: the number of equal coefficients in the middle, which complete the sum.
+    """
     rest = (1 - 2 * fsum(half)) / middle
     return (*half, *[rest] * middle, *reversed(half))
 
@@ -103,7 +106,10 @@ METHODS = {
 
 
 def checked(name: str) -> Method:
-    """Return a method by its name; raise InputError for an unknown name."""
+    """Return the splitting method of a name.
+
+    Raises InputError for an unknown name.
+    """
     if not isinstance(name, str) or name not in METHODS:
         raise InputError("method", repr(name), f"must be one of: {', '.join(METHODS)}")
     return METHODS[name]

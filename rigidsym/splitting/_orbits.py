@@ -62,17 +62,26 @@ class KeplerOrbit:
 
     @property
     def mean_motion(self) -> float:
-        """The mean motion, rad/s; a hyperbola's follows from the size of its semi-major axis."""
+        """The mean motion, rad/s.
+
+        For a hyperbola it is computed from the absolute value of the semi-major axis.
+        """
         return math.sqrt(self.mu / self._semi_major**3)
 
     @property
     def period(self) -> float:
-        """The period, s; infinite for a hyperbola."""
+        """The orbital period, s.
+
+        It is infinite for a hyperbola.
+        """
         return 2 * math.pi / self.mean_motion if self.eccentricity < 1 else math.inf
 
     @property
     def axes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Unit vectors (3,) towards periapsis and 90 degrees ahead of it, in inertial axes."""
+        """Unit vectors of the orbital plane, in inertial axes.
+
+        The first (3,) points towards periapsis, the second one is 90 degrees ahead of it.
+        """
         (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
             (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
         )
@@ -81,7 +90,10 @@ class KeplerOrbit:
         return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
 
     def position(self, t: float) -> np.ndarray:
-        """Return the position (3,) relative to the mass point, m, in inertial axes."""
+        """Return the position relative to the mass point at a time, m.
+
+        It has the shape (3,) and is in inertial axes.
+        """
         a, e, mean_anomaly = (
             self._semi_major,
             self.eccentricity,
@@ -96,15 +108,19 @@ class KeplerOrbit:
         return along * self.axes[0] + across * self.axes[1]
 
     def tide(self, t: float) -> np.ndarray:
-        """Return the position at a time, scaled by sqrt(3 mu / r^5).
+        """Return the vector v that determines the gravity gradient at a time.
 
-        A body's gravity gradient is v x I v, N m, where v are its components (3,) in body axes.
+        It is the position relative to the mass point, scaled by sqrt(3 mu / r^5). A body's gravity
+        gradient is v x I v, N m, where v are its components (3,) in body axes.
         """
         return tidal(self.mu, self.position(t))
 
     @property
     def numbers(self) -> np.ndarray:
-        """The fields (11,) of the C struct `torque_free_orbit`."""
+        """The orbit's numbers as the fields of the C struct `torque_free_orbit`.
+
+        The array has the shape (11,).
+        """
         shape = self.mean_motion, self.epoch, self.eccentricity, self._semi_major, 3 * self.mu
         return np.array([*shape, *self.axes[0], *self.axes[1]])
 
@@ -114,16 +130,20 @@ class KeplerOrbit:
 
 
 def tidal(mu: float, position: np.ndarray) -> np.ndarray:
-    """Return the position (3,), m, scaled by sqrt(3 mu / r^5)."""
+    """Scale a position relative to a mass point to the vector v of its gravity gradient.
+
+    It is the position (3,), m, times sqrt(3 mu / r^5).
+    """
     r = math.hypot(*position)
     return math.sqrt(3 * mu / r) / (r * r) * position
 
 
 def elliptic_anomaly(mean: float, e: float) -> float:
-    """Solve E - e sin E = mean for E, rad, where |mean| <= pi and 0 <= e < 1.
+    """Solve Kepler's equation E - e sin E = mean for the eccentric anomaly E, rad.
 
-    Newton's method starts at E = pi, on the side of the mean anomaly, and comes down without
-    passing the root (Charles and Tatum, Celestial Mechanics and Dynamical Astronomy 69, 357-372).
+    It is required that |mean| <= pi and 0 <= e < 1.  Newton's method starts at E = pi, on the side
+    of the mean anomaly, and comes down without passing the root (Charles and Tatum, Celestial
+    Mechanics and Dynamical Astronomy 69, 357-372).
 
     >>> E = elliptic_anomaly(0.3, 0.9)
     >>> abs(E - 0.9 * math.sin(E) - 0.3) < 1e-15
@@ -134,10 +154,10 @@ def elliptic_anomaly(mean: float, e: float) -> float:
 
 
 def hyperbolic_anomaly(mean: float, e: float) -> float:
-    """Solve e sinh F - F = mean for F, where e > 1.
+    """Solve Kepler's equation e sinh F - F = mean for the hyperbolic anomaly F.
 
-    Newton's method starts at asinh(mean / (e - 1)), on the far side of the root, and comes down
-    without passing it.
+    It is required that e > 1.  Newton's method starts at asinh(mean / (e - 1)), on the far side of
+    the root, and comes down without passing it.
 
     >>> F = hyperbolic_anomaly(0.3, 1.2)
     >>> abs(1.2 * math.sinh(F) - F - 0.3) < 1e-15
@@ -148,7 +168,10 @@ def hyperbolic_anomaly(mean: float, e: float) -> float:
 
 
 def _newton(x: float, change: Callable[[float], float]) -> float:
-    """Solve an equation by Newton's method, whose step from x is `change(x)`."""
+    """Find a root by Newton's method from a starting value.
+
+    change: computes the step to subtract from x.
+    """
     for _ in range(_MOST_ITERATIONS):
         step = change(x)
         x -= step

@@ -1,10 +1,10 @@
-"""Adaptive meshes, chosen panel by panel from local errors and probes of the torque.
+"""Adaptive time meshes, refined by local errors and by the smoothness of the torque.
 
-A panel is covered by 1, 2, 4 and at most 32 steps.  It is accepted when the differences of these
-decrease and are small, and when the torque, probed along the panel, is smooth there and its
-integral is the impulse of the kicks.  Otherwise it is divided: around a jump or kink where the
-probes show one, else in the middle.  So no pulse is stepped over, and steps are short only where
-they have to be.
+A mesh is chosen panel by panel.  A panel is covered by 1, 2, 4 and at most 32 steps.  It is
+accepted when the differences of these decrease and are small, and when the torque, probed along the
+panel, is smooth there and its integral is the impulse of the kicks.  Otherwise it is divided:
+around a jump or kink where the probes show one, else in the middle.  So no pulse is stepped over,
+and steps are short only where they have to be.
 """
 
 from collections.abc import Callable
@@ -52,7 +52,9 @@ Panel = tuple[float, float]
 
 
 def rounding(count: float, turned: float) -> float:
-    """Estimate the rounding error, rad, of `count` kicks while a body turns by `turned` rad.
+    """Estimate the accumulated rounding error of an integration, rad.
+
+    count: number of kicks; turned: angle by which a body turns, rad.
 
     >>> 1e-15 < rounding(100.0, 1.0) < 1e-14
     True
@@ -61,11 +63,14 @@ def rounding(count: float, turned: float) -> float:
 
 
 class HopelessError(ArithmeticError):
-    """No step reaches the tolerance; the message has the reason."""
+    """Error of an integration in which no step size reaches the tolerance.
+
+    The message has the reason.
+    """
 
 
 class Panels(Mesh):
-    """Mesh that is chosen panel by panel during a run.
+    """Time mesh whose intervals (panels) are chosen one after the other during a run.
 
     stops: ends of panels, (P + 1,), s, rising; first: the error of all panels together, rad;
     tolerance: a bound of those errors that shorter steps would not reduce by the method's order;
@@ -101,12 +106,12 @@ class Panels(Mesh):
 
     @property
     def ratio(self) -> float:
-        """The ratio at which differences fall when steps are halved, over all panels."""
+        """The factor by which errors decrease when steps are halved, over all panels."""
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
     def piece(self, t: float, state: State) -> Panel:
-        """Choose the panel that begins at t; return its end and step, s.
+        """Choose the panel that begins at t, and return its end and step, s.
 
         Raises HopelessError, and whatever the torque raises.
         """
@@ -132,7 +137,7 @@ class Panels(Mesh):
             raise HopelessError(f"rounding alone amounts to {whole:.0e} rad")
 
     def _judged(self, begin: float, end: float, state: State) -> float | list[float]:
-        """Return the step of a panel, or the edges of its parts if it must be divided."""
+        """Return the step of an acceptable panel, or the edges at which to divide the panel."""
         length, middle = end - begin, [begin, (begin + end) / 2, end]
         is_last = length <= self._least
         fastest = float(np.max(_lengths(state.omega)))
@@ -157,7 +162,11 @@ class Panels(Mesh):
         return middle if found is None else found
 
     def _step(self, begin: float, end: float, state: State) -> float | list[float] | None:
-        """Return the step or the edges of parts; None if the panel must be halved."""
+        """Find a step by which the splitting method is accurate on a panel.
+
+        Returns the step, or the edges of parts around a jump or kink, or None if the panel must be
+        halved.
+        """
         length = end - begin
         blocks = self._blocks(length)
         ends = [self._by(begin, length, state, level) for level in (0, 1)]
@@ -210,7 +219,7 @@ class Panels(Mesh):
         return 1 if self._is_steady else int(np.ceil(_BLOCKS * length / self._span))
 
     def _count(self, end: float, length: float, state: State, torques: np.ndarray) -> None:
-        """Count consecutive short panels and raise HopelessError when there are too many."""
+        """Count consecutive short panels, and raise HopelessError when there are too many."""
         turn = _LONGEST / max(float(np.max(_lengths(state.omega))), _LONGEST / self._span)
         if length > _SHORT * turn:
             self._row_begin, self._in_row, self._not_smooth = end, 0, 0
@@ -227,12 +236,12 @@ class Panels(Mesh):
         return self._splitting.advance(state, begin, length / 2**level, 0, 2**level)
 
     def _apart(self, one: State, other: State, begin: float) -> float:
-        """Estimate how far two states at the end of a panel lead apart by the end of the run."""
+        """Estimate the error at the end of the run from two states at the end of a panel."""
         turns = _lengths(rotation_vectors(product(conjugate(one.q), other.q)))
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
     def _reach(self, begin: float) -> np.ndarray:
-        """Return the weight, s, of a change of rates in the error at the end of the run.
+        """Return the error at the end of the run per change of the rates, s.
 
         It turns the body until the end of the run, and it is a part of the body's rates.
         """
@@ -242,7 +251,7 @@ class Panels(Mesh):
         return self._end - begin + parts
 
     def _path(self, begin: float, length: float, state: State, after: State) -> Path:
-        """Return a function that interpolates states between the ends of a panel.
+        """Return a function that interpolates the states within a panel.
 
         It goes from the free motion before the panel to the free motion after it.
         """
@@ -265,14 +274,20 @@ class Panels(Mesh):
         return self._splitting.probe(times, states.q, states.omega)
 
     def _weights(self, begin: float, torques: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Return the error per impulse (..., 1), rad/(N m s), and update the largest rates."""
+        """Return the error at the end of the run per impulse, rad/(N m s).
+
+        It has the shape (..., 1).  This also updates the largest rates of the bodies.
+        """
         means = (torques[1:] + torques[:-1]) / 2 * _along(np.diff(times), torques)
         gained = np.max(_lengths(np.cumsum(means, axis=0)), axis=0) / self._least_moment
         self._rates = np.maximum(self._rates, gained)
         return (self._reach(begin) / self._least_moment)[..., None]
 
     def _kicked(self, path: Path, begin: float, step: float, count: int) -> np.ndarray:
-        """Sum the kicks of `count` steps along a path; return N m s, (..., 3)."""
+        """Return the sum of the kicks of `count` steps along a path of states, N m s.
+
+        It has the shape (..., 3).
+        """
         method = self._splitting.method
         into = (np.arange(count)[:, None] + np.cumsum(method.drifts[:-1])).ravel()
         kicks, found = np.tile(method.kicks, count), np.zeros(3)
@@ -284,7 +299,7 @@ class Panels(Mesh):
         return step * found
 
     def _is_moving(self, path: Path, times: np.ndarray, steps: float, weight: np.ndarray) -> bool:
-        """Return True if a jump or kink depends on the attitude and not on the time.
+        """Return True if a jump or kink of the torque depends on the attitude, not on the time.
 
         It is then not seen at three times with the state of the first.
         """
@@ -295,9 +310,9 @@ class Panels(Mesh):
     def _located(
         self, path: Path, times: np.ndarray, torques: np.ndarray, weight: np.ndarray, unseen: float
     ) -> Panel | None:
-        """Enclose a jump or kink in an interval that is too short to matter.
+        """Find a short interval of time that contains a jump or kink of the torque.
 
-        None where there is no jump or kink.
+        The interval is too short to matter.  Returns None where there is no jump or kink.
         """
         while True:
             # Second divided differences of the worst body, (M - 2,).
@@ -324,12 +339,15 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 
 def _along(numbers: np.ndarray, array: np.ndarray) -> np.ndarray:
-    """Reshape numbers (M,) to (M, 1, ...), with as many dimensions as `array`."""
+    """Append axes of length 1 to a vector so that it broadcasts along an array's first axis."""
     return numbers.reshape(-1, *[1] * (array.ndim - 1))
 
 
 def _tails(torques: np.ndarray, length: float) -> np.ndarray:
-    """Return each block's largest high Chebyshev coefficient over all bodies, times the length."""
+    """Return the size of the highest Chebyshev coefficients of the torques in each block.
+
+    It is the largest one over all bodies, times the length.
+    """
     count = (len(torques) - 1) // _DEGREE
     blocks = np.array([torques[_DEGREE * k : _DEGREE * (k + 1) + 1] for k in range(count)])
     last = np.tensordot(_TO_COEFFICIENTS[-_LAST:], blocks, (1, 1))

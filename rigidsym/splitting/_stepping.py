@@ -1,4 +1,4 @@
-"""Steps of a splitting method for a batch of bodies."""
+"""Time steps of a splitting method for a batch of bodies."""
 
 from dataclasses import dataclass, field, replace
 
@@ -19,7 +19,10 @@ _AT_ONCE = 1 << 18
 
 @dataclass(slots=True)
 class State:
-    """Attitudes (..., 4) and rates (..., 3) of bodies at one time."""
+    """Attitudes and body rates of bodies at one time.
+
+    Their shapes are (..., 4) and (..., 3).
+    """
 
     q: np.ndarray
     omega: np.ndarray
@@ -36,7 +39,7 @@ class Bodies:
     engine: str
 
     def drift(self, state: State, dt: float) -> State:
-        """Return the states after a free motion of dt seconds.
+        """Return the states of the bodies after a torque-free motion of dt seconds.
 
         States must have been checked before: they go straight to the engine, which takes less time
         than another check.
@@ -61,7 +64,10 @@ class Bodies:
         return State(q.reshape(*shape, 4), omega.reshape(*shape, 3))
 
     def drifts(self, state: State, dt: np.ndarray) -> State:
-        """Return the states (..., M, 4) and (..., M, 3) after free motions of dt (M,) seconds."""
+        """Return the states of the bodies after torque-free motions of several durations.
+
+        dt (M,), s; the states have the shapes (..., M, 4) and (..., M, 3).
+        """
         moved = engines.engine(self.engine).propagate
         try:
             return State(*moved(self.inertia, state.omega, state.q, dt))
@@ -75,7 +81,7 @@ def _refused(error: engines.EngineError) -> InputError:
 
 @dataclass(slots=True)
 class Splitting:
-    """Bodies under a torque, with the method that integrates them.
+    """Bodies under a torque, with the splitting method that integrates their motion.
 
     Kicks change the momentum at fixed attitude.  By a torque of attitude and time they are exact;
     by a `rate_dependent` one they follow the Runge-Kutta method of order four. evaluations and
@@ -90,9 +96,10 @@ class Splitting:
     probes: int = field(default=0, init=False)
 
     def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
-        """Take the steps number `first` to `last` of length `step` from the time `begin`, s.
+        """Advance the bodies by several steps of equal length.
 
-        Drifts that follow each other are one.
+        These are the steps number `first` to `last` of length `step`, s, counted from the time
+        `begin`, s.  Drifts that follow each other are one.
         """
         if (kicks := self._compiled(state)) is not None:
             try:
@@ -106,7 +113,7 @@ class Splitting:
         return self._advanced(state, begin, step, first, last)
 
     def _compiled(self, state: State) -> engines.Kicks | None:
-        """Return the arguments of the loop in C; None if C cannot compute this torque."""
+        """Return the arguments of an integration in C, or None if C cannot compute this torque."""
         torque = self.torque
         in_c = self.bodies.engine == "c" and not self.rate_dependent
         if not in_c or not isinstance(torque, DirectionTorque):
@@ -136,7 +143,7 @@ class Splitting:
         return self.bodies.drift(state, pending * step) if pending else state
 
     def _kicked(self, state: State, t: float, dt: float) -> State:
-        """Kick the rates by the torque during dt seconds, at fixed attitude and time."""
+        """Change the rates by the torque of dt seconds at fixed attitude and time."""
         q, omega = state.q, state.omega
         k1 = self.acceleration(t, q, omega)
         if not self.rate_dependent:
@@ -147,15 +154,18 @@ class Splitting:
         return State(q, omega + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
     def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return torque / inertia, rad/s^2; raise InputError for an invalid torque."""
+        """Return the torque divided by the moments of inertia, rad/s^2.
+
+        Raises InputError for an invalid torque.
+        """
         self.evaluations += 1
         return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
 
     def probe(self, times: np.ndarray, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Evaluate the torque between kicks: at times (M,), in inertial axes, N m, (M, ..., 3).
+        """Evaluate the torque at times between kicks, N m in inertial axes.
 
-        q, omega: attitudes (..., M, 4) and rates (..., M, 3).  Raises InputError for a torque that
-        is not finite.
+        The result has the shape (M, ..., 3) for times (M,). q, omega: attitudes (..., M, 4) and
+        rates (..., M, 3).  Raises InputError for a torque that is not finite.
         """
         self.probes += times.size
         found = [
@@ -180,7 +190,10 @@ class Splitting:
 
 
 def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
-    """Return the torque as an array; raise InputError for a wrong shape or for NaN."""
+    """Convert the value of a torque to an array of finite numbers.
+
+    Raises InputError for a wrong shape, and for numbers that are not finite.
+    """
     array = batches.array("torque", torque, lenient=True)
     if array.shape != shape:
         rule = f"must be of shape {shape}, as omega is (t = {t:.17g} s)"
@@ -199,7 +212,10 @@ def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
 def _advance_in_c(
     found: engines.Kicks, state: State, begin: float, step: float, numbers: tuple[int, int]
 ) -> State:
-    """Take whole steps in C; raise EngineError if the engine refuses."""
+    """Take whole steps by the compiled C library.
+
+    Raises EngineError if the engine refuses.
+    """
     shape, (first, last) = state.omega.shape[:-1], numbers
     q, omega = (np.array(arrays.rows(x, shape)) for x in (state.q, state.omega))
     integrator = engines.integrator()

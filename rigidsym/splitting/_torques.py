@@ -1,7 +1,7 @@
-"""Torques for `integrate`, N m in body axes, of many bodies at once.
+"""Common torques for `integrate`, each for many bodies at once.
 
-A torque is any callable of the time (s), attitudes (..., 4) and rates (..., 3) that returns
-(..., 3); these are the common ones.
+A torque is any callable of the time (s), attitudes (..., 4) and rates (..., 3) that returns torques
+(..., 3), N m in body axes.
 """
 
 import ctypes
@@ -23,7 +23,9 @@ _NO_TURN = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 class DirectionTorque:
-    """Torque of a vector in space with body components v: b + k v + v x (Q v - m).
+    """Torque that is a quadratic function of a vector's components in body axes.
+
+    It is b + k v + v x (Q v - m), where v are the body components of a vector in space.
 
     source: the vector, (..., 3), or an orbit, on which it is `KeplerOrbit.tide`; coefficients (...,
     13): b, k, m, and Q11, Q22, Q33, Q23, Q13, Q12.  The ledger proves (`kick`) that the last two
@@ -43,16 +45,22 @@ class DirectionTorque:
         return isinstance(self.source, np.ndarray) and self.more == (None, None)
 
     def vector(self, t: float) -> np.ndarray:
-        """Return the vector in inertial axes, (..., 3)."""
+        """Return the vector on which the torque depends, in inertial axes.
+
+        It has the shape (..., 3).
+        """
         return self.source.tide(t) if isinstance(self.source, KeplerOrbit) else self.source
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque, N m, (..., 3)."""
+        """Return the torque in body axes, N m.
+
+        It has the shape (..., 3).
+        """
         return by_direction(q, self.vector(t), self.coefficients)
 
 
 class ConstantInBody(DirectionTorque):
-    """Torque that is constant in body axes, as of a thruster.
+    """Torque that is constant in body axes, such as that of a thruster.
 
     Parameters
     ----------
@@ -80,9 +88,9 @@ class ConstantInSpace(DirectionTorque):
 
 
 class FieldPotential(DirectionTorque):
-    """Torque of a dipole m and a quadrupole Q in a constant field: energy v Q v / 2 - m v.
+    """Torque on a dipole and a quadrupole in a constant field.
 
-    v are the field's components in body axes.
+    The potential energy is v Q v / 2 - m v.  v are the field's components in body axes.
 
     Parameters
     ----------
@@ -110,14 +118,16 @@ class FieldPotential(DirectionTorque):
         super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the potential energy, J, (...)."""
+        """Return the potential energy of the bodies, J."""
         v = _in_body(q, self.field)
         quadratic = np.sum(v * np.squeeze(self.quadratic @ v[..., None], -1), axis=-1)
         return quadratic / 2 - np.sum(self.linear * v, axis=-1)
 
 
 class Tide:
-    """Gravity gradient torque of a mass point at a given position: 3 mu / r^5  r x I r.
+    """Gravity gradient torque on a body at a given position relative to a mass point.
+
+    It is 3 mu / r^5 r x I r.
 
     Parameters
     ----------
@@ -132,17 +142,17 @@ class Tide:
         self._coefficients = _coefficients(Q=_differences(inertia))
 
     def __call__(self, position: np.ndarray) -> np.ndarray:
-        """Return the torque (3,), N m, at a position (3,), m, in body axes.
+        """Return the torque at a position, N m in body axes.
 
-        The position is relative to the mass point.
+        The position (3,), m, is in body axes as well.  The position is relative to the mass point.
         """
         return by_direction(_NO_TURN, tidal(self.mu, position), self._coefficients)
 
 
 class GravityGradient(DirectionTorque):
-    """Gravity gradient torque on bodies that follow one Kepler orbit: 3 mu / r^5  r x I r.
+    """Gravity gradient torque on bodies that follow one Kepler orbit.
 
-    Source: Hughes, Spacecraft Attitude Dynamics, 8.1.
+    It is 3 mu / r^5 r x I r.  Source: Hughes, Spacecraft Attitude Dynamics, 8.1.
 
     Parameters
     ----------
@@ -157,7 +167,7 @@ class GravityGradient(DirectionTorque):
         super().__init__(orbit, _coefficients(Q=_differences(self.inertia)))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the part of the potential energy that depends on the attitude, J, (...).
+        """Return the part of the potential energy that depends on the attitude, J.
 
         It is of second order in the size of the body (MacCullagh's formula).
         """
@@ -181,7 +191,10 @@ class Potential:
     gradient: Callable[[float, np.ndarray], np.ndarray]
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque, N m, (..., 3)."""
+        """Return the torque in body axes, N m.
+
+        It has the shape (..., 3).
+        """
         return -0.5 * product(conjugate(q), np.asarray(self.gradient(t, q)))[..., 1:]
 
 
@@ -200,15 +213,15 @@ def _coefficients(
 
 
 def _differences(inertia: np.ndarray) -> np.ndarray:
-    """Return diagonal matrices (..., 3, 3) of the moments minus the smallest one.
+    """Return diagonal matrices of the principal moments minus the smallest one.
 
-    The same moment about all axes exerts no torque.
+    Their shape is (..., 3, 3).  The same moment about all axes exerts no torque.
     """
     return (inertia - np.min(inertia, axis=-1, keepdims=True))[..., None] * np.eye(3)
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Return the components (..., 3) of a vector in body axes."""
+    """Convert the components of a vector from inertial to body axes."""
     shape = np.broadcast_shapes(q.shape[:-1], vector.shape[:-1])
     return rotated(conjugate(q), np.broadcast_to(vector, (*shape, 3)))
 
@@ -219,10 +232,10 @@ SIGNATURE = ctypes.CFUNCTYPE(None, ctypes.c_double, _DOUBLES, _DOUBLES, ctypes.c
 
 
 class TorqueInC(DirectionTorque):
-    """Torque that a C function computes from time and attitude, N m in body axes.
+    """Torque that a compiled C function computes from time and attitude.
 
-    The function is called from several threads where there are many bodies, and has to live as long
-    as this object.
+    It is in N m, in body axes.  The function is called from several threads where there are many
+    bodies, and has to live as long as this object.
 
     Parameters
     ----------
@@ -247,7 +260,10 @@ class TorqueInC(DirectionTorque):
         self._function = SIGNATURE(function)
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque, N m, (..., 3)."""
+        """Return the torque in body axes, N m.
+
+        It has the shape (..., 3).
+        """
         found = np.zeros(omega.shape)
         attitudes = np.ascontiguousarray(q, float).reshape(-1, 4)
         for attitude, torque in zip(attitudes, found.reshape(-1, 3), strict=True):

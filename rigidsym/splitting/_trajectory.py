@@ -1,4 +1,4 @@
-"""Trajectories of bodies under a torque, at given times and between them."""
+"""Trajectories of bodies under a torque, evaluated at any time."""
 
 from bisect import bisect_right
 from collections.abc import Iterator
@@ -17,7 +17,7 @@ _NEAR = 4 * float(np.finfo(float).eps)
 
 @dataclass(slots=True, eq=False)
 class Mesh:
-    """Intervals of time with equal steps in each.
+    """Time mesh of intervals, each of which is divided into equal steps.
 
     edges (P,): where pieces begin, s, rising; steps (P,), s.  The last piece has no end.  Steps are
     counted from the edge, and the last one of a piece is shorter where they do not fit.
@@ -27,14 +27,17 @@ class Mesh:
     steps: list[float]
 
     def piece(self, t: float, state: State) -> tuple[float, float]:
-        """Return the end and the step, s, of the interval that contains t."""
+        """Return the end and the step of the interval that contains t, s."""
         k = bisect_right(self.edges, t)
         end = self.edges[k] if k < len(self.edges) else np.inf
         return end, self.steps[max(k, 1) - 1]
 
     @property
     def halved(self) -> "Mesh":
-        """The mesh with half the steps; intervals with equal steps are joined."""
+        """The mesh with all steps halved.
+
+        Intervals with equal steps are joined.
+        """
         found = Mesh([], [])
         for edge, step in zip(self.edges, self.steps, strict=True):
             half = step / 2 or step  # the least double has no half
@@ -46,7 +49,7 @@ class Mesh:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectory:
-    """Result of `integrate`: states at its times, and a function of other times.
+    """Trajectory of bodies, with their states at given times and a function for other times.
 
     `q, omega = trajectory` unpacks the states.
 
@@ -85,7 +88,7 @@ class Trajectory:
 
     @property
     def step(self) -> float:
-        """The longest step, s."""
+        """The length of the longest step, s."""
         return max(self.mesh.steps, default=np.nan)
 
     def __iter__(self) -> Iterator[np.ndarray]:
@@ -93,7 +96,7 @@ class Trajectory:
         yield self.omega
 
     def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return attitudes and rates at times t, s.
+        """Return the attitudes and rates at any times within the trajectory.
 
         Parameters
         ----------
@@ -158,7 +161,7 @@ def states(
 def _reach(
     splitting: Splitting, state: State, begin: float, t: float, step: float, done: int
 ) -> State:
-    """Return the state at t, reached by whole steps and one shorter step."""
+    """Return the state at t after whole steps and a shorter last one."""
     count, rest = _steps(t, begin, step)
     state = splitting.advance(state, begin, step, done, count)
     return splitting.advance(state, begin + count * step, rest, 0, 1) if rest else state
@@ -174,7 +177,7 @@ def _steps(t: float, begin: float, step: float) -> tuple[int, float]:
 
 
 def run(splitting: Splitting, start: State, times: np.ndarray, mesh: Mesh) -> Trajectory:
-    """Integrate from times[0] on and return the trajectory at all times.
+    """Integrate over a list of times, and return the trajectory.
 
     An exception that stops it keeps the states until then as its attribute `trajectory`.
     """
