@@ -1,4 +1,4 @@
-"""A symbolic derivation and verification workbench for the exact free motion of a rigid body.
+"""Exact torque-free motion of rigid bodies, derived symbolically and verified.
 
 Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with omega in body axes
 (rad/s), inertia in kg m^2 about principal axes, time in s.
@@ -72,7 +72,7 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    """Return the public names and the modules that are already imported."""
+    """Return the package's public names and its modules that are already imported."""
     public = [
         name for name, x in globals().items() if isinstance(x, ModuleType) or name[:2] == "__"
     ]

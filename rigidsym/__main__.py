@@ -1,4 +1,4 @@
-"""`python -m rigidsym` is the `rigidsym` command."""
+"""Entry point of `python -m rigidsym`, which runs the `rigidsym` command."""
 
 from rigidsym._cli import main
 

@@ -1,7 +1,8 @@
-"""Conversion of user input to exact rationals, with one-line errors.
+"""Conversion of user input to exact rational numbers.
 
-Floats mean the exact binary64 value; strings ("0.0109", "1/3", "0x1.8p+1"), Fraction, Decimal and
-mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls of python-flint are uncertain.
+Errors have one-line messages.  Floats mean the exact binary64 value; strings ("0.0109", "1/3",
+"0x1.8p+1"), Fraction, Decimal and mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls
+of python-flint are uncertain.
 """
 
 import math
@@ -45,7 +46,7 @@ MOST_TIMES = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Uncertain:
-    """A number that is known to lie within a radius of its middle."""
+    """An uncertain number, known to lie within a radius of its middle."""
 
     middle: Fraction
     radius: Fraction
@@ -55,7 +56,7 @@ class Uncertain:
 
 
 class MotionInputs(TypedDict, total=False):
-    """The arguments of a motion, by name."""
+    """The keyword arguments that define a torque-free motion."""
 
     inertia: Vector3
     omega0: Vector3
@@ -85,7 +86,10 @@ def is_uncertain(*values: Number) -> bool:
 
 
 def number(field: str, value: ExactNumber) -> Number:
-    """Read an exact or an uncertain number; raise InputError unless it is finite and real."""
+    """Convert user input to an exact or an uncertain number.
+
+    Raises InputError unless it is finite and real.
+    """
     if isinstance(value, Uncertain):
         return value
     given: Any = value
@@ -109,7 +113,10 @@ def number(field: str, value: ExactNumber) -> Number:
 def certain(
     field: str, values: Sequence[Number], rule: str = "is uncertain; only enclose takes that"
 ) -> tuple[Fraction, ...]:
-    """Return the numbers; raise InputError for the first uncertain one."""
+    """Check that no number is uncertain, and return the numbers.
+
+    Raises InputError for the first uncertain one.
+    """
     exact_ones = tuple(value for value in values if isinstance(value, Fraction))
     for k, value in enumerate(values):
         if isinstance(value, Uncertain):
@@ -118,10 +125,10 @@ def certain(
 
 
 def in_radians(values: Sequence[Number], degrees: bool = True) -> tuple[Number, ...]:
-    """Convert angles or rates in degrees to radians; return them unchanged unless `degrees`.
+    """Convert angles or rates to radians if they are in degrees.
 
-    All are multiplied by one rational, pi/180 to 300 digits, so that their ratios stay exact, and
-    the regime with them.
+    They are returned unchanged unless `degrees`.  All are multiplied by one rational, pi/180 to 300
+    digits, so that their ratios stay exact, and the regime with them.
     """
     if not degrees:
         return tuple(values)
@@ -141,14 +148,20 @@ def _degree() -> Fraction:
 
 
 def is_true(field: str, value: bool) -> bool:
-    """Return a switch; raise InputError for a value that is neither True nor False."""
+    """Check that an option is True or False, and return it.
+
+    Raises InputError for other values.
+    """
     if not isinstance(value, bool):
         raise InputError(field, written(value, repr), "must be true or false")
     return value
 
 
 def exact(field: str, value: ExactNumber) -> Fraction:
-    """Convert a number to an exact rational; raise InputError unless it is finite and real."""
+    """Convert a number to an exact rational.
+
+    Raises InputError unless it is finite and real.
+    """
     given: Any = value
     if isinstance(given, str):
         return _exact_text(field, given)
@@ -169,7 +182,7 @@ def exact(field: str, value: ExactNumber) -> Fraction:
 
 
 def _is_ball(value: object) -> bool:
-    """Return True for a ball of python-flint, which has a middle and a radius."""
+    """Return True if a value is a ball of python-flint, which has a middle and a radius."""
     return hasattr(value, "rad") and hasattr(value, "mid")
 
 
@@ -197,7 +210,10 @@ def _exact_text(field: str, text: str) -> Fraction:
 
 
 def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Number, ...]:
-    """Read a vector of exact or uncertain numbers; raise InputError for a wrong length."""
+    """Convert user input to a vector of exact or uncertain numbers.
+
+    Raises InputError for a wrong length.
+    """
     items = sequence(field, values)
     if len(items) != length:
         raise InputError(field, values, f"must have {length} numbers, not {len(items)}")
@@ -205,7 +221,10 @@ def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Numbe
 
 
 def sequence(field: str, values: Any, ndim: int = 1) -> list[Any]:
-    """Return the items of an ordered sequence with `ndim` axes; raise InputError for others."""
+    """Return the items of an ordered sequence or array that has `ndim` axes.
+
+    Raises InputError for other values.
+    """
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
         raise InputError(field, written(values, repr), "must be a list of numbers")
@@ -220,9 +239,10 @@ ALLOW = "allow_nonphysical=True or --allow-nonphysical lets it pass"
 def inertia(
     values: Vector3, allow_nonphysical: bool = False, next_step: str = ALLOW
 ) -> tuple[Number, ...]:
-    """Read three principal moments; raise InputError unless a body can have them.
+    """Convert user input to the principal moments of inertia of a body.
 
-    next_step: how the message says to have other moments accepted.
+    next_step: how the message says to have other moments accepted.  Raises InputError unless a body
+    can have them.
     """
     rows = isinstance(values, list | tuple) and all(isinstance(x, list | tuple) for x in values)
     if getattr(values, "shape", None) == (3, 3) or (rows and values):
@@ -242,7 +262,7 @@ def inertia(
 
 
 def can_exist(largest: Fraction, *others: Fraction) -> bool:
-    """Return True if a body can have these positive moments, within rounding.
+    """Return True if positive moments satisfy the triangle inequality, within rounding.
 
     The largest is at most the sum of the others, or that sum as a double, or beyond it by 2^-50 of
     the smallest.  Rounding makes flat bodies exceed the sum: the second condition is for moments
@@ -261,12 +281,18 @@ def can_exist(largest: Fraction, *others: Fraction) -> bool:
 
 
 def _end(value: Number, side: int) -> Fraction:
-    """Return the smallest (side = -1) or largest (side = 1) value of a number."""
+    """Return the smallest or the largest value that an uncertain number can have.
+
+    side: -1 for the smallest, 1 for the largest.
+    """
     return middle(value) + side * radius(value)
 
 
 def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]:
-    """Read a quaternion of any length but zero, scalar first."""
+    """Convert user input to an attitude quaternion, scalar first.
+
+    It may have any length but zero.
+    """
     quaternion = vector(field, values, 4)
     if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
         raise InputError(field, shown(quaternion), "must not be zero")
@@ -274,7 +300,10 @@ def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]
 
 
 def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
-    """Read times as exact numbers; also return True if they are a single number."""
+    """Convert user input to a sequence of exact times.
+
+    Also returns True if they are a single number.
+    """
     given: Any = values
     if isinstance(given, str | Real | Decimal) or hasattr(given, "_mpf_"):
         return (exact("t", given),), True
@@ -284,12 +313,12 @@ def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
 
 
 def digits(value: int) -> int:
-    """Read a number of significant digits."""
+    """Check a number of significant digits and return it."""
     return whole("digits", value, MOST_DIGITS)
 
 
 def whole(field: str, value: int, most: int) -> int:
-    """Read a whole number from 1 to `most`."""
+    """Check that a number is whole and from 1 to `most`, and return it."""
     try:
         count = 0 if isinstance(value, bool) else operator.index(value)
     except TypeError:
@@ -302,7 +331,10 @@ def whole(field: str, value: int, most: int) -> int:
 
 
 def seconds(value: ExactNumber | None) -> float | None:
-    """Read a time limit in s: a number above zero, or None for no limit."""
+    """Check a time limit in seconds, and return it as a float.
+
+    It must be above zero.  None stands for no limit and is returned as it is.
+    """
     if value is None:
         return None
     limit = exact("max_seconds", value)
@@ -312,7 +344,10 @@ def seconds(value: ExactNumber | None) -> float | None:
 
 
 def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
-    """Round to the nearest doubles; raise InputError if one overflows."""
+    """Round exact numbers to the nearest doubles.
+
+    Raises InputError if one overflows.
+    """
     try:
         return [float(value) for value in values]
     except OverflowError:
@@ -320,19 +355,19 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
 
 
 def shown(values: Sequence[Number]) -> str:
-    """Write numbers as a list with 12 digits each, for messages."""
+    """Format numbers for messages, as a list with 12 digits each."""
     texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
     return f"[{', '.join(texts)}]"
 
 
 def decimal(value: Fraction, digits: int) -> str:
-    """Write a rational as a decimal, rounded to `digits` digits, without trailing zeros."""
+    """Format a rational as a decimal with `digits` digits, without trailing zeros."""
     context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return str(context.divide(Decimal(value.numerator), Decimal(value.denominator)))
 
 
 def exact_text(value: Fraction) -> str:
-    """Write a number so that `exact` reads it back exactly.
+    """Format a number so that `exact` reads it back exactly.
 
     A short decimal where there is one, else a double in hexadecimal, else a fraction.
     """

@@ -1,4 +1,4 @@
-"""The main job of `rigidsym reproduce`: derive, check, generate, validate, report."""
+"""Stages of the command `rigidsym reproduce`, from the derivation to the report."""
 
 import json
 import subprocess
@@ -38,7 +38,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True, slots=True)
 class Reproduction:
-    """Results of one run of the main job."""
+    """Results of one run of `rigidsym reproduce`."""
 
     derivation: Derivation
     checked: bool
@@ -49,12 +49,12 @@ class Reproduction:
 
     @property
     def passed(self) -> bool:
-        """True if all is proved, replayed, current and valid."""
+        """True if the ledger is accepted, the modules are current, and the validation passed."""
         return self.checked and self.current and self.validation.passed
 
 
 def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
-    """Run every stage of the main job and write the results into a directory.
+    """Derive, check, generate and validate everything, and write a report to a directory.
 
     say: is called with each stage, its result, its seconds and whether it passed.  progress: takes
     the name of a stage, and returns a function of the work done and the total.  Raises InputError
@@ -107,7 +107,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
 
 def _pages(result: Reproduction) -> dict[str, str]:
-    """Return the text of all report files by file name."""
+    """Return the texts of all report files by file name."""
     told, validation = results(result), result.validation
     printed = [(v.equation.number, str(v.ruling), list(details(v))) for v in result.verdicts]
     return {
@@ -126,7 +126,7 @@ def _derived() -> tuple[Derivation, float]:
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
-    """Generate every module and let the kernel verify it against the derivation."""
+    """Generate every numeric module, and verify it against the derivation by the proof kernel."""
     seal(solution)
     generated = {target: generate(target, solution) for target in TARGETS}
     for module in generated.values():
@@ -140,7 +140,7 @@ def _timed(stage: Callable[[], Value]) -> tuple[Value, float]:
 
 
 def plot(case: Case) -> str:
-    """Plot the attitude and body rates of a case over time, as SVG."""
+    """Return an SVG plot of a case's attitude and body rates over time."""
     times = [float(t) for t in case.times]
     if not times:
         raise InputError("times", "[]", "a plot needs at least one time")
@@ -158,7 +158,7 @@ def plot(case: Case) -> str:
 
 
 def results(result: Reproduction) -> dict[str, Any]:
-    """Collect the contents of the report."""
+    """Return the contents of the report as data."""
     facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
     grades = Counter(str(fact.grade) for fact in facts).most_common()
     chapters = [chapter for chapter in result.derivation.chapters if chapter.facts]
@@ -193,6 +193,6 @@ def results(result: Reproduction) -> dict[str, Any]:
 
 
 def report(result: Reproduction) -> str:
-    """Write the report as Markdown, with the figures of the validation."""
+    """Return the report as Markdown, including the validation results."""
     validation = result.validation.to_markdown().replace("# Validation", "## Validation", 1)
     return f"{report_markdown(results(result))}\n{validation}"

@@ -1,4 +1,7 @@
-"""Exceptions with one-line messages, and checks for optional packages."""
+"""Exceptions of the package, and checks for optional packages.
+
+Exceptions have one-line messages.
+"""
 
 from collections.abc import Callable
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
@@ -12,7 +15,7 @@ _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 
 def written(value: object, write: Callable[[object], str] = str) -> str:
-    """Write a value as text, also an integer too long for Python's `str`."""
+    """Convert a value to text, even an integer too long for Python's `str`."""
     try:
         return write(value)
     except ValueError:  # int to str stops at 4300 digits
@@ -23,9 +26,10 @@ def written(value: object, write: Callable[[object], str] = str) -> str:
 
 
 class InputError(ValueError):
-    """Invalid input; the message has the field, its value, the rule and the next step.
+    """Error for invalid user input.
 
-    All parameters are attributes of the error.
+    The message has the field, its value, the rule and the next step.  All parameters are attributes
+    of the error.
 
     Parameters
     ----------
@@ -64,10 +68,11 @@ class InputError(ValueError):
 
 
 class EngineError(ValueError):
-    """Array that an engine refuses, with its field and the rule it breaks.
+    """Error for an array that an engine refuses.
 
-    body, time: the numbers of the first body and time that do.  Engines do not have the values as
-    users gave them: the public functions add these, and raise InputError.
+    It has the array's field and the rule that the array breaks.  body, time: the numbers of the
+    first body and time that do.  Engines do not have the values as users gave them: the public
+    functions add these, and raise InputError.
     """
 
     def __init__(
@@ -82,15 +87,21 @@ class EngineError(ValueError):
 
 
 class LedgerError(ValueError):
-    """Ledger that is missing, damaged, or does not prove what it publishes."""
+    """Error for a ledger of proofs that is missing, damaged or incomplete.
+
+    An incomplete ledger does not prove what it publishes.
+    """
 
 
 class PrecisionError(ArithmeticError):
-    """Computation that did not reach the requested precision."""
+    """Error for a computation that did not reach the requested precision."""
 
 
 def package(name: str, user: str, extra: str = "lab") -> ModuleType:
-    """Import an optional module; raise a one-line ImportError if it is not installed."""
+    """Import an optional module.
+
+    Raises an ImportError with a one-line message if it is not installed.
+    """
     try:
         return import_module(name)
     except ImportError:
@@ -98,9 +109,10 @@ def package(name: str, user: str, extra: str = "lab") -> ModuleType:
 
 
 def require(user: str, *names: str, extra: str = "app") -> None:
-    """Raise a one-line ImportError for the packages that are not installed.
+    """Raise an ImportError that names the optional packages that are not installed.
 
-    It looks for them and does not import them, which takes long for some.
+    Its message has one line.  It looks for them and does not import them, which takes long for
+    some.
     """
     missing = [name for name in names if find_spec(name) is None]
     if missing:

@@ -1,4 +1,4 @@
-"""Torque-free motion: the class of one motion, and `propagate` for many bodies."""
+"""Torque-free motion of one rigid body or of many."""
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
@@ -106,17 +106,17 @@ class TorqueFreeMotion:
     # Lazily, because making fractions of floats takes longer than preparing a motion.
     @cached_property
     def inertia(self) -> tuple[Number, ...]:
-        """The principal moments exactly, in kg m^2."""
+        """The exact principal moments of inertia, kg m^2."""
         return tuple(map(Fraction, self._floats["inertia"]))
 
     @cached_property
     def omega0(self) -> tuple[Number, ...]:
-        """The rates at t = 0 exactly, in rad/s."""
+        """The exact body rates at t = 0, rad/s."""
         return tuple(map(Fraction, self._floats["omega0"]))
 
     @cached_property
     def attitude0(self) -> tuple[Number, ...]:
-        """The attitude at t = 0 exactly, not normalised."""
+        """The exact attitude quaternion at t = 0, not normalised."""
         return tuple(map(Fraction, self._floats["attitude0"]))
 
     def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
@@ -151,7 +151,7 @@ class TorqueFreeMotion:
 
     @property
     def _value(self) -> tuple[str, *tuple[tuple[Number, ...], ...]]:
-        """The engine and the numbers, which equality and hash use."""
+        """The engine and the inputs, by which motions are compared and hashed."""
         return self.engine, self.inertia, self.omega0, self.attitude0
 
     def __copy__(self) -> "TorqueFreeMotion":
@@ -176,7 +176,7 @@ class TorqueFreeMotion:
         return motion_latex(self)
 
     def __getstate__(self) -> dict[str, object]:
-        """Return the attributes without caches, for pickle."""
+        """Return the attributes to pickle, which exclude caches."""
         return {name: value for name, value in self.__dict__.items() if name not in _CACHED}
 
     def __call__(
@@ -219,7 +219,7 @@ class TorqueFreeMotion:
     def sensitivity(
         self, t: ArrayLike, errors: str = "raise", columns: Iterable[str] | None = None
     ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-        """Return the states at times and their derivatives by all inputs.
+        """Return the states at times, and their derivatives by all inputs.
 
         The derivatives are in closed form, at all times and in every regime.  Errors are below
         1e-13 of a column: of the rotation, and of the rates over |omega0|, by a change of omega0 or
@@ -272,7 +272,7 @@ class TorqueFreeMotion:
         return found[0], found[1], Sensitivity(*found[2:], names)
 
     def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
-        """Return the state transition matrix from t0 to times.
+        """Return the state transition matrices from t0 to each time.
 
         Parameters
         ----------
@@ -304,7 +304,9 @@ class TorqueFreeMotion:
         count: int,
         out: tuple[np.ndarray, np.ndarray] | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the states at the times start + k step, k = 0 ... count - 1.
+        """Return the states at equally spaced times.
+
+        Times are start + k step for k = 0 ... count - 1.
 
         With engine="c" these times are exact and sines are computed once in 64 samples; NumPy takes
         the doubles nearest to them.
@@ -357,12 +359,18 @@ class TorqueFreeMotion:
 
     @cached_property
     def exact(self) -> dict[str, tuple[Fraction, ...]]:
-        """Inertia, omega0 and attitude0 by name; raises InputError if one is uncertain."""
+        """The exact inputs inertia, omega0 and attitude0, by name.
+
+        Raises InputError if one is uncertain.
+        """
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
     def _in_doubles(self) -> dict[str, tuple[float, ...]]:
-        """Inertia, omega0 and attitude0 by name if all are doubles; else empty."""
+        """The inputs inertia, omega0 and attitude0 as floats, by name.
+
+        Empty unless all numbers are doubles.
+        """
         if self._floats:
             return self._floats
         given = self.exact
@@ -383,15 +391,15 @@ class TorqueFreeMotion:
 
     @property
     def regime(self) -> "Regime":
-        """The regime of the motion, decided exactly from the given numbers."""
+        """The regime of the motion, decided exactly from the inputs."""
         return self._by("theta", self._given).polhode.regime
 
     @property
     def mode(self) -> "Mode | None":
-        """The axis that stays near the momentum, the long or the short one, decided exactly.
+        """The body axis, long or short, that stays near the angular momentum.
 
-        None where there is none: on the separatrix, in spin about the middle axis, for spheres, and
-        at rest.
+        It is decided exactly from the inputs.  None where there is none: on the separatrix, in spin
+        about the middle axis, for spheres, and at rest.
         """
         from rigidsym.solution._polhode import mode
 
@@ -410,17 +418,23 @@ class TorqueFreeMotion:
 
     @property
     def energy(self) -> float:
-        """The kinetic energy H, J."""
+        """The kinetic energy, J.
+
+        Formulas call it H.
+        """
         return self._quantities.energy
 
     @property
     def momentum(self) -> float:
-        """The magnitude K of the angular momentum, N m s."""
+        """The magnitude of the angular momentum, N m s.
+
+        Formulas call it K.
+        """
         return self._quantities.momentum
 
     @property
     def parameter(self) -> float | None:
-        """The parameter m = k^2 of Jacobi's functions.
+        """The parameter m = k^2 of the solution's Jacobi elliptic functions.
 
         0 for symmetric bodies, 1 on the separatrix, None where the rates are constant.
         """
@@ -428,12 +442,17 @@ class TorqueFreeMotion:
 
     @property
     def modulus(self) -> float | None:
-        """The modulus k of Jacobi's functions; None where the rates are constant."""
+        """The modulus k of the solution's Jacobi elliptic functions.
+
+        None where the rates are constant.
+        """
         return self._quantities.modulus
 
     @property
     def period(self) -> float | None:
-        """The period of the rates, s: infinite on the separatrix, None where they are constant.
+        """The period of the body rates, s.
+
+        Infinite on the separatrix, None where the rates are constant.
 
         >>> round(TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)).period, 6)
         165.897574
@@ -442,10 +461,10 @@ class TorqueFreeMotion:
 
     @property
     def mean_rates(self) -> tuple[float, float, float]:
-        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+        """The body rates averaged over a period, rad/s.
 
-        Only the rate about the circulation axis has a mean other than zero, unless all are
-        constant.
+        On the separatrix they are averaged over all times.  Only the rate about the circulation
+        axis has a mean other than zero, unless all are constant.
 
         >>> [round(x, 6) for x in TorqueFreeMotion((1, 2, 2.5), (1, 1, 3)).mean_rates]
         [0.0, 0.0, 2.974532]
@@ -454,23 +473,23 @@ class TorqueFreeMotion:
 
     @property
     def circulation_rate(self) -> float | None:
-        """The mean rate 2 pi/period at which the momentum circulates in the body, rad/s.
+        """The mean rate at which the angular momentum circulates in the body, rad/s.
 
-        Zero on the separatrix, None where the rates are constant.
+        It is 2 pi/period.  Zero on the separatrix, None where the rates are constant.
         """
         return self._quantities.circulation_rate
 
     @property
     def precession_rate(self) -> float | None:
-        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
+        """The mean rate at which the body turns about its angular momentum, rad/s.
 
-        Where the rates are constant it is the rate about their axis.
+        None on the separatrix.  Where the rates are constant it is the rate about their axis.
         """
         return self._quantities.precession_rate
 
     @property
     def phase_per_period(self) -> float | None:
-        """The angle by which the body turns about its momentum in one period, rad.
+        """The angle by which the body turns about its angular momentum in one period, rad.
 
         It has whole turns: 2 H period/K less the solid angle that the momentum sweeps in the body
         (Montgomery, American Journal of Physics 59, 394-398).  None on the separatrix, and where
@@ -480,7 +499,7 @@ class TorqueFreeMotion:
 
     @property
     def nutation(self) -> tuple[float, float]:
-        """The least and the largest angle of the circulation axis from the momentum, rad.
+        """The smallest and largest angle between circulation axis and angular momentum, rad.
 
         That axis has the largest or the smallest moment; the angle is from its end that is nearer
         to the momentum.  Both are equal for symmetric bodies, and zero where the rates are
@@ -489,7 +508,7 @@ class TorqueFreeMotion:
         return self._quantities.nutation
 
     def _by(self, method: str, given: Mapping[str, tuple[Number, ...]]) -> "PreciseMotion":
-        """Return the motion with a method of `precise`; keep it for later calls."""
+        """Return the arbitrary-precision motion that uses a given method, and cache it."""
         from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
 
         known = (*METHODS, *ESTIMATED)
@@ -531,7 +550,7 @@ class TorqueFreeMotion:
         max_seconds: float | None = None,
         sensitivity: bool = False,
     ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
-        """Return states as mpmath numbers with `digits` certain significant digits.
+        """Return states as mpmath numbers with `digits` correct significant digits.
 
         The numbers print these digits; results computed from them have mpmath's precision at the
         time.  A number whose ball has shrunk around zero to less than 2^-4000 is zero.
@@ -655,7 +674,10 @@ class TorqueFreeMotion:
         return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def _by_balls(self, method: str | None) -> "PreciseMotion":
-        """Return the motion with a method that has error bounds; raise InputError for others."""
+        """Return the arbitrary-precision motion of a method that has error bounds.
+
+        Raises InputError for other methods.
+        """
         from rigidsym.precise import ESTIMATED, METHODS
 
         if isinstance(method, str) and method in ESTIMATED:
@@ -672,7 +694,7 @@ class TorqueFreeMotion:
         return BoxedMotion(**self._given)
 
     def symbolic(self, form: str | None = None) -> "Symbolic":
-        """Return the motion as SymPy expressions of the time with exact numbers.
+        """Return the motion as exact SymPy expressions of the time.
 
         Parameters
         ----------
@@ -697,7 +719,10 @@ class TorqueFreeMotion:
         return of_motion(form, **self.exact)
 
     def rotation(self, t: ArrayLike) -> "Rotation":
-        """Return the attitude at times (s) as a SciPy Rotation, body to inertial (needs SciPy)."""
+        """Return the attitudes at times as a SciPy Rotation.
+
+        The rotations are from body to inertial axes; times in s.  Needs SciPy.
+        """
         try:
             from scipy.spatial.transform import Rotation
         except ImportError:
@@ -705,7 +730,9 @@ class TorqueFreeMotion:
         return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
 
     def to_dataframe(self, t: ArrayLike, *, degrees: bool = False) -> "DataFrame":
-        """Return states as a pandas DataFrame (needs pandas).
+        """Return states at times as a pandas DataFrame.
+
+        Needs pandas.
 
         Parameters
         ----------
@@ -730,7 +757,9 @@ class TorqueFreeMotion:
         return pandas.DataFrame(np.hstack([q, omega]), pandas.Index(times, name="t"), columns)
 
     def to_xarray(self, t: ArrayLike, *, degrees: bool = False) -> "Dataset":
-        """Return states as an xarray Dataset (needs xarray).
+        """Return states at times as an xarray Dataset.
+
+        Needs xarray.
 
         Parameters
         ----------
@@ -764,9 +793,10 @@ class TorqueFreeMotion:
         return times, q, np.rad2deg(omega) if inputs.is_true("degrees", degrees) else omega
 
     def plot(self, times: Times | None = None) -> "Figure":
-        """Plot rates and attitude against time, and the momentum sphere (needs matplotlib).
+        """Plot the body rates, the attitude and the momentum sphere.
 
-        The figure shows itself in a notebook, and has `savefig`.
+        Rates and attitude are plotted against time.  Needs matplotlib.  The figure shows itself in
+        a notebook, and has `savefig`.
 
         Parameters
         ----------
@@ -827,7 +857,7 @@ def propagate(
     sensitivity: bool = False,
     columns: Iterable[str] | None = None,
 ) -> tuple[np.ndarray, np.ndarray] | tuple[np.ndarray, np.ndarray, Sensitivity]:
-    """Return the states of many bodies at times.
+    """Return the states of many torque-free bodies at given times.
 
     Leading shapes broadcast; all numbers are float64.  Contiguous float64 arrays are read in place.
 
@@ -898,7 +928,10 @@ def propagate(
 def _floats(
     inertia: Vector3, omega0: Vector3, attitude0: Quaternion
 ) -> dict[str, tuple[float, ...]]:
-    """Return the inputs by name as floats; return {} if they need the full checks."""
+    """Convert the inputs of a motion to floats, without the full checks.
+
+    Returns them by name, or {} if they need these checks.
+    """
     moments, rates = batches.moments(inertia), batches.floats(omega0, 3)
     start = _IDENTITY if attitude0 is IDENTITY else batches.floats(attitude0, 4)
     if moments is None or rates is None or start is None or not any(start):
@@ -909,7 +942,7 @@ def _floats(
 def _with_sensitivities(
     rows: "Iterable[Sequence[arb | mpf]]", single: bool
 ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-    """Split rows of 67 numbers into q, omega and their sensitivities."""
+    """Split rows of 67 numbers into arrays of states and their derivatives."""
     q, omega, *changes, turns_t, rates_t = _split(rows, single, (4, 3, 27, 27, 3, 3))
     attitude, rates = (x.reshape(*x.shape[:-1], 3, 9) for x in changes)
     return q, omega, Sensitivity(attitude, rates, turns_t, rates_t)
@@ -918,7 +951,10 @@ def _with_sensitivities(
 def _split(
     rows: "Iterable[Sequence[arb | mpf]]", single: bool, widths: tuple[int, ...] = (4, 3)
 ) -> tuple[np.ndarray, ...]:
-    """Split rows into object arrays of given widths; drop the axis of a single time."""
+    """Split rows of numbers into object arrays of given widths.
+
+    The axis of a single time is dropped.
+    """
     listed = [*rows]
     table = np.empty((len(listed), sum(widths)), dtype=object)
     for k, row in enumerate(listed):

@@ -1,4 +1,4 @@
-"""Principal axes of an inertia tensor, and conversion of states to and from them."""
+"""Principal axes of inertia, and conversion of states to and from them."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ _ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PrincipalAxes:
-    """Principal moments and axes of a body.
+    """Principal moments and principal axes of a rigid body.
 
     Parameters
     ----------
@@ -40,17 +40,19 @@ class PrincipalAxes:
     quaternion: np.ndarray
 
     def to_principal(self, omega: ArrayLike, attitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Convert rates (..., 3) and attitudes (..., 4) from the given to the principal axes.
+        """Convert body rates and attitudes from the body's given axes to its principal axes.
 
-        Returns omega0 and attitude0 of a motion.  Raises InputError for other shapes.
+        Their shapes are (..., 3) and (..., 4).  Returns omega0 and attitude0 of a motion.  Raises
+        InputError for other shapes.
         """
         rates, q = _array("omega", omega, 3), _array("attitude", attitude, 4)
         return rates @ self.matrix, product(q, self.quaternion)
 
     def from_principal(self, q: ArrayLike, omega: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Convert attitudes (..., 4) and rates (..., 3) from the principal to the given axes.
+        """Convert attitudes and body rates from the principal axes to the body's given axes.
 
-        Returns both in this order.  Raises InputError for other shapes.
+        Their shapes are (..., 4) and (..., 3).  Returns both in this order.  Raises InputError for
+        other shapes.
         """
         attitude, rates = _array("q", q, 4), _array("omega", omega, 3)
         return product(attitude, conjugate(self.quaternion)), rates @ self.matrix.T
@@ -62,7 +64,7 @@ class PrincipalAxes:
         omega: ArrayLike,
         found: Sensitivity,
     ) -> Sensitivity:
-        """Convert the sensitivities of a motion to the given axes and the inertia tensor.
+        """Convert derivatives of states to the body's given axes and its inertia tensor.
 
         Digits are lost where two moments are nearly equal.
 
@@ -114,7 +116,10 @@ class PrincipalAxes:
         )
 
     def _by_tensor(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return derivatives (3, 6) of the principal axes and moments by the tensor's entries."""
+        """Return the derivatives of the principal axes and moments by the tensor's entries.
+
+        Both have the shape (3, 6).
+        """
         m, axes = self.moments, self.matrix
         for i, j in ((0, 1), (1, 2)):
             if m[i] == m[j]:
@@ -179,7 +184,10 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
 
 
 def _solved(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return ascending moments, with rounding errors set to zero, and axes as columns."""
+    """Return the eigenvalues of an inertia tensor in ascending order, and its eigenvectors.
+
+    Eigenvalues that are rounding errors are set to zero.  Eigenvectors are columns.
+    """
     if np.array_equal(tensor, np.diag(np.diag(tensor))):
         order = np.argsort(np.diag(tensor), kind="stable")
         return np.diag(tensor)[order], np.eye(3)[:, order]

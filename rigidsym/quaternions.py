@@ -1,4 +1,7 @@
-"""Operations on quaternions, arrays (..., 4) with the scalar first; shapes broadcast."""
+"""Operations on arrays of quaternions with the scalar first.
+
+Quaternions have the shape (..., 4) and vectors (..., 3); leading shapes broadcast.
+"""
 
 import numpy as np
 
@@ -9,7 +12,7 @@ _CROSS = np.cross(np.eye(3), np.eye(3)[:, None])
 
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return the Hamilton product p q.
+    """Return the Hamilton product of two quaternions.
 
     >>> product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0, 0.0]))
     array([0., 0., 0., 1.])
@@ -20,30 +23,36 @@ def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def conjugate(q: np.ndarray) -> np.ndarray:
-    """Return the conjugate, which is the inverse of a unit quaternion."""
+    """Return the conjugate of a quaternion, which is the inverse of a unit quaternion."""
     return q * [1.0, -1.0, -1.0, -1.0]
 
 
 def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Rotate vectors (..., 3) by unit quaternions."""
+    """Rotate vectors by unit quaternions."""
     scalar, axis = q[..., :1], q[..., 1:]
     twice = 2 * np.cross(axis, vectors)
     return vectors + scalar * twice + np.cross(axis, twice)
 
 
 def cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """Return the matrices (..., 3, 3) of the cross product with vectors v (..., 3)."""
+    """Return the skew-symmetric matrices of the cross product with given vectors.
+
+    For vectors v (..., 3) they have the shape (..., 3, 3).
+    """
     return np.tensordot(vectors, _CROSS, 1)
 
 
 def matrices(q: np.ndarray) -> np.ndarray:
-    """Return the rotation matrices (..., 3, 3) of unit quaternions."""
+    """Convert unit quaternions to rotation matrices.
+
+    Their shape is (..., 3, 3).
+    """
     turn = cross_matrices(q[..., 1:])
     return np.eye(3) + 2 * q[..., :1, None] * turn + 2 * turn @ turn
 
 
 def of_matrix(m: np.ndarray) -> np.ndarray:
-    """Convert a rotation matrix (3, 3) to a unit quaternion (4,) with scalar part >= 0.
+    """Convert a rotation matrix to a unit quaternion whose scalar part is not negative.
 
     The root is taken of the largest of four squares (Shepperd, J. Guidance and Control 1, 1978).
     """
@@ -59,7 +68,7 @@ def of_matrix(m: np.ndarray) -> np.ndarray:
 
 
 def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
-    """Convert unit quaternions (..., 4) to their shortest rotation vectors (..., 3), rad."""
+    """Convert unit quaternions to their shortest rotation vectors, rad."""
     scalar, vector = quaternions[..., :1], quaternions[..., 1:]
     length = np.linalg.norm(vector, axis=-1, keepdims=True)
     half = np.arctan2(length, np.abs(scalar))
@@ -68,9 +77,10 @@ def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
 
 
 def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
-    """Return the inverse left Jacobian (..., 3, 3) of rotation vectors (..., 3).
+    """Return the inverse left Jacobian matrices of rotation vectors.
 
-    It is the derivative of a rotation vector by a small rotation that follows it.
+    For vectors (..., 3) they have the shape (..., 3, 3).  It is the derivative of a rotation vector
+    by a small rotation that follows it.
 
     Angles are below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
 
@@ -87,7 +97,7 @@ def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
 
 
 def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:
-    """Convert rotation vectors (..., 3), rad, to unit quaternions (..., 4).
+    """Convert rotation vectors, rad, to unit quaternions.
 
     >>> of_rotation_vectors(np.array([np.pi, 0.0, 0.0])).round(12)
     array([0., 1., 0., 0.])

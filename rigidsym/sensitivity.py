@@ -1,4 +1,4 @@
-"""The class of a state's derivatives by the inputs of a motion."""
+"""The class `Sensitivity`, the derivatives of states by the inputs of a motion."""
 
 from dataclasses import dataclass
 
@@ -39,9 +39,9 @@ class Sensitivity:
 
     @property
     def transition(self) -> np.ndarray:
-        """The state transition matrix (..., 6, 6) from t = 0, for small rotation and rates.
+        """The state transition matrix from t = 0, for a small rotation and the body rates.
 
-        Raises InputError without the columns of attitude0 and omega0.
+        Its shape is (..., 6, 6).  Raises InputError without the columns of attitude0 and omega0.
         """
         if not {"attitude0", "omega0"} <= {*self.columns}:
             rule = "a transition needs those of attitude0 and omega0"

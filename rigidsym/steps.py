@@ -1,4 +1,4 @@
-"""The public function `step`, a single step of torque-free motion for many bodies."""
+"""The public function `step`, which advances torque-free bodies by one time step."""
 
 import math
 
@@ -22,7 +22,7 @@ def step(
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the states of bodies after a torque-free motion of dt seconds.
+    """Return the states of bodies after dt seconds of torque-free motion.
 
     A step starts from any state and costs the same in every regime.  Leading shapes broadcast.
     For one body, tuples, lists and arrays of floats are fastest; the constants of the last bodies
@@ -93,9 +93,9 @@ def _one(
     engine: str,
     out: tuple[np.ndarray, np.ndarray] | None,
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """Step one body of plain finite numbers, fast; return None for all other input.
+    """Advance one body by a time step, if its inputs are plain finite numbers.
 
-    `step` then takes a closer look, or refuses the input.
+    Returns None for all other input, which `step` then checks in full.
     """
     moments, start = batches.moments(inertia), batches.floats(q, 4)
     rates = batches.floats(omega, 3)
@@ -111,7 +111,10 @@ def _one(
 
 
 def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
-    """Broadcast the leading shapes of arrays; raise InputError where they do not fit."""
+    """Return the shape to which the leading shapes of arrays broadcast.
+
+    Raises InputError where they do not fit.
+    """
     shape: tuple[int, ...] = ()
     for name, array in given.items():
         size, found = _SIZES.get(name), f"an array of shape {array.shape}"

@@ -90,10 +90,10 @@ class Engine(ABC):
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
-        """Return the states of a prepared motion at equally spaced times start + k step.
+        """Return the states of a prepared motion at equally spaced times.
 
-        These are q (count, 4) and omega (count, 3).  C takes these times exactly, NumPy the doubles
-        nearest to them.
+        These are q (count, 4) and omega (count, 3) at the times start + k step.  C takes these
+        times exactly, NumPy the doubles nearest to them.
         """
 
     def propagate(
