@@ -1,4 +1,4 @@
-"""Manoeuvres along natural motions: planned, flown, compared."""
+"""Attitude manoeuvres along torque-free motions: planning, simulated flight, comparison."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""The cheapest motions within limits, the shortest duration, and limits that cannot be kept.
+"""Search for the cheapest motions within limits and for the shortest possible duration.
 
 Costs and limits are in the units of the dimensionless problem: momenta in the largest moment of
 inertia over the duration, rates in 1 over the duration.  Where the turn is a symmetry of the body,
@@ -47,7 +47,9 @@ _IMAGES = np.array([signs for signs in product((1, -1), repeat=3) if np.prod(sig
 
 @dataclass(frozen=True)
 class Bursts:
-    """Bursts at both ends of motions that take 1 s, and their limits.
+    """The bursts that start and stop motions of a manoeuvre, and their limits.
+
+    Numbers are for motions that take 1 s.
 
     before, after (3,): momenta outside of the motion, over the largest moment.  max_rate,
     max_burst: limits of rates and of either burst, inf where there is none.
@@ -61,7 +63,7 @@ class Bursts:
 
     @classmethod
     def of(cls, problem: Problem, manoeuvre: Manoeuvre) -> "Bursts":
-        """Return the bursts of a manoeuvre."""
+        """Create the bursts of a manoeuvre from its spins and limits."""
         largest = max(manoeuvre.inertia)
 
         def momentum(spin: tuple[Fraction, ...]) -> np.ndarray:
@@ -80,35 +82,41 @@ class Bursts:
 
     @cached_property
     def spin(self) -> float:
-        """Sum of the momenta before and after, a bound of the cost's distance from 2 K."""
+        """Sum of the momenta before and after the manoeuvre.
+
+        The cost of a motion of momentum K differs from 2 K by at most this sum.
+        """
         return float(np.linalg.norm(self.before) + np.linalg.norm(self.after))
 
     def sizes(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return the sizes of both bursts (N, 2) of motions with rates (N, 3)."""
+        """Return the sizes (N, 2) of both bursts of motions with given initial rates (N, 3)."""
         begin = self.problem.inertia * rates
         end = begin @ self.problem.rotation
         bursts = [begin - duration * self.before, duration * self.after - end]
         return np.stack([np.linalg.norm(burst, axis=1) for burst in bursts], axis=1)
 
     def allowed(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return True for each motion (N,) that keeps to the limits."""
+        """Return for each motion whether it keeps to the limits."""
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return the greater ratio (N,) of rate and burst to their limits, for each motion."""
+        """Return for each motion the larger ratio of its peak rate and burst to their limits."""
         needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
             needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))
         return needed
 
     def most(self, duration: float) -> float:
-        """Return a momentum beyond which no motion keeps to the limits."""
+        """Return a momentum above which every motion exceeds the limits."""
         ends = [np.linalg.norm(end) for end in (self.before, self.after)]
         return duration * float(min([self.max_rate, *(self.max_burst + end for end in ends)]))
 
     @np.errstate(divide="ignore")
     def shortest(self, rates: np.ndarray) -> np.ndarray:
-        """Return the shortest duration (N,) in which each motion keeps to the limits; else inf."""
+        """Return for each motion the shortest duration in which it keeps to the limits.
+
+        It is inf where there is none.
+        """
         fastest = np.full(len(rates), np.inf)
         slowest = np.zeros(len(rates))
         if np.isfinite(self.max_rate):
@@ -122,7 +130,10 @@ class Bursts:
 
 @np.errstate(divide="ignore", invalid="ignore")
 def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the interval of factors s (N,) with |s end - outside| within a limit."""
+    """Return the interval of factors s for which |s end - outside| is within a limit.
+
+    It is a pair of arrays (N,); an empty interval is inf and 0.
+    """
     if not np.isfinite(limit):
         return np.zeros(len(end)), np.full(len(end), np.inf)
     square, mixed = np.sum(end * end, axis=1), end @ outside
@@ -135,7 +146,9 @@ def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndar
 
 
 def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
-    """Return the rates (N, 3) of the cheapest motions within the limits, at most `count`.
+    """Return the initial rates (N, 3) of the cheapest motions within the limits.
+
+    At most `count` motions are returned.
 
     From rest to rest a motion costs twice its momentum (facts manoeuvre.first_burst,
     manoeuvre.last_burst), and never less than that less what the spins before and after can save;
@@ -158,7 +171,10 @@ def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
 
 
 def shortest(bursts: Bursts, asked: Manoeuvre) -> Fraction:
-    """Return the shortest duration in s that the limits allow; raises InputError without one."""
+    """Return the shortest duration, in s, that the limits allow.
+
+    Raises InputError where there is none.
+    """
     found = _shortest(bursts)
     if found == 0:
         rule = "start equals target, which takes no time: give one"
@@ -169,7 +185,7 @@ def shortest(bursts: Bursts, asked: Manoeuvre) -> Fraction:
 
 
 def refuse(bursts: Bursts, asked: Manoeuvre) -> NoReturn:
-    """Raise InputError that names the binding limit and a duration that is long enough."""
+    """Raise an InputError that names the violated limit and a sufficient duration."""
     duration = float(asked.duration or 0)
     found = _shortest(bursts)
     rule = _NEVER
@@ -182,7 +198,10 @@ def refuse(bursts: Bursts, asked: Manoeuvre) -> NoReturn:
 def _refuse(
     bursts: Bursts, asked: Manoeuvre, can_be_kept: Callable[[Bursts], bool], rule: str
 ) -> NoReturn:
-    """Raise InputError that names the limits that cannot be kept even alone, or both."""
+    """Raise an InputError that names the limits that no motion can keep.
+
+    It names each limit that cannot be kept even alone; without such a limit, it names all.
+    """
     limits = asked.limits
     alone = {
         "max_rate": (limits.max_rate, replace(bursts, max_burst=np.inf)),
@@ -195,7 +214,7 @@ def _refuse(
 
 
 def _shortest(bursts: Bursts) -> float:
-    """Return the shortest duration that the limits allow, s; inf if none was found."""
+    """Return the shortest duration, in s, that the limits allow, or inf if none was found."""
     bound = least(bursts.problem)
     # Motions of larger momentum than those searched need longer.
     while True:
@@ -207,7 +226,7 @@ def _shortest(bursts: Bursts) -> float:
 
 
 def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-    """Return the rates (N, 3) of all motions up to a momentum.
+    """Return the initial rates (N, 3) of all motions with a momentum up to `bound`.
 
     Where motions of a one-parameter family differ in cost or in the limits they need, `best`
     replaces each motion by one of its family.
@@ -218,7 +237,9 @@ def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray])
 
 
 def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
-    """Replace each motion, rates (N, 3), by the cheapest of its family within the limits.
+    """Replace each motion by the cheapest of its family within the limits.
+
+    Motions are given by their rates (N, 3).
 
     Where none is within them, it is the one nearest to the limits.
     """
@@ -236,7 +257,10 @@ def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.nda
 
 
 def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
-    """Replace each motion, rates (N, 3), by the member of its family with the least value."""
+    """Replace each motion by the member of its family with the least value.
+
+    Motions are given by their rates (N, 3).
+    """
 
     def arrived(found: np.ndarray) -> np.ndarray:
         missed = np.linalg.norm(bursts.problem.misses(found), axis=1)
@@ -258,7 +282,10 @@ def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
 
 
 def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Return the members (N, 3) of the family of a motion (3,) at shares (N,) of one period."""
+    """Return motions of a one-parameter family, at given fractions of one period.
+
+    The family is that of the motion with rates (3,); its members (N, 3) are at the shares (N,).
+    """
     problem, size = bursts.problem, bursts.problem.momenta(rates)
     if size == 0:
         return np.zeros((len(shares), 3))
@@ -275,7 +302,10 @@ def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def _equal_axes(bursts: Bursts, rates: np.ndarray) -> np.ndarray | None:
-    """Return two axes (2, 3) with the moment of a spin, for a sphere those nearest to the spins."""
+    """Return two principal axes (2, 3) that have the same moment as the axis of a spin.
+
+    For a sphere, they span the plane of the spins before and after.  None without two such axes.
+    """
     c = bursts.problem.inertia
     if c.min() == c.max():
         return np.linalg.svd([bursts.before, bursts.after])[2][:2]

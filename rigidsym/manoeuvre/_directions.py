@@ -28,7 +28,7 @@ _SAME = 1e-12
 
 @dataclass(frozen=True, slots=True)
 class Arcs:
-    """Arcs of curves of directions on the sphere.
+    """Arcs of curves on the unit sphere of momentum directions.
 
     ends (A, 2): angles of both ends of each arc.  direction: from angles and arcs (N,) to unit
     vectors (N, 3).  Along an arc goes the coordinate x from -inf to inf, in which the ends are
@@ -39,14 +39,19 @@ class Arcs:
     direction: Callable[[np.ndarray, np.ndarray], np.ndarray]
 
     def at(self, arc: np.ndarray, x: np.ndarray) -> np.ndarray:
-        """Return directions (N, 3) on arcs (N,) at coordinates (N,)."""
+        """Return the directions at given coordinates on given arcs.
+
+        Directions have the shape (N, 3), coordinates and arcs (N,).
+        """
         begin, end = self.ends[arc].T
         share = (end - begin) / (1 + np.exp(np.abs(x)))
         return self.direction(np.where(x < 0, begin + share, end - share), arc)
 
 
 def arcs(problem: Problem) -> Arcs:
-    """Return the arcs of all directions; none for spheres.
+    """Return the arcs of all directions from which a motion can arrive at the target.
+
+    There are none for spherical bodies.
 
     For a symmetry of the body, one direction of each polhode stands for all of it.
     """
@@ -65,7 +70,9 @@ def arcs(problem: Problem) -> Arcs:
 
 
 def is_symmetry(problem: Problem) -> bool:
-    """Return True if the turn is a symmetry of the body, with one-parameter families of motions.
+    """Return True if the turn from start to target is a symmetry of the body.
+
+    Its motions then come in one-parameter families.
 
     Facts manoeuvre.symmetry, ring.euler.
     """
@@ -75,19 +82,19 @@ def is_symmetry(problem: Problem) -> bool:
 
 
 def _inverse(problem: Problem) -> np.ndarray:
-    """Return 1/c_k - 1/c_middle for each axis k, computed without cancellation."""
+    """Return the inverse moments minus that of the middle axis, without cancellation."""
     c, middle = problem.inertia, problem.axes[1]
     return (c[middle] - c) / (c * c[middle])
 
 
 def quadratic_form(problem: Problem) -> np.ndarray:
-    """Return A = R J R^T - J, (3, 3)."""
+    """Return the matrix A = R J R^T - J, whose cone m A m = 0 has the directions."""
     inverse = _inverse(problem)
     return (problem.rotation * inverse) @ problem.rotation.T - np.diag(inverse)
 
 
 def _meridian(problem: Problem, split: float) -> Arcs:
-    """Return arcs of the great circle through the axes of largest and smallest moment.
+    """Return the arcs of the great circle through the axes of largest and smallest moment.
 
     They cross every polhode, on both sides of both axes: turns about the axis of a symmetric body
     need not be half turns.
@@ -107,7 +114,7 @@ def _meridian(problem: Problem, split: float) -> Arcs:
 def _cone(
     form: np.ndarray, axes: list[np.ndarray], middle: np.ndarray, planes: list[np.ndarray]
 ) -> Arcs:
-    """Return the arcs of the cone of directions m with m form m = 0."""
+    """Return the arcs of the cone m A m = 0 on the sphere, A being `form`."""
     values, frame = np.linalg.eigh(form)
     if values[1] < 0:
         values, frame = -values[::-1], frame[:, ::-1]
@@ -134,7 +141,10 @@ def _cone(
 
 
 def _cuts(points: np.ndarray, flat: bool) -> np.ndarray:
-    """Return the angles that cut a curve into arcs: at points (N, 3), and at flat corners."""
+    """Return the angles at which a curve of the cone is cut into arcs.
+
+    It is cut at the points (N, 3), and at the sharp corners of a flat cone.
+    """
     angles = [0.0, *np.arctan2(points[:, 1], points[:, 0])]
     angles += [0.0, np.pi] if flat else []
     cuts = np.unique(np.mod(angles, 2 * np.pi))
@@ -142,7 +152,10 @@ def _cuts(points: np.ndarray, flat: bool) -> np.ndarray:
 
 
 def _on_plane(form: np.ndarray, e: np.ndarray, f: np.ndarray) -> list[np.ndarray]:
-    """Return the directions on a cone in the plane of two vectors, up to sign: two or none."""
+    """Return the directions in which the plane of two vectors cuts a cone.
+
+    There are two, each up to its sign, or none.
+    """
     ee, ef, ff = e @ form @ e, e @ form @ f, f @ form @ f
     root = ef * ef - ee * ff
     if root < 0:

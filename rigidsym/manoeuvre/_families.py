@@ -1,4 +1,4 @@
-"""All natural motions from start to target up to a given momentum, and their refinement.
+"""Search for all torque-free motions from start to target up to a given momentum.
 
 Rates that nearly arrive are refined in doubles by Gauss-Newton with exact derivatives.  The derived
 solution at thirty digits verifies them, and refines them once more where doubles are too coarse.
@@ -46,7 +46,9 @@ _LESS_THAN_ONE = (-1, 0)
 def refine(
     problem: Problem, rates: np.ndarray, rounds: int = _ROUNDS, enough: float = 1.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Refine rates (N, 3) by Gauss-Newton; return them and the angles (N,) they miss by, rad.
+    """Refine initial rates (N, 3) by Gauss-Newton until the motions reach the target.
+
+    Return the rates and the angles (N,) by which they miss it, rad.
 
     Steps are cut until they help; rates that none helps are kept.  enough: the accepted miss, as a
     multiple of the rounding of doubles; 0 for the least.
@@ -79,7 +81,7 @@ def refine(
 
 
 def smallness(rates: np.ndarray) -> np.ndarray:
-    """Return the scale (N,) of accepted misses, which is smaller for small turns."""
+    """Return the scale of accepted misses for each motion, which is smaller for small turns."""
     return np.clip(np.linalg.norm(rates, axis=1), _SMALLEST, 1.0)
 
 
@@ -88,7 +90,7 @@ def _rounding(rates: np.ndarray) -> np.ndarray:
 
 
 def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndarray:
-    """Return the Newton steps (N, 3) of least length, limited to a part of the rates.
+    """Return the minimum-norm Newton steps (N, 3), limited to a fraction of the rates.
 
     misses (N, 3), slopes (N, 3, 3): those of the rates (N, 3) and their derivatives.  Steps are
     zero where derivatives are beyond binary64.
@@ -105,7 +107,10 @@ def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndar
 
 
 def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple[Rates, float]:
-    """Return exact rates (rad/s) refined from rates (3,) of the problem, and their miss (rad).
+    """Refine the initial rates of a motion and verify them at thirty digits.
+
+    Return exact rates in rad/s and the angle by which they miss the target in rad.  The given
+    rates (3,) are those of the dimensionless problem.
 
     They are doubles where these arrive, else decimals of thirty digits.
     """
@@ -130,7 +135,7 @@ def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple
 
 
 def miss(manoeuvre: Manoeuvre, rates: Rates) -> np.ndarray:
-    """Return the rotation from the target to the attitude that exact rates lead to.
+    """Return the rotation from the target to the attitude reached from exact initial rates.
 
     It is a rotation vector (3,), rad, in the body axes of the start.
     """
@@ -147,7 +152,7 @@ def _inverse(quaternion: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
 
 
 def least(problem: Problem) -> float:
-    """Return a momentum with which some motion arrives.
+    """Return an upper bound of the least momentum with which a motion reaches the target.
 
     It is found from turns about the axis of the whole turn; where none arrives it is a bound:
     that turn at constant rates has enough energy for the shortest way, and of all motions with
@@ -160,7 +165,9 @@ def least(problem: Problem) -> float:
 
 
 def families(problem: Problem, bound: float) -> np.ndarray:
-    """Return all rates (N, 3) that arrive with a momentum up to `bound`, sorted by momentum.
+    """Return the initial rates (N, 3) of all motions to the target up to a momentum.
+
+    They are sorted by momentum.
 
     A one-parameter family, of a turn that is a symmetry of the body, is represented by one motion.
     Raises TooManyError where there are too many to search.
@@ -176,12 +183,12 @@ def families(problem: Problem, bound: float) -> np.ndarray:
 
 @lru_cache(1)
 def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the refined spins of less than a turn, cached for both callers."""
+    """Return the refined rates of spins of less than a whole turn."""
     return refine(problem, _spins(problem, _LESS_THAN_ONE))
 
 
 def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:
-    """Return rates (N, 3) of spins that make the turn and a number of whole turns.
+    """Return the rates (N, 3) of spins by the wanted turn plus some whole turns.
 
     They arrive where that is a principal axis, and nearly where the body is nearly a sphere.
     """
@@ -194,7 +201,10 @@ def _axes(problem: Problem) -> np.ndarray:
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Return the distinct rates that arrive, sorted by momentum, one of each family."""
+    """Return the distinct motions that reach the target, sorted by momentum.
+
+    Of each one-parameter family there is one.
+    """
     # Of equal ones the one that arrives best is kept.
     order = np.argsort(angles, kind="stable")
     rates = rates[order][_arrive(problem, rates[order], angles[order])]
@@ -209,7 +219,7 @@ def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.nda
 
 
 def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Return True for each motion (N,) that arrives.
+    """Return for each motion whether it reaches the target.
 
     Close to the separatrix doubles miss by more than rounding, but rates hardly differ from those
     that arrive; where misses hardly depend on the rates it is the other way round.

@@ -1,4 +1,4 @@
-"""The paper's Figures 1 to 3, of the manoeuvre of `paper.toml`, and the classical angles in them.
+"""The paper's Figures 1 to 3, for the manoeuvre of `paper.toml`.
 
 Figure 1 shows Euler's angles about the fixed momentum, by the classical solution.  Conventions: the
 third axis of the fixed frame lies along the angular momentum, of size K; the rotation from body to
@@ -40,14 +40,20 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 @dataclass(frozen=True, slots=True)
 class EulerAngles:
-    """Euler's angles (N,) in rad."""
+    """Euler angles of an attitude history, in rad.
+
+    Each is an array (N,).
+    """
 
     precession: np.ndarray
     nutation: np.ndarray
     spin: np.ndarray
 
     def quaternion(self) -> np.ndarray:
-        """Return quaternions (N, 4), body to fixed axes, of either sign."""
+        """Return the attitudes as quaternions (N, 4) from body to fixed axes.
+
+        They may have either sign.
+        """
         total, difference = self.precession + self.spin, self.precession - self.spin
         cosine, sine = np.cos(self.nutation / 2), np.sin(self.nutation / 2)
         parts = (
@@ -59,13 +65,15 @@ class EulerAngles:
         return np.stack(parts, axis=-1)
 
     def jumps(self) -> dict[str, int]:
-        """Count the jumps of each angle, by more than half a turn from one sample to the next."""
+        """Count the jumps of each angle by more than half a turn between samples."""
         angles = {"precession": self.precession, "nutation": self.nutation, "spin": self.spin}
         return {name: int(np.sum(np.abs(np.diff(x)) > np.pi)) for name, x in angles.items()}
 
 
 def euler_angles(motion: TorqueFreeMotion, t: np.ndarray) -> EulerAngles:
-    """Return the angles at increasing times (N,), the precession integrated by Gauss's rule.
+    """Return the Euler angles of a torque-free motion at increasing times (N,).
+
+    The precession is integrated by Gauss's rule.
 
     The momentum must never lie along the third axis of the body.
     """
@@ -87,7 +95,7 @@ def euler_angles(motion: TorqueFreeMotion, t: np.ndarray) -> EulerAngles:
 
 
 def difference(motion: TorqueFreeMotion, t: np.ndarray, angles: EulerAngles) -> float:
-    """Return the largest angle (rad) between attitudes by Euler's angles and the library's own."""
+    """Return the largest angle, in rad, between attitudes by Euler angles and by quaternions."""
     found = product(upright(_fixed_momentum(motion)), motion(t)[0])
     # The sines of half the angles: small ones are not lost beside one.
     sides = [np.linalg.norm(found - side * angles.quaternion(), axis=1) for side in (1, -1)]
@@ -96,12 +104,12 @@ def difference(motion: TorqueFreeMotion, t: np.ndarray, angles: EulerAngles) -> 
 
 
 def _fixed_momentum(motion: TorqueFreeMotion) -> np.ndarray:
-    """Return the momentum in inertial axes."""
+    """Return the angular momentum of a motion in inertial axes."""
     return rotated(motion(0.0)[0], momentum(motion))
 
 
 def _rate(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
-    """Return the rate (N,) of the precession, rad/s."""
+    """Return the precession rate (N,) at times (N,), in rad/s."""
     body, rates = moments(motion)[:2], motion(t)[1][:, :2]
     size = float(np.linalg.norm(momentum(motion)))
     across = body * rates
@@ -110,13 +118,13 @@ def _rate(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """A flight, and the classical angles of the natural motion that it follows."""
+    """The data of the paper's figures: a flight, and the Euler angles of the motion it follows."""
 
     tracked: Tracked
     angles: EulerAngles
 
     def numbers(self) -> dict[str, Any]:
-        """Return the numbers that describe the figures, in SI units, angles in degrees.
+        """Return the numbers that describe the figures, in SI units, with angles in degrees.
 
         burst: the largest torques of the first burst, of the coast and of the last burst.
         """
@@ -149,7 +157,7 @@ class Figures:
         }
 
     def rows(self) -> list[tuple[str, str]]:
-        """Return one line for each figure."""
+        """Return a table with one line for each figure."""
         n = self.numbers()
         jumps = ", ".join(f"{name} {count}" for name, count in n["jumps"].items())
         return [
@@ -163,7 +171,7 @@ class Figures:
         ]
 
     def drawn(self) -> dict[str, "Figure"]:
-        """Draw the figures, by name."""
+        """Draw the figures and return them by name."""
         run = self.tracked.run
         return {
             "figure1": _euler(run.t, self.angles),
@@ -172,21 +180,30 @@ class Figures:
         }
 
     def write(self, directory: Path) -> list[Path]:
-        """Write each figure as SVG and PNG, and figures.md; raises InputError where that fails."""
+        """Write the figures as SVG and PNG, and figures.md, to a directory.
+
+        Raises InputError where that fails.
+        """
         page = render("figures.md", **self.numbers()).rstrip("\n")
         text = "\n\n".join(fill(part, 100) for part in page.split("\n\n")) + "\n"
         return write_all(directory, {**drawing.files(self.drawn()), "figures.md": text})
 
 
 def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> Figures:
-    """Plan and fly the paper's manoeuvre for its figures; `progress` is called as by `track`."""
+    """Plan and fly the paper's manoeuvre for its figures.
+
+    `progress` is called as by `track`.
+    """
     tracked = track("paper", progress)
     return Figures(tracked, euler_angles(tracked.transfer.motion, tracked.run.t))
 
 
 @drawing.defaults()
 def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
-    """Draw Euler's angles in degrees, with lines across their jumps as in the paper."""
+    """Draw the Euler angles in degrees.
+
+    Lines go across the jumps, as in the paper.
+    """
     figure, axes = drawing.history("Euler's angles (degrees)")
     values = np.stack([angles.precession, angles.nutation, angles.spin], axis=1)
     names = ("precession", "nutation", "spin")

@@ -28,7 +28,10 @@ _LARGEST = 10**60
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Greatest rate and greatest burst of a spacecraft; None where there is no limit."""
+    """Limits of the body rate and of the bursts of a manoeuvre.
+
+    None stands for no limit.
+    """
 
     max_rate: Fraction | None = None
     "Greatest body rate at any time of the motion, |omega|, rad/s."
@@ -38,7 +41,9 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class Manoeuvre:
-    """A turn from `start` to `target` (quaternions, scalar first, body to inertial).
+    """An attitude manoeuvre of a rigid body from `start` to `target`.
+
+    start, target: quaternions, scalar first, body to inertial.
 
     inertia: principal moments, kg m^2.  duration: s; None for the shortest that the limits allow.
     start_spin, target_spin: body rates before the first burst and after the last, rad/s.
@@ -60,7 +65,10 @@ class Manoeuvre:
 
     @property
     def trivial(self) -> bool:
-        """True if the body rests in the target from the beginning, up to sign and length."""
+        """True if the body rests at the target attitude from the beginning.
+
+        Quaternions are compared up to their sign and length.
+        """
         pairs = combinations(zip(self.start, self.target, strict=True), 2)
         turned = any(p * s != q * r for (p, q), (r, s) in pairs)
         return not (turned or any(self.start_spin) or any(self.target_spin))
@@ -96,7 +104,9 @@ def manoeuvre(
     max_burst: ExactNumber | None = None,
     degrees: bool = False,
 ) -> Manoeuvre:
-    """Return the manoeuvre with a user's numbers; raise InputError for the first bad one.
+    """Create a manoeuvre from a user's numbers.
+
+    Raises InputError for the first invalid number.
 
     degrees: spins and `max_rate` are in deg/s, and are rounded to doubles in rad/s.
     """
@@ -125,7 +135,10 @@ def manoeuvre(
 
 
 def above_zero(field: str, value: ExactNumber) -> Fraction:
-    """Read an exact number above zero that is neither too large nor too small for doubles."""
+    """Read a positive exact number.
+
+    Raises InputError for one that is too large or too small for doubles.
+    """
     number = inputs.exact(field, value)
     if number <= 0:
         raise InputError(field, value, "must be above zero")
@@ -133,20 +146,26 @@ def above_zero(field: str, value: ExactNumber) -> Fraction:
 
 
 def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Convert rates from deg/s to rad/s, rounded to doubles, which files hold in a few digits."""
+    """Convert rates from deg/s to rad/s and round them to doubles.
+
+    Files can hold doubles in a few digits.
+    """
     exact = inputs.certain("degrees", inputs.in_radians(values))
     return tuple(Fraction(float(x)) for x in exact)
 
 
 def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
-    """Return numbers unchanged; raise InputError for one that is too large or too small."""
+    """Check that numbers are from 1e-60 to 1e60 and return them unchanged.
+
+    Raises InputError for any other number.
+    """
     if any(not 1 <= x * _LARGEST <= _LARGEST**2 for x in values):
         raise InputError(field, inputs.shown(values), "must be from 1e-60 to 1e60")
     return values
 
 
 def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
-    """Return the manoeuvre of a file, and all tables of the file as TOML gives them.
+    """Read a manoeuvre file; return the manoeuvre and all TOML tables of the file.
 
     The name `paper` means the file of the package.  Raises InputError about the first error in the
     manoeuvre itself.
@@ -160,7 +179,9 @@ def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
 
 
 def parse(tables: files.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
-    """Return the manoeuvre in the tables of a file; numbers may be floats or decimal strings.
+    """Create a manoeuvre from the TOML tables of a file.
+
+    Numbers may be floats or decimal strings.
 
     others: names of further tables that the file may have.
     """

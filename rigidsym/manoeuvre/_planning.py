@@ -1,4 +1,4 @@
-"""The natural motions from one attitude to another, ranked by the cost of their two bursts."""
+"""Planning of torque-free motions from one attitude to another, ranked by their cost."""
 
 import json
 from dataclasses import dataclass, replace
@@ -44,7 +44,7 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Transfers for one manoeuvre, the cheapest first.
+    """The planned transfers of one manoeuvre, the cheapest first.
 
     families: the number asked for; limits may leave fewer.
     """
@@ -55,11 +55,11 @@ class Plan:
 
     @property
     def best(self) -> Transfer:
-        """Cheapest transfer within the limits."""
+        """The cheapest transfer within the limits."""
         return self.transfers[0]
 
     def at(self, duration: ExactNumber) -> "Plan":
-        """Return the plan of the same manoeuvre in another duration.
+        """Return the plan of the same manoeuvre with another duration.
 
         Without limits and spins it only scales: rates go with 1 / duration, misses stay the same
         (facts faster.kinematics, faster.euler).  Else it is planned anew.
@@ -85,7 +85,10 @@ class Plan:
 
     @property
     def title(self) -> str:
-        """Title of the table: duration, notes on zero cost, growing errors, missing families."""
+        """Title of the table of transfers, with the duration and notes on the plan.
+
+        There are notes on zero cost, growing errors and missing families.
+        """
         said = [f"rigidsym plan: {self.best.duration:.12g} s"]
         if self.manoeuvre.trivial:
             said.append("start equals target, nothing to do")
@@ -99,7 +102,10 @@ class Plan:
         return "; ".join(said)
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-        """Return the columns and rows of the table; the last column has effects of errors."""
+        """Return the columns and rows of the table of transfers.
+
+        The last column has the effects of errors.
+        """
         rows = []
         for k, one in enumerate(self.transfers, 1):
             rates = ", ".join(f"{x:.9g}" for x in one.omega0)
@@ -108,7 +114,9 @@ class Plan:
         return COLUMNS, rows
 
     def write(self, directory: Path) -> list[Path]:
-        """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
+        """Write plan.json, a case file for each transfer, and a picture to a directory.
+
+        The case files are for `rigidsym propagate`.
 
         Case files of an earlier plan are removed.
 
@@ -133,7 +141,7 @@ class Plan:
         return write_all(directory, {"plan.json": self.to_json(), **cases, **pictures})
 
     def to_json(self) -> str:
-        """Return the plan as JSON, schema rigidsym.plan/1."""
+        """Return the plan as JSON in the schema rigidsym.plan/1."""
         data = {
             "schema": SCHEMA,
             "manoeuvre": self.manoeuvre.to_data(),
@@ -226,7 +234,10 @@ def plan(
 
 
 def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
-    """Plan a `Manoeuvre`; arguments and errors are those of `plan`."""
+    """Plan the transfers of a `Manoeuvre`.
+
+    Arguments and errors are those of `plan`.
+    """
     count = inputs.whole("families", families, MOST_FAMILIES)
     try:
         return _solve(asked, count, engine)
@@ -254,7 +265,10 @@ def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
 
 
 def _too_many(asked: Manoeuvre, count: int) -> InputError:
-    """Return the error that names the spin, count or body with too many motions to search."""
+    """Return the error for an input that leads to too many motions to search.
+
+    It names the spin, the number of families or the body.
+    """
     spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
     fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
     if any(spins[fastest]):
@@ -267,7 +281,7 @@ def _too_many(asked: Manoeuvre, count: int) -> InputError:
 
 
 def directions_of(plan: Plan) -> "Figure":
-    """Draw the sphere of momentum directions of a plan, in the body axes of the start.
+    """Draw the momentum directions of a plan on a sphere, in the body axes of the start.
 
     It has the cone of all directions in which a natural motion can arrive; and of each transfer the
     polhode, thin, and the path of the momentum on it, thick, from a dot on the cone on.  A turn

@@ -1,4 +1,6 @@
-"""The dimensionless boundary-value problem: body axes of the start, time 1, largest moment 1.
+"""The dimensionless boundary-value problem of a turn in time 1.
+
+The axes are the body axes of the start, and the largest moment is 1.
 
 Natural motions keep their momentum in space (fact moving_body.momentum_is_constant), and time only
 scales their rates (facts faster.kinematics, faster.euler).  So the problem depends on two attitudes
@@ -21,7 +23,7 @@ IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """The task to find rates that turn a body by a given rotation in time 1.
+    """The problem of finding initial rates that turn a body by a given rotation in time 1.
 
     inertia (3,): moments over the largest of them.  turn (4,): unit quaternion from the body axes
     of the target to those of the start, with a scalar part that is not negative; motions may reach
@@ -34,7 +36,7 @@ class Problem:
 
     @cached_property
     def axes(self) -> tuple[int, int, int]:
-        """The axes of the smallest, the middle and the largest moment."""
+        """The indices of the axes of smallest, middle and largest moment."""
         low, middle, high = np.argsort(self.inertia, kind="stable").tolist()
         return low, middle, high
 
@@ -45,32 +47,50 @@ class Problem:
 
     @cached_property
     def axis(self) -> np.ndarray:
-        """Axis of the turn, (3,); that of the largest moment where there is no turn."""
+        """Axis (3,) of the turn.
+
+        It is that of the largest moment where there is no turn.
+        """
         length = np.linalg.norm(self.turn[1:])
         return self.turn[1:] / length if length else np.eye(3)[self.axes[2]]
 
     @cached_property
     def rotation(self) -> np.ndarray:
-        """The turn as a matrix (3, 3): a momentum that begins at m ends at m @ rotation."""
+        """The rotation matrix (3, 3) of the turn.
+
+        A momentum m at the start is m @ rotation at the end, in body axes.
+        """
         return matrices(self.turn)
 
     @cached_property
     def _undo(self) -> np.ndarray:
-        """Matrix (4, 4) with q turn^-1 = q @ _undo for quaternions q."""
+        """The matrix (4, 4) that multiplies quaternions by the inverse of the turn.
+
+        q turn^-1 = q @ _undo.
+        """
         w, x, y, z = self.turn
         return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
 
     def arrivals(self, rates: np.ndarray) -> np.ndarray:
-        """Return the quaternions (..., 4) by which rates (..., 3) miss the turn in time 1."""
+        """Return the rotations from the target to the attitudes that motions reach in time 1.
+
+        They are quaternions (..., 4), for initial rates (..., 3).
+        """
         q, _ = self.engine.propagate(self.inertia, rates, IDENTITY, np.ones(1))
         return q[..., 0, :] @ self._undo
 
     def misses(self, rates: np.ndarray) -> np.ndarray:
-        """Return the rotation vectors (..., 3), rad, by which rates (..., 3) miss the turn."""
+        """Return the rotation vectors by which motions miss the target in time 1.
+
+        Their shape is (..., 3), in rad, for initial rates (..., 3).
+        """
         return rotation_vectors(self.arrivals(rates))
 
     def slopes(self, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return misses (N, 3) of rates (N, 3), and their derivatives by the rates (N, 3, 3).
+        """Return the misses of motions and their derivatives with respect to the initial rates.
+
+        Misses are rotation vectors (N, 3), for rates (N, 3); derivatives have the shape
+        (N, 3, 3).
 
         Derivatives beyond binary64, as they may be beside the separatrix, are NaN.
         """
@@ -81,7 +101,7 @@ class Problem:
         return misses, inverse_left_jacobian(misses) @ by_rates
 
     def momenta(self, rates: np.ndarray) -> np.ndarray:
-        """Return sizes (...) of the momentum at rates (..., 3)."""
+        """Return the magnitude of the angular momentum for rates (..., 3)."""
         return np.linalg.norm(self.inertia * rates, axis=-1)
 
 
@@ -91,7 +111,10 @@ def problem(
     target: Sequence[Fraction],
     engine: Engine,
 ) -> Problem:
-    """Return the dimensionless problem of a body and two attitudes, from exact numbers."""
+    """Create the dimensionless problem of a body from its start and target attitudes.
+
+    Numbers are exact.
+    """
     largest = max(inertia)
     moments = np.array([float(c / largest) for c in inertia])
     turn = unit(between(start, target))
@@ -99,7 +122,7 @@ def problem(
 
 
 def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Return conj(p) q, which is p^-1 q but for its length."""
+    """Return the quaternion product conj(p) q, which is p^-1 q up to its length."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return (
@@ -111,7 +134,7 @@ def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...
 
 
 def unit(quaternion: Sequence[Fraction]) -> np.ndarray:
-    """Return a quaternion (4,) scaled to length 1, as doubles."""
+    """Normalise an exact quaternion and round it to doubles."""
     largest = max(map(abs, quaternion))
     scaled = np.array([float(x / largest) for x in quaternion])
     return scaled / np.linalg.norm(scaled)

@@ -1,4 +1,4 @@
-"""The search for all motions that arrive: samples of arcs, refined until none is missed.
+"""Search for all motions to the target, by sampling arcs of momentum directions.
 
 A motion from a direction on an arc brings the momentum to its place at the target after a known
 time, and again after each period of its polhode.  The attitude then differs from the target by a
@@ -37,12 +37,14 @@ _MOST, _MOST_STARTS = 150_000, 10_000
 
 
 class TooManyError(ArithmeticError):
-    """Raised where there are too many motions to search."""
+    """Error for a search among too many motions."""
 
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Samples of arcs, with the arrivals of motions that start there, as arrays with N rows.
+    """Sampled motions that start on the arcs, with their arrivals.
+
+    All fields are arrays with N rows.
 
     turns: whole turns of the momentum round its polhode, which take `period` each.  time: momentum
     times duration.  half: half of the angle about the momentum that is left, rad.
@@ -65,7 +67,7 @@ class Samples:
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
-    """Return starting rates (N, 3) near every motion that arrives with a momentum up to `bound`.
+    """Return initial rates (N, 3) near those of every motion to the target up to a momentum.
 
     Raises TooManyError where there are too many motions of that momentum.
     """
@@ -80,21 +82,21 @@ def starts(problem: Problem, bound: float) -> np.ndarray:
 
 
 def _check(count: float, most: int) -> None:
-    """Raise TooManyError for a search that would take too long."""
+    """Raise TooManyError if a count exceeds its limit."""
     if not count <= most:
         raise TooManyError
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """The search for motions along arcs, up to a momentum `bound`."""
+    """A search for motions to the target along arcs, up to a momentum `bound`."""
 
     problem: Problem
     curves: Arcs
     bound: float
 
     def steps(self) -> Iterator[tuple[Samples, Samples]]:
-        """Yield the samples at both ends of steps, halved until they are fine enough."""
+        """Yield the samples at both ends of steps, which are halved until they are fine enough."""
         samples, left, right = self._first()
         for _ in range(_ROUNDS):
             begin, end = samples[left], samples[right]
@@ -110,7 +112,7 @@ class Search:
             left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
     def _first(self) -> tuple[Samples, np.ndarray, np.ndarray]:
-        """Return the first samples, and the rows of both ends of each step between them."""
+        """Return the samples of the initial grid, and the rows of both ends of each step."""
         count, grid = len(self.curves.ends), len(_GRID)
         arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
         momenta = self.curves.at(arc, x)
@@ -131,7 +133,10 @@ class Search:
         return samples, place[: len(step)], place[len(step) :]
 
     def sample(self, arc: np.ndarray, x: np.ndarray, turns: np.ndarray) -> Samples:
-        """Return the samples at points of arcs; arrivals long after `bound` have no half angle."""
+        """Return the samples at given points of the arcs.
+
+        Arrivals long after `bound` have no half angle.
+        """
         momenta = self.curves.at(arc, x)
         return self._arriving(arc, x, turns, momenta, *transits(self.problem, momenta))
 
@@ -144,7 +149,7 @@ class Search:
         first: np.ndarray,
         period: np.ndarray,
     ) -> Samples:
-        """Return samples from momenta (N, 3) of size 1 and their transits."""
+        """Return the samples for unit momenta (N, 3) with known transit times."""
         # Zero turns take no time, also on the separatrix, where one takes for ever.
         time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
         near = time <= _FAR * self.bound
@@ -154,7 +159,7 @@ class Search:
         return Samples(arc, x, turns, period, time, rates, np.where(near, half, np.nan))
 
     def _coarse(self, begin: Samples, end: Samples) -> np.ndarray:
-        """Return True for each step that has to be halved."""
+        """Return for each step whether it has to be halved."""
         apart = np.linalg.norm(end.rates - begin.rates, axis=1)
         fine = (np.abs(_turned(begin, end)) <= _HALF_STEP) & (apart <= _RATE_STEP)
         matters = np.minimum(begin.time, end.time) <= self.bound * _MARGIN
@@ -163,7 +168,10 @@ class Search:
         return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
     def zeros(self, begin: Samples, end: Samples) -> np.ndarray:
-        """Return rates where the half angle passes a multiple of pi, or comes close to one."""
+        """Return the initial rates at which the half angle reaches a multiple of pi.
+
+        Those at which it comes close to one are returned as well.
+        """
         step = _turned(begin, end)
         low, high = np.minimum(0, step), np.maximum(0, step)
         whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
@@ -175,7 +183,7 @@ class Search:
         return np.concatenate([at, nearer[close]])
 
     def _crossings(self, begin: Samples, end: Samples, wanted: np.ndarray) -> np.ndarray:
-        """Return the rates (N, 3) at which half angles have made a wanted part of their change.
+        """Return the initial rates at which half angles have made a wanted part of their change.
 
         The zero is found by regula falsi, in its Illinois variant.
         """
@@ -193,5 +201,5 @@ class Search:
 
 
 def _turned(begin: Samples, end: Samples) -> np.ndarray:
-    """Return the changes of half angles, from -pi to pi."""
+    """Return the changes of the half angles between samples, reduced to [-pi, pi)."""
     return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi

@@ -1,4 +1,4 @@
-"""Natural motions from start to target, their bursts, and the effects of errors at the start."""
+"""Torque-free motions from start to target, with their bursts and error sensitivities."""
 
 import json
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ _BESIDE, _GROWN = 0.01, 3.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Robustness:
-    """First-order effect of small errors at the start on the arrival.
+    """First-order effects of small errors at the start on the attitude at arrival.
 
     Effects are small turns, vectors in space, rad.
 
@@ -38,12 +38,12 @@ class Robustness:
 
     @property
     def size(self) -> float:
-        """Miss caused by a first burst that is 1 % too strong or too weak, rad."""
+        """Miss in rad caused by a first burst that is 1 % too strong or too weak."""
         return _PERCENT * float(np.linalg.norm(self.by_burst @ self.burst))
 
     @property
     def direction(self) -> float:
-        """Miss caused by an error in the direction of the first burst, at worst, rad per rad.
+        """Largest miss caused by an error in the direction of the first burst, in rad per rad.
 
         A burst points off where the attitude is not known exactly.
         """
@@ -52,7 +52,9 @@ class Robustness:
 
 
 def robustness(motion: TorqueFreeMotion, burst: np.ndarray, duration: float) -> Robustness:
-    """Return the effects of small errors on a motion after `duration` s; burst (3,) in N m s.
+    """Return the first-order effects of small initial errors on a motion.
+
+    They are those after `duration` s; burst (3,) is in N m s.
 
     Raises InputError as `motion.sensitivity` does.
     """
@@ -64,7 +66,9 @@ def robustness(motion: TorqueFreeMotion, burst: np.ndarray, duration: float) -> 
 
 
 def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
-    """Return the power of e by which errors grow on the way; 0 where they grow linearly.
+    """Return the exponent of e by which errors grow during a motion.
+
+    It is 0 where they grow linearly.
 
     They grow exponentially about the middle axis and beside the separatrix, where 1 - m is below
     0.01, by e for each 1 / lambda of time; powers below 3 count as linear growth.  Inertia (3,) in
@@ -75,7 +79,7 @@ def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
         return 0.0
 
     def beyond(c: float) -> float:
-        """Return K^2 - 2 H c."""
+        """Return K^2 - 2 H c for a moment c, with momentum K and energy H."""
         return float(np.sum(inertia * (inertia - c) * omega0**2))
 
     a, d = (high, low) if beyond(middle) >= 0 else (low, high)
@@ -88,7 +92,7 @@ def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
 
 @dataclass(frozen=True)
 class Transfer:
-    """A natural motion that reaches the target at the end of the duration.
+    """A torque-free motion that reaches the target at the end of the duration.
 
     manoeuvre: what it is for, with its duration.  rates: body rates at its start, exact, rad/s.
     residual: the angle by which the derived solution, at thirty digits, misses the target for
@@ -104,12 +108,15 @@ class Transfer:
 
     @cached_property
     def motion(self) -> TorqueFreeMotion:
-        """Torque-free motion, from t = 0 at `start`."""
+        """The torque-free motion, which begins at `start` at t = 0."""
         start = self.manoeuvre.start
         return TorqueFreeMotion(self.manoeuvre.inertia, self.rates, start, engine=self.engine)
 
     def faster(self, manoeuvre: Manoeuvre, ratio: Fraction) -> "Transfer":
-        """Return the same motion `ratio` times as fast, for a shorter manoeuvre."""
+        """Return the transfer that follows the same path `ratio` times as fast.
+
+        It is for a shorter manoeuvre.
+        """
         rates = tuple(ratio * x for x in self.rates)
         return replace(
             self, manoeuvre=manoeuvre, rates=rates, peak_rate=float(ratio) * self.peak_rate
@@ -117,7 +124,7 @@ class Transfer:
 
     @property
     def duration(self) -> float:
-        """Time from the first burst to the last, s."""
+        """Time from the first burst to the last, in s."""
         return float(self.manoeuvre.duration or 0)
 
     @property
@@ -132,7 +139,10 @@ class Transfer:
 
     @cached_property
     def bursts(self) -> np.ndarray:
-        """Changes of momentum (2, 3) that start and end the motion, in body axes, N m s."""
+        """The two bursts (2, 3) that start and end the motion, in body axes, N m s.
+
+        They are changes of angular momentum.
+        """
         given = self.manoeuvre
         begin = self.omega0 - _doubles(given.start_spin)
         return _doubles(given.inertia) * [begin, _doubles(given.target_spin) - self.omega1]
@@ -147,39 +157,51 @@ class Transfer:
 
     @property
     def miss(self) -> str:
-        """Residual as text, rad; a bound where its digits are rounding."""
+        """The residual in rad as text.
+
+        It is an upper bound where the digits are rounding errors.
+        """
         bounds = (f"< {bound:g}" for bound in (1e-14, 1e-12) if self.residual < bound)
         return next(bounds, f"{self.residual:.1e}")
 
     @property
     def missed(self) -> str:
-        """Misses as text, degrees: by 1 % of the first burst, and by 1 degree of its direction."""
+        """The misses in degrees that errors of the first burst cause, as text.
+
+        The first is for 1 % of its size, the second for 1 degree of its direction.
+        """
         found = self.sensitivity
         grown = ", grows exponentially" if self.growth_exponent else ""
         return f"{np.degrees(found.size):.3g}, {found.direction:.3g}{grown}"
 
     @property
     def growth_exponent(self) -> float:
-        """Power of e by which errors grow on the way; 0 where they grow linearly."""
+        """Exponent of e by which errors grow during the motion.
+
+        It is 0 where they grow linearly.
+        """
         return exponent(_doubles(self.manoeuvre.inertia), self.omega0, self.duration)
 
     @property
     def cost(self) -> float:
-        """Size of both bursts together, |I omega(0)| + |I omega(T)| from rest to rest, N m s."""
+        """Sum of the sizes of both bursts, in N m s.
+
+        From rest to rest it is |I omega(0)| + |I omega(T)|.
+        """
         return float(np.linalg.norm(self.bursts, axis=1).sum())
 
     @property
     def momentum(self) -> float:
-        """Momentum K, N m s."""
+        """Magnitude of the angular momentum K, in N m s."""
         return float(np.linalg.norm(_doubles(self.manoeuvre.inertia) * self.omega0))
 
     @property
     def energy(self) -> float:
-        """Kinetic energy H, J."""
+        """Kinetic energy H, in J."""
         return float(_doubles(self.manoeuvre.inertia) @ self.omega0**2 / 2)
 
     def to_case(self) -> str:
-        """Return a case file of the motion, for `rigidsym propagate`."""
+        """Return the motion as the text of a case file for `rigidsym propagate`."""
         given = self.manoeuvre
         vectors = {"inertia": given.inertia, "omega0": self.rates, "attitude0": given.start}
         lines = [
@@ -191,7 +213,10 @@ class Transfer:
         return "\n".join([*lines, *times, ""])
 
     def to_data(self) -> dict[str, Any]:
-        """Return the transfer of the schema rigidsym.plan/1; `rates` are omega0 exactly."""
+        """Return the entry of this transfer in the schema rigidsym.plan/1.
+
+        `rates` are the exact values of omega0.
+        """
         return {
             "omega0": self.omega0.tolist(),
             "rates": [inputs.exact_text(x) for x in self.rates],

@@ -1,4 +1,4 @@
-"""Times at which a momentum passes points of its polhode, by Jacobi's functions.
+"""Times at which the momentum passes given points of its polhode.
 
 The formulas are the ledger's, evaluated over arrays; their argument u, an elliptic integral of the
 first kind, is Carlson's R_F by SciPy.
@@ -19,7 +19,7 @@ from rigidsym.solution._polhode import discriminant
 def _choose(
     x: np.ndarray | float, y: np.ndarray | float, one: np.ndarray | int, other: np.ndarray | int
 ) -> np.ndarray | int:
-    """Return `one` where x <= y, else `other`."""
+    """Select `one` where x <= y, and `other` elsewhere."""
     first = x <= y
     if isinstance(first, np.ndarray):
         return np.where(first, one, other)
@@ -33,7 +33,9 @@ _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 @dataclass(frozen=True, slots=True)
 class Phases:
-    """Places of momenta of size 1 on their polhodes, as arrays (N,).
+    """Phases of unit momenta on their polhodes.
+
+    All fields are arrays (N,).
 
     u: the argument of Jacobi's functions.  quarter: K(m).  speed: du/dt.  branch: which of the
     four families of polhodes, about either end of the axis of largest or of smallest moment.
@@ -46,13 +48,16 @@ class Phases:
 
     @property
     def period(self) -> np.ndarray:
-        """Period of the momenta on their polhodes."""
+        """Periods of the momenta on their polhodes."""
         return 4 * self.quarter / self.speed
 
 
 @np.errstate(divide="ignore", invalid="ignore")
 def phases(problem: Problem, momenta: np.ndarray) -> Phases:
-    """Return the phases of momenta (N, 3) of size 1; NaN where the momentum does not move."""
+    """Return the phases of unit momenta (N, 3) on their polhodes.
+
+    They are NaN where the momentum does not move.
+    """
     low, middle, high = problem.axes
     c, rates = problem.inertia, momenta / problem.inertia
     # 1 or -1 where rates circulate about the axis of largest or smallest moment, 0 for constant
@@ -71,7 +76,7 @@ def phases(problem: Problem, momenta: np.ndarray) -> Phases:
 
 
 def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
-    """Return the phases (4, N) of rates (N, 3) that circulate about the first of the axes.
+    """Return the phases (4, N) of motions that circulate about the first of the axes.
 
     chi is 1 for all, so that phases are counted from the same point.
     """
@@ -91,7 +96,9 @@ def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -
 
 @np.errstate(divide="ignore", invalid="ignore")
 def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first times (N,) at which momenta (N, 3) arrive, and their periods (N,).
+    """Return the times at which momenta first reach the target, and their periods.
+
+    Momenta have the shape (N, 3), times and periods (N,).
 
     They arrive where the turn puts them, and have size 1.  NaN where they never arrive, being on
     another polhode, or do not move.
@@ -104,7 +111,9 @@ def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndar
 
 
 def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
-    """Return the largest |omega| (N,) of motions that arrive, from rates (N, 3).
+    """Return the peak rate |omega| of motions that reach the target in time 1.
+
+    Peaks have the shape (N,), initial rates (N, 3).
 
     Motions take time 1.  On a polhode |omega|^2 is linear in sn^2, so that its extremes are at the
     ends of the motion and where the argument of Jacobi's functions passes a multiple of K(m) (facts

@@ -1,4 +1,4 @@
-"""Natural motions against other ways to turn: quaternion feedback, and optimal control.
+"""Comparison of torque-free motions with quaternion feedback and optimal control.
 
 The paper (section V) calls its natural motions presumably close to those of minimum fuel and good
 first guesses of optimisers, and leaves to future work "a comparison with a quaternion feedback

@@ -1,4 +1,4 @@
-"""Direct collocation of optimal control in a fixed time.
+"""Direct collocation for optimal control in a fixed time.
 
 Units: time 1 for the duration, moments of inertia over the largest, so that rates are in 1 over
 the duration and impulses in the largest moment over the duration.  Attitudes are relative to the
@@ -26,7 +26,7 @@ Guess = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 class Model(StrEnum):
-    """Models of actuators: thrusters or wheels."""
+    """The model of the actuators, thrusters or wheels."""
 
     THRUSTERS = "thrusters"
     "The outside: J w' = -w x J w + u.  Coasting is a natural motion and free."
@@ -36,7 +36,7 @@ class Model(StrEnum):
 
 
 class Cost(StrEnum):
-    """Integrals to minimise, each summed over the axes of the body."""
+    """The integral to minimise, summed over the axes of the body."""
 
     FUEL = "fuel"
     "The integral of |u|."
@@ -46,7 +46,7 @@ class Cost(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A problem of optimal control.
+    """An optimal-control problem, given by the actuators, the cost and the limits.
 
     limited: whether the torque of each axis is bounded; if not, bursts may be as short as the mesh
     allows.
@@ -58,7 +58,7 @@ class Task:
 
     @property
     def name(self) -> str:
-        """The name in tables and files."""
+        """The name of the task in tables and files."""
         return f"{self.model}, {self.cost}" + ("" if self.limited else ", unlimited")
 
 
@@ -84,7 +84,7 @@ class Tableau:
 
 @cache
 def gauss(points: int) -> Tableau:
-    """Return Gauss's tableau of `points` points.
+    """Return the tableau of Gauss collocation with a number of points.
 
     >>> gauss(1)
     Tableau(c=array([0.5]), a=array([[0.5]]), b=array([1.]))
@@ -99,7 +99,7 @@ def gauss(points: int) -> Tableau:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Intervals of [0, 1], each with some points of collocation.
+    """A mesh of intervals of [0, 1], each with the same number of collocation points.
 
     They are short at both ends, where the torques act: with 80 intervals the first is 1e-4 long,
     those in the middle 0.02.
@@ -110,17 +110,17 @@ class Mesh:
 
     @cached_property
     def nodes(self) -> np.ndarray:
-        """Ends of the intervals (N + 1,): Chebyshev's nodes."""
+        """Ends (N + 1,) of the intervals, which are Chebyshev nodes."""
         return (1 - np.cos(np.pi * np.arange(self.intervals + 1) / self.intervals)) / 2
 
     @cached_property
     def steps(self) -> np.ndarray:
-        """Lengths of the intervals (N,)."""
+        """Lengths (N,) of the intervals."""
         return np.diff(self.nodes)
 
     @property
     def inner(self) -> np.ndarray:
-        """Points of collocation (N, s)."""
+        """Collocation points (N, s) of the intervals."""
         return self.nodes[:-1, None] + self.steps[:, None] * gauss(self.points).c
 
 
@@ -130,7 +130,7 @@ MESH = Mesh()
 
 @dataclass(frozen=True, slots=True)
 class Trajectory:
-    """States and impulses on a mesh.
+    """States and impulses on a collocation mesh.
 
     nodes (N + 1, 7), inner (N, s, 7): attitude and rates.  impulses (N, 3): of the torque, which
     is constant in each interval.
@@ -142,7 +142,7 @@ class Trajectory:
 
     @classmethod
     def of_unknowns(cls, mesh: Mesh, unknowns: np.ndarray) -> "Trajectory":
-        """Return the trajectory whose `unknowns` are a vector."""
+        """Create a trajectory from the optimiser's vector of unknowns."""
         count, points = mesh.intervals, mesh.points
         sizes = [STATES * (count + 1), STATES * points * count, AXES * count]
         nodes, inner, up, down = np.split(unknowns, np.cumsum(sizes))
@@ -153,7 +153,7 @@ class Trajectory:
         )
 
     def unknowns(self, split: bool) -> np.ndarray:
-        """Return nodes, inner states and impulses as one vector.
+        """Return all states and impulses as the optimiser's vector of unknowns.
 
         split: impulses are written as positive and negative parts; else as they are, and zeros.
         """
@@ -164,12 +164,12 @@ class Trajectory:
 
 
 def still(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return attitudes and rates that stay at the start, as a first guess."""
+    """Return the first guess of a body that stays at rest at the start."""
     return np.tile([1.0, 0.0, 0.0, 0.0], (len(t), 1)), np.zeros((len(t), 3))
 
 
 def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Trajectory:
-    """Sample a motion on a mesh, and the torques that it needs without limits.
+    """Sample a motion on a mesh, with the torques that it would need without limits.
 
     The first and the last interval start and stop it where it does not begin and end at rest.
     """
@@ -185,7 +185,7 @@ def guessed(mesh: Mesh, inertia: np.ndarray, model: Model, motion: Guess) -> Tra
 
 
 class Driven:
-    """Motion from rest under impulses on a mesh, integrated by SciPy's DOP853.
+    """A motion from rest under given torques, integrated by SciPy's DOP853.
 
     It checks optima by another integrator than collocation.
     """
@@ -218,7 +218,10 @@ class Driven:
         "Attitude (4,) and rates (3,) at time 1."
 
     def __call__(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return attitudes (N, 4) and rates (N, 3) at times (N,) from 0 to 1."""
+        """Return the attitudes and rates at times from 0 to 1.
+
+        Times have the shape (N,), attitudes (N, 4) and rates (N, 3).
+        """
         states = self._states(np.clip(t, 0.0, 1.0)).T
         length = np.linalg.norm(states[:, :4], axis=1, keepdims=True)
         return states[:, :4] / length, states[:, 4:]

@@ -1,4 +1,4 @@
-"""Random manoeuvres, and ways to the target, each flown by the same actuators.
+"""Random manoeuvres, and the control methods that fly them with the same actuators.
 
 Every other manoeuvre is with the paper's body; all are from rest to rest, and all flights through
 the same disturbances.  Wheels fly as `rigidsym track` does.  The torque of a track and its bursts
@@ -58,7 +58,10 @@ Profile = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 @dataclass(frozen=True)
 class Case:
-    """A random manoeuvre and its index; `body` is "paper" or "random"."""
+    """A random manoeuvre of the comparison.
+
+    `body` is "paper" or "random".
+    """
 
     index: int
     body: str
@@ -66,7 +69,10 @@ class Case:
 
     @cached_property
     def problem(self) -> Problem:
-        """The dimensionless problem of the manoeuvre; no motion is computed with its engine."""
+        """The dimensionless boundary-value problem of the manoeuvre.
+
+        No motion is computed with its engine.
+        """
         asked = self.manoeuvre
         return problem(asked.inertia, asked.start, asked.target, engine("numpy"))
 
@@ -77,7 +83,7 @@ class Case:
 
     @property
     def duration(self) -> float:
-        """Time from the first burst to the last, s."""
+        """Time from the first burst to the last, in s."""
         return float(self.manoeuvre.duration or 0)
 
     @cached_property
@@ -87,12 +93,12 @@ class Case:
 
     @property
     def rotation_vector(self) -> np.ndarray:
-        """The turn from start to target as axis times angle (3,), rad, by the shorter way."""
+        """Rotation vector (3,) of the shorter turn from start to target, in rad."""
         vector = self.problem.turn[1:]
         return self.problem.angle * vector / np.linalg.norm(vector)
 
     def to_data(self) -> dict[str, Any]:
-        """Return the entries of the schema rigidsym.comparison/1."""
+        """Return the entries of this case in the schema rigidsym.comparison/1."""
         return {
             "index": self.index,
             "body": self.body,
@@ -102,7 +108,10 @@ class Case:
 
 
 def draw(index: int, seed: int) -> Case:
-    """Draw the manoeuvre of an index; attitudes are random in space, with six decimals."""
+    """Draw the random manoeuvre with a given index.
+
+    Attitudes are spread evenly over all rotations, and rounded to six decimals.
+    """
     rng = np.random.default_rng([seed, index])
     body = "random" if index % 2 else "paper"
     start, target = (_rounded(rng.normal(size=4)) for _ in range(2))
@@ -123,12 +132,15 @@ def _rounded(values: np.ndarray) -> tuple[str, ...]:
 
 
 def constant(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Turn at constant rate: it starts and stops at once, as natural motions do."""
+    """Return the profile of a turn at constant rate.
+
+    It starts and stops instantaneously, as natural motions do.
+    """
     return x, np.ones_like(x)
 
 
 def smooth(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Turn by 3 x^2 - 2 x^3, from rest to rest.
+    """Return the profile 3 x^2 - 2 x^3 of a smooth turn from rest to rest.
 
     Its torque is linear in time, and has the least integral of its square for a single axis.
     """
@@ -136,12 +148,14 @@ def smooth(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def step(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Stay at the target from the beginning."""
+    """Return the profile of a step, which is at the target from the beginning."""
     return np.ones_like(x), np.zeros_like(x)
 
 
 def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return attitudes (N, 4), relative to the start, and rates (N, 3) of a turn about one axis.
+    """Return the attitudes and rates of a turn about a fixed axis.
+
+    Attitudes (N, 4) are relative to the start; rates have the shape (N, 3).
 
     vector (3,): axis times angle, rad.  t (N,): times from 0 to 1.
     """
@@ -152,12 +166,15 @@ def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndar
 
 
 def eigenaxis(case: Case, profile: Profile) -> Track:
-    """Return the turn about the eigenaxis of start and target, the shorter way round."""
+    """Return the track of the shorter turn about the eigenaxis from start to target."""
     return _track(case, partial(turned, case.rotation_vector, profile))
 
 
 def _track(case: Case, motion: Guess) -> Track:
-    """Return the track of a motion of times from 0 to 1, relative to the start."""
+    """Convert a dimensionless motion to a track in the case's time and inertial frame.
+
+    The motion is a function of times from 0 to 1, with attitudes relative to the start.
+    """
 
     def at(t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         x = np.atleast_1d(np.asarray(t, float)) / case.duration
@@ -170,7 +187,7 @@ def _track(case: Case, motion: Guess) -> Track:
 
 @dataclass(frozen=True, slots=True)
 class Ways:
-    """The data from which the ways of a case are made.
+    """The data from which all control methods of a case are set up.
 
     transfer: its cheapest natural motion.  impulses: of the motion of least fuel for the actuators
     that fly, without units, on the mesh of collocation.
@@ -182,14 +199,17 @@ class Ways:
     impulses: np.ndarray
 
     def flight(self, controller: Controller | None = None) -> Flight:
-        """Return the settings of a flight with a controller, by default of feedback alone."""
+        """Return the settings of a flight with a controller.
+
+        The default controller has feedback alone.
+        """
         plain = Controller(feedforward=self.actuators is Model.THRUSTERS)
         timing = Timing(length=Fraction(self.case.duration) + HOLD, period=PERIOD)
         return Flight(run=timing, controller=controller or plain)
 
     @property
     def slow(self) -> Flight:
-        """Settings of feedback with gains so low that a step takes the whole duration."""
+        """Settings of feedback with gains so low that a step response takes the whole duration."""
         flight, case = self.flight(), self.case
         settled = np.radians(flight.run.settled)
         frequency = slowest(case.problem.angle, settled) / case.duration
@@ -197,7 +217,7 @@ class Ways:
 
     @property
     def optimum(self) -> Track:
-        """The motion of least fuel."""
+        """The track of the motion of least fuel."""
         inertia = self.case.inertia / self.case.inertia.max()
         return _track(self.case, Driven(self.actuators, inertia, self.impulses, MESH))
 
@@ -217,7 +237,7 @@ METHODS: Mapping[str, Callable[[Ways], tuple[Transfer | Track, Flight]]] = {
 
 @dataclass(frozen=True, slots=True)
 class Flown:
-    """Measures of a flight.
+    """Torque integrals, torque peak and attitude errors of one flight.
 
     torque_integral: of |torque|, summed over the axes, N m s.  torque_square: integral of torque^2,
     summed over the axes, N^2 m^2 s.  torque_peak: of any axis, N m.  error_at_duration,
@@ -235,7 +255,10 @@ class Flown:
 def flown(
     case: Case, transfer: Transfer, actuators: Model, method: str, impulses: np.ndarray
 ) -> Flown:
-    """Fly a way and measure it; raises InputError where torques are too wild to follow."""
+    """Fly a case by one control method and measure the flight.
+
+    Raises InputError where the integration fails.
+    """
     track, flight = METHODS[method](Ways(case, actuators, transfer, impulses))
     return measured(fly(case.manoeuvre, flight, track), flight, actuators)
 
@@ -255,14 +278,17 @@ def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
 
 
 def exerted(run: Run, actuators: Model) -> np.ndarray:
-    """Return the torques (N, 3) of a flight that are counted, N m."""
+    """Return the torques (N, 3) of a flight that count as its cost, in N m.
+
+    For thrusters, these are the wheels' torques without the gyroscopic torque of the wheels.
+    """
     if actuators is Model.WHEELS:
         return run.torque
     return run.torque - np.cross(run.omega, run.wheel_momentum)
 
 
 def slowest(turn: float, within: float) -> float:
-    """Return the natural frequency with which a critically damped oscillator settles in time 1.
+    """Return the natural frequency at which a critically damped oscillator settles in time 1.
 
     It is `turn` off at first and `within` at last, rad: (1 + x) exp(-x) = within / turn, solved
     by Lambert's function.
@@ -271,7 +297,7 @@ def slowest(turn: float, within: float) -> float:
 
 
 def ideals(case: Case, transfer: Transfer) -> dict[str, dict[str, float]]:
-    """Return the costs of ways with instantaneous bursts and without disturbances.
+    """Return the ideal costs, with instantaneous bursts and without disturbances.
 
     They are the integral of |torque|, summed over the axes, N m s, by actuators and way.  Wheels
     have to exert the gyroscopic torque of a natural motion, thrusters have to cancel that of a turn

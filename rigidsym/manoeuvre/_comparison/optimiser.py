@@ -1,4 +1,4 @@
-"""Optimal control as a nonlinear programme in CasADi's symbols, solved by IPOPT.
+"""Optimal control as a nonlinear programme, built with CasADi and solved by IPOPT.
 
 One programme serves all bodies and targets: they are its parameters.  A case is solved for each
 task from each first guess, with each of the optimiser's settings.
@@ -61,7 +61,7 @@ _PARAMETERS = 7
 
 @dataclass(frozen=True, slots=True)
 class Posed:
-    """A body and its target.
+    """The inertia, the target and the torque limit of an optimal-control problem.
 
     inertia (3,): over the largest.  target (4,): relative to the start.  limit: of the torque of
     each axis.
@@ -74,7 +74,10 @@ class Posed:
 
 @dataclass(frozen=True, slots=True)
 class Optimum:
-    """A result of IPOPT: its cost, its iterations, and whether it converged to the tolerance."""
+    """The result of one run of IPOPT.
+
+    `converged` is true where it reached the tolerance.
+    """
 
     cost: float
     iterations: int
@@ -83,7 +86,7 @@ class Optimum:
 
 
 def solved(case: Case, transfer: Transfer, task: Task) -> tuple[dict[str, Any], np.ndarray]:
-    """Solve a task from each guess, and return the results and the impulses of the best.
+    """Solve a task from each first guess; return the results and the best impulses.
 
     The results are the entries of the schema rigidsym.comparison/1: the least cost of all attempts
     that converged, N m s for fuel, N^2 m^2 s for energy; the miss of the best torques by another
@@ -121,7 +124,10 @@ def solved(case: Case, transfer: Transfer, task: Task) -> tuple[dict[str, Any], 
 
 
 def attempt(found: Optimum, unit: float, least: float) -> dict[str, Any]:
-    """Return the entry of an attempt; `best` is true where it found the least cost."""
+    """Return the entry of one attempt in the schema rigidsym.comparison/1.
+
+    `best` is true where the attempt found the least cost.
+    """
     cost = found.cost * unit
     return {
         "cost": cost,
@@ -132,7 +138,10 @@ def attempt(found: Optimum, unit: float, least: float) -> dict[str, Any]:
 
 
 def guesses(case: Case, transfer: Transfer) -> Mapping[str, Guess]:
-    """Return the first guesses by name; times from 0 to 1, attitudes relative to the start."""
+    """Return the first guesses for the optimiser by name.
+
+    They are functions of times from 0 to 1, with attitudes relative to the start.
+    """
 
     def natural(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, omega = transfer.motion(t * case.duration)
@@ -145,7 +154,7 @@ def guesses(case: Case, transfer: Transfer) -> Mapping[str, Guess]:
 def optimum(
     task: Task, posed: Posed, begin: Trajectory, settings: str = "default", mesh: Mesh = MESH
 ) -> Optimum:
-    """Search a local optimum from a trajectory on the same mesh."""
+    """Search for a local optimum, starting from a trajectory on the same mesh."""
     solve = _solver(task, settings, mesh)
     low, high = _bounds(task, posed, mesh)
     found = solve(
@@ -178,7 +187,10 @@ def _solver(task: Task, settings: str, mesh: Mesh) -> ca.Function:
 
 
 def _bounds(task: Task, posed: Posed, mesh: Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """Return the bounds of all unknowns: fixed start, rest at both ends, limited impulses."""
+    """Return the lower and upper bounds of all unknowns.
+
+    They fix the initial attitude and rest at both ends, and limit the impulses.
+    """
     most = posed.limit if task.limited else np.inf
     room = np.repeat(most * mesh.steps, AXES)
     size = STATES * ((mesh.points + 1) * mesh.intervals + 1)
@@ -193,7 +205,9 @@ def _bounds(task: Task, posed: Posed, mesh: Mesh) -> tuple[np.ndarray, np.ndarra
 
 
 def _programme(task: Task, mesh: Mesh) -> dict[str, ca.MX]:
-    """Return the programme of a task: from rest to rest, either sign of the target's quaternion.
+    """Return the nonlinear programme of a task for CasADi.
+
+    Motions are from rest to rest; they may reach either sign of the target's quaternion.
 
     For fuel, torques are the difference of two parts, u = u+ - u-, neither of them negative: where
     the sum u+ + u- is least, one of them is zero, and the sum is |u|.
@@ -220,7 +234,9 @@ def _programme(task: Task, mesh: Mesh) -> dict[str, ca.MX]:
 
 
 def defects(model: Model, mesh: Mesh) -> ca.Function:
-    """Return the function of one interval that vanishes where its states obey the equations.
+    """Return the collocation defects of one interval as a CasADi function.
+
+    They vanish where the states satisfy the equations of motion.
 
     Its arguments: the state at the begin, those inside, that at the end, the impulse, the length
     of the interval, and the moments of inertia.
@@ -230,7 +246,7 @@ def defects(model: Model, mesh: Mesh) -> ca.Function:
     impulse, step, inertia = ca.SX.sym("p", AXES), ca.SX.sym("h"), ca.SX.sym("J", 3)
 
     def derivative(state: ca.SX) -> ca.SX:
-        """Return q' = q (0, w) / 2 and w'."""
+        """Return the time derivatives of the attitude and of the rates."""
         q, w, torque = state[:4], state[4:], impulse / step
         turn = ca.vertcat(-ca.dot(q[1:], w), q[0] * w + ca.cross(q[1:], w)) / 2
         felt = torque - ca.cross(w, inertia * w) if model is Model.THRUSTERS else torque

@@ -1,4 +1,4 @@
-"""Tables of a comparison, and comparison.md with its conclusions.
+"""Tables of a comparison, and the report comparison.md.
 
 Tables and text are made from `Comparison.summary`.  A spread is shown as median [quartiles]
 least..most.  Every statement about costs is computed, so that it holds for any sample.
@@ -46,7 +46,7 @@ _GUESSES = {
 
 
 def spread(one: Spread, unit: float = 1.0, digits: int = 3) -> str:
-    """Format a spread in full."""
+    """Format a spread as its median, quartiles and extremes."""
     low, q1, median, q3, high = (
         f"{one[name] / unit:.{digits}g}" for name in ("min", "q1", "median", "q3", "max")
     )
@@ -58,7 +58,10 @@ def _median(one: Spread, unit: float = 1.0) -> str:
 
 
 def _flown(model: str, methods: Mapping[str, Any], short: Callable[..., str]) -> Table:
-    """Return the ways flown with the same actuators; `short` formats peaks and errors."""
+    """Return the table of all flights with the same actuators.
+
+    `short` formats the spreads of peaks and errors.
+    """
     rows = [
         (
             method,
@@ -72,7 +75,10 @@ def _flown(model: str, methods: Mapping[str, Any], short: Callable[..., str]) ->
 
 
 def _tables(summary: Mapping[str, Any], short: Callable[..., str]) -> dict[str, Table]:
-    """Return the tables by name; `short` formats spreads that say little more than a median."""
+    """Return the tables of a comparison by name.
+
+    `short` formats spreads that say little more than a median.
+    """
     ideal = [
         (model, way, spread(one, digits=4))
         for model, ways in summary["ideal"].items()
@@ -97,12 +103,15 @@ def _tables(summary: Mapping[str, Any], short: Callable[..., str]) -> dict[str, 
 
 
 def tables(summary: Mapping[str, Any]) -> list[Table]:
-    """Return the tables for terminals: medians where a spread says little more."""
+    """Return the tables of a comparison for terminals.
+
+    They have medians where a spread says little more.
+    """
     return [*_tables(summary, _median).values()]
 
 
 def conclusion(summary: Mapping[str, Any], manoeuvres: int) -> str:
-    """Return the cost of the natural motion beside the least fuel and beside all other ways."""
+    """Return sentences that compare the cost of natural motions with all other methods."""
     parts = []
     for model, methods in summary["flown"].items():
         beaten = ", ".join(
@@ -119,7 +128,7 @@ def conclusion(summary: Mapping[str, Any], manoeuvres: int) -> str:
 
 
 def page(command: str, count: int, summary: Mapping[str, Any]) -> str:
-    """Return the text of comparison.md."""
+    """Return the text of the report comparison.md."""
     flown, optimal = summary["flown"], summary["optimal"]
     wheels = flown[Model.WHEELS]
     fuel = {model: optimal[Task(model, Cost.FUEL).name]["attempts"] for model in Model}

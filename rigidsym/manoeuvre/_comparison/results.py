@@ -1,4 +1,4 @@
-"""The comparison: its results on random manoeuvres, their statistics by pandas, and its files.
+"""Results of the comparison on random manoeuvres, with their statistics and files.
 
 The results do not depend on how the work is shared among processes.  It is cut into pieces of a
 second or two, which processes share well and stop soon.  Each piece draws and plans its manoeuvre
@@ -53,14 +53,14 @@ Found = TypeVar("Found")
 
 @dataclass(frozen=True)
 class Comparison:
-    """The results of the manoeuvres of a seed, from the first one on."""
+    """The results of a comparison on random manoeuvres."""
 
     seed: int
     records: tuple[Record, ...]
 
     @cached_property
     def flown(self) -> DataFrame:
-        """Table of all flights: manoeuvre, actuators, method, measures and their ratios."""
+        """Table of all flights with their measures and cost ratios."""
         return DataFrame(
             {
                 "manoeuvre": record["index"],
@@ -78,7 +78,7 @@ class Comparison:
 
     @cached_property
     def ideal(self) -> DataFrame:
-        """Table of all ways with ideal bursts: ratios to the least fuel without limits."""
+        """Table of the ideal costs, as ratios to the least fuel without torque limits."""
         return DataFrame(
             {
                 "manoeuvre": record["index"],
@@ -93,7 +93,11 @@ class Comparison:
 
     @cached_property
     def attempts(self) -> DataFrame:
-        """Table of all searches: iterations, and whether each converged, was best, was quickest."""
+        """Table of all attempts of the optimiser, with their iterations and success.
+
+        It has whether each attempt converged, found the least cost, or needed the fewest
+        iterations.
+        """
         frame = DataFrame(
             {"manoeuvre": record["index"], "task": task, "setting": setting, "guess": guess, **one}
             for record in self.records
@@ -107,7 +111,10 @@ class Comparison:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """Spreads and counts: flights by actuators and method, ideal bursts, optima by task."""
+        """Statistics of the flights, of the ideal costs and of optimal control.
+
+        They are spreads and counts, by actuators and method, or by task, setting and guess.
+        """
         optimal = _grouped(self.attempts, ["task", "setting", "guess"], _attempts)
         return {
             "flown": _grouped(self.flown, ["actuators", "method"], _measures),
@@ -125,11 +132,14 @@ class Comparison:
 
     @property
     def command(self) -> str:
-        """The command that makes this comparison."""
+        """The command line that reproduces this comparison."""
         return f"rigidsym compare --manoeuvres {len(self.records)} --seed {self.seed}"
 
     def to_json(self) -> str:
-        """Return the schema rigidsym.comparison/1 as text, the same for each run."""
+        """Return the comparison as JSON in the schema rigidsym.comparison/1.
+
+        The text is the same for each run.
+        """
         data = {
             "schema": SCHEMA,
             "command": self.command,
@@ -152,23 +162,26 @@ class Comparison:
         return json.dumps(data, indent=1) + "\n"
 
     def tables(self) -> list[page.Table]:
-        """Return titles, columns and rows for terminals."""
+        """Return the tables for terminals, each with a title, columns and rows."""
         return page.tables(self.summary)
 
     @property
     def conclusion(self) -> str:
-        """The costs of the natural motion beside the least fuel and beside all other ways."""
+        """Sentences that compare the cost of natural motions with all other methods."""
         return page.conclusion(self.summary, len(self.records))
 
     def write(self, directory: Path) -> list[Path]:
-        """Write comparison.json, comparison.md and the picture; raises InputError."""
+        """Write comparison.json, comparison.md and the picture to a directory.
+
+        Raises InputError where that fails.
+        """
         text = page.page(self.command, len(self.records), self.summary)
         picture = spreads(self._panels(), "one manoeuvre", "the least fuel")
         texts = {"comparison.json": self.to_json(), "comparison.md": text}
         return write_all(directory, {**texts, **files({"comparison": picture})})
 
     def _panels(self) -> list[Spread]:
-        """Return the panels of the picture: costs by method, iterations by guess."""
+        """Return the panels of the picture, with costs by method and iterations by guess."""
         label, title = "torque integral over the least fuel", f"optimal control: {_DRAWN.name}"
         costs = _grouped(
             self.flown, ["actuators", "method"], lambda one: one["over_least_fuel"].tolist()
@@ -185,12 +198,15 @@ class Comparison:
 
 
 def _least(record: Record, model: str, cost: Cost = Cost.FUEL, limited: bool = True) -> float:
-    """Return the least cost found for a manoeuvre, N m s of fuel or N^2 m^2 s of energy."""
+    """Return the least cost that the optimiser found for a manoeuvre.
+
+    It is in N m s for fuel, and in N^2 m^2 s for energy.
+    """
     return record["optimal"][Task(Model(model), cost, limited).name]["best"]
 
 
 def spread(values: Iterable[float]) -> dict[str, float]:
-    """Return least, quartiles and most.
+    """Return the minimum, quartiles and maximum of some values.
 
     >>> spread([4, 1, 2, 3, 5])["median"]
     3.0
@@ -200,7 +216,10 @@ def spread(values: Iterable[float]) -> dict[str, float]:
 
 
 def _grouped(frame: DataFrame, columns: list[str], measure: Callable[[DataFrame], Any]) -> Any:
-    """Measure the rows for each combination of values in columns; return nested dicts."""
+    """Group the rows of a table by columns and measure each group.
+
+    Return nested dictionaries with a level for each column.
+    """
     first, *rest = columns
     return {
         str(key): _grouped(group, rest, measure) if rest else measure(group)
@@ -209,7 +228,10 @@ def _grouped(frame: DataFrame, columns: list[str], measure: Callable[[DataFrame]
 
 
 def _measures(flown: DataFrame) -> dict[str, Any]:
-    """Return spreads of the flights by one method, and counts of cheaper, dearer and saturated."""
+    """Return statistics of all flights by one method.
+
+    They are spreads, and counts of flights that are cheaper, dearer or saturated.
+    """
     return {
         **{name: spread(flown[name]) for name in _SPREADS},
         "cheaper_than_natural": int((flown["over_natural"] < 1).sum()),
@@ -219,7 +241,10 @@ def _measures(flown: DataFrame) -> dict[str, Any]:
 
 
 def _attempts(tried: DataFrame) -> dict[str, Any]:
-    """Return the spread of iterations, and how many searches converged, were best or quickest."""
+    """Return statistics of the optimiser's attempts from one first guess.
+
+    They are the spread of iterations, and how many attempts converged, were best or quickest.
+    """
     done = tried["iterations"][tried["converged"]]
     counts = {name: int(tried[name].sum()) for name in ("converged", "best", "fewest")}
     return {"iterations": spread(done) if len(done) else None, **counts}
@@ -232,7 +257,7 @@ def compare(
     workers: int | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Comparison:
-    """Compare ways to turn on random manoeuvres from rest to rest.
+    """Compare control methods on random manoeuvres from rest to rest.
 
     Parameters
     ----------
@@ -266,7 +291,10 @@ def compare(
 def _records(
     work: Callable[[Sequence[Callable[[], Any]]], list[Any]], seed: int, indices: Sequence[int]
 ) -> list[Record]:
-    """Return the results of all manoeuvres; optimal control is first, as its motions are flown."""
+    """Return the results of all manoeuvres.
+
+    Optimal control is solved first, because its motions are flown.
+    """
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
     calls = [partial(_piece, seed, k, optimiser.solved, task) for k, task in tasks]
     solved = dict(zip(tasks, work(calls), strict=True))
@@ -291,7 +319,7 @@ def _records(
 
 
 def _piece(seed: int, index: int, work: Callable[..., Found], *given: object) -> Found:
-    """Return a piece of work on the manoeuvre of an index and its cheapest transfer."""
+    """Call a function with the manoeuvre of an index and its cheapest transfer."""
     return work(*_planned(seed, index), *given)
 
 
@@ -304,7 +332,9 @@ def _planned(seed: int, index: int) -> tuple[Case, Transfer]:
 def results(
     place: Place, tell: Callable[[], None], calls: Sequence[Callable[[], Found]]
 ) -> list[Found]:
-    """Return the results of calls, in their order; `tell` is called after each.
+    """Run calls in other processes and return their results in order.
+
+    `tell` is called after each.
 
     The place gets some calls ahead, and no more once one has failed.
     """

@@ -1,4 +1,4 @@
-"""Actuators: burns, which make the bursts of a plan finite, and reaction wheels with their limits.
+"""Actuators: burns of finite length for the bursts of a plan, and reaction wheels with limits.
 
 A burn is a torque of one size along an axis, for as long as its impulse takes.
 """
@@ -21,7 +21,9 @@ WHEELS = 0.8
 
 @dataclass(frozen=True)
 class Burns:
-    """A burn of each axis for each burst.
+    """Burns of finite length that replace the two bursts of a plan.
+
+    There is one for each burst and axis.
 
     instants (2,): of the bursts, s.  impulses (2, 3): in body axes, N m s.  torque: of an axis
     while it burns, N m.  before: the share of a burn that lies before its instant; a half, where
@@ -35,41 +37,43 @@ class Burns:
 
     @cached_property
     def spans(self) -> np.ndarray:
-        """Begin and end of each burn, (2, 3, 2), s."""
+        """Start and end times (2, 3, 2) of all burns, in s."""
         length = np.abs(self.impulses) / self.torque
         begin = self.instants[:, None] - self.before * length
         return np.stack([begin, begin + length], axis=2)
 
     @property
     def begin(self) -> float:
-        """Begin of the first burn, s; at most zero."""
+        """Start time of the first burn, in s, or zero if that is earlier."""
         return min(0.0, float(self.spans.min()))
 
     @property
     def end(self) -> float:
-        """End of the last burn, s."""
+        """End time of the last burn, in s."""
         return float(self.spans.max())
 
     @property
     def overlap(self) -> bool:
-        """True where a burn of the last burst begins before all those of the first are over."""
+        """True if any burn of the last burst begins before all burns of the first have ended."""
         first, last = self.spans
         return bool(last[:, 0].min() < first[:, 1].max())
 
     def between(self, begin: float, end: float) -> np.ndarray:
-        """Return the mean torque (3,) from one time to another, N m."""
+        """Return the mean torque (3,) of the burns between two times, in N m."""
         low = np.maximum(self.spans[..., 0], begin)
         shared = np.maximum(np.minimum(self.spans[..., 1], end) - low, 0.0)
         return self.torque * np.sum(np.sign(self.impulses) * shared, axis=0) / (end - begin)
 
     def pieces(self, begin: float, end: float) -> list[tuple[float, float]]:
-        """Return the spans between two times in which the torque is constant."""
+        """Split the interval between two times into parts with constant torque."""
         inner = [x for x in np.unique(self.spans).tolist() if begin < x < end]
         return [*pairwise([begin, *inner, end])]
 
 
 def planned(flight: Flight, manoeuvre: Manoeuvre, track: Transfer | Track) -> Burns | None:
-    """Return the burns by which thrusters or wheels make the bursts; None without burns.
+    """Return the burns by which thrusters or wheels make the bursts of a track.
+
+    Return None where bursts are not commanded.
 
     Thrusters leave out a component below half of the minimum impulse; others are at least that
     impulse.  Raises InputError where burns last too long.
@@ -95,7 +99,10 @@ def planned(flight: Flight, manoeuvre: Manoeuvre, track: Transfer | Track) -> Bu
 
 
 def bursts(manoeuvre: Manoeuvre, track: Transfer | Track) -> np.ndarray:
-    """Return the changes of momentum (2, 3) at the ends of a track, body axes, N m s."""
+    """Return the changes of momentum (2, 3) that a track needs at its start and end.
+
+    They are in body axes, in N m s.
+    """
     inertia, before, after = (
         np.array([float(x) for x in values])
         for values in (manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.target_spin)
@@ -107,7 +114,9 @@ def bursts(manoeuvre: Manoeuvre, track: Transfer | Track) -> np.ndarray:
 def next_torque(
     wheels: Wheels, torque: np.ndarray, momentum: np.ndarray, command: np.ndarray, period: float
 ) -> np.ndarray:
-    """Return the torque (3,) of wheels at the end of a period (s) under a command, N m.
+    """Return the torque that wheels reach at the end of a control period under a command.
+
+    Torques (3,) are in N m, the period is in s.
 
     It goes there along a straight line from `torque`, so that neither the torque nor its rate
     ever is beyond its limit.  `momentum` (3,) is that of the wheels at the beginning, N m s.
@@ -124,7 +133,9 @@ def next_torque(
 
 
 def _gain(change: float, period: float, room: np.ndarray) -> np.ndarray:
-    """Return the greatest rates g of gaining momentum at the end of a period, by the `room` left.
+    """Return the largest rates g at which wheels may gain momentum at the end of a period.
+
+    `room` is the momentum that they can still store.
 
     Wheels that gain no faster can stop gaining before they are full.  In that period g adds
     period g / 2.  Then it goes down by `change` in each period, and to zero in the last: k periods

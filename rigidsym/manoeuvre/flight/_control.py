@@ -1,4 +1,4 @@
-"""The attitude to follow at each time, and the torque that brings the spacecraft there."""
+"""Reference attitudes of a flight, and the torque commands of feedback and feedforward."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Motion = Callable[[ArrayLike], tuple[np.ndarray, np.ndarray]]
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """A motion to follow from the start to the target, which it reaches after `duration` s."""
+    """A motion to follow from the start to the target, with its duration in s."""
 
     duration: float
     motion: Motion
@@ -26,7 +26,10 @@ class Track:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """Attitudes q (N, 4) and body rates omega (N, 3) along the times of a flight."""
+    """Attitudes and body rates at the sampling times of a flight.
+
+    q has the shape (N, 4), omega (N, 3).
+    """
 
     q: np.ndarray
     omega: np.ndarray
@@ -34,7 +37,7 @@ class Reference:
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """The wanted state at one sample: attitude (4,), rates (3,), and the torque (3,) of the track.
+    """The wanted attitude and rates at one sample, and the torque of the track.
 
     The torque is that at the next sample, when the wheels exert it.
     """
@@ -45,7 +48,9 @@ class Wanted:
 
 
 def reference(manoeuvre: Manoeuvre, track: Transfer | Track, t: np.ndarray) -> Reference:
-    """Return the start until t = 0, the track until the target is reached, then the target.
+    """Return the reference of a flight: the start, then the track, then the target.
+
+    The track begins at t = 0 and ends after its duration.
 
     A start and a target that spin do so as free bodies.  The attitudes are continuous in the double
     cover: of the two quaternions of the target it is the one at which the track arrives.
@@ -61,7 +66,9 @@ def reference(manoeuvre: Manoeuvre, track: Transfer | Track, t: np.ndarray) -> R
 
 
 def torques(inertia: np.ndarray, track: Transfer | Track, t: np.ndarray) -> np.ndarray:
-    """Return I omega' + omega x I omega (N, 3) of a track at evenly spaced times, N m.
+    """Return the torques that a track needs at evenly spaced times.
+
+    They are I omega' + omega x I omega, (N, 3), in N m.
 
     It vanishes on a natural motion.  Values are means about each time, so that lines between them
     have the track's impulse, without its bursts.
@@ -76,7 +83,9 @@ def torques(inertia: np.ndarray, track: Transfer | Track, t: np.ndarray) -> np.n
 def feedback(
     controller: Controller, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, wanted: Wanted
 ) -> np.ndarray:
-    """Return -2 Kp sign(d0) d - Kd (omega - omega wanted), N m, d being the error's quaternion.
+    """Return the torque of quaternion feedback, in N m.
+
+    It is -2 Kp sign(d0) d - Kd (omega - omega wanted), d being the error's quaternion.
 
     The way back is the shorter one.
     """
@@ -90,7 +99,7 @@ def feedback(
 def feedforward(
     controller: Controller, q: np.ndarray, omega: np.ndarray, momentum: np.ndarray, wanted: Wanted
 ) -> np.ndarray:
-    """Return the torque that does not depend on errors, N m.
+    """Return the feedforward torque, in N m, which does not depend on errors.
 
     With `feedforward`, omega x h of the wheels' momentum h: the body then moves as if it had no
     wheels, and needs no torque on a natural motion.  With `track_feedforward`, the torque of the

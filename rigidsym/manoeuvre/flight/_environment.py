@@ -1,4 +1,4 @@
-"""The surroundings of a spacecraft along its orbit, and the torques that they exert on it.
+"""The environment of a spacecraft in orbit, and its disturbance torques.
 
 Torques are in N m, all vectors (3,) in body axes.  Sources: Markley and Crassidis, Fundamentals of
 Spacecraft Attitude Determination and Control, section 3.3.6; Wertz, Spacecraft Attitude
@@ -58,7 +58,9 @@ LAYERS = (
 
 
 def density(altitude: float) -> float:
-    """Return the air's density at an altitude in km, above zero, kg/m^3.
+    """Return the air density in kg/m^3 at an altitude in km.
+
+    The altitude must be above zero.
 
     >>> density(600.0)
     1.454e-13
@@ -69,7 +71,7 @@ def density(altitude: float) -> float:
 
 
 class Box:
-    """A box of six flat panels.
+    """A box-shaped spacecraft of six flat panels.
 
     size: its edges along the body axes, m.  offset: its middle from the centre of mass, m.
     """
@@ -81,7 +83,9 @@ class Box:
         self._offset = np.array(offset)
 
     def facing(self, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return the three faces that look towards a unit vector (3,), a row for each axis.
+        """Return the three faces of the box that look towards a unit vector (3,).
+
+        There is a row for each axis.
 
         These are their areas as seen from there (3,) in m^2, the cosines to their normals (3,), and
         the signs (3,) of these normals along the axes.
@@ -91,7 +95,7 @@ class Box:
         return self._areas * cosines, cosines, signs
 
     def torque(self, forces: np.ndarray, signs: np.ndarray) -> np.ndarray:
-        """Return the torque of forces (3, 3) at the middles of faces with these normals."""
+        """Return the total torque of forces (3, 3) that act at the centres of three faces."""
         total = forces[0] + forces[1] + forces[2]
         arms = (signs * self._half)[:, None] * forces
         # The sum of e_k x (row k): the antisymmetric part.
@@ -100,12 +104,14 @@ class Box:
 
 
 def dipole(moment: Triple, field: np.ndarray) -> np.ndarray:
-    """Return m x B of a dipole (A m^2) in a field (T)."""
+    """Return the torque m x B on a dipole (A m^2) in a magnetic field (T)."""
     return cross(moment, field)
 
 
 def drag(box: Box, wind: np.ndarray, air: float, coefficient: float) -> np.ndarray:
-    """Return the torque on a box with velocity `wind` (m/s) through air of a density (kg/m^3).
+    """Return the torque of air drag on a box.
+
+    The box has the velocity `wind` (m/s) through air of the given density (kg/m^3).
 
     Each face that meets the air feels -1/2 rho C |v| v times its area as the air sees it.  The
     spacecraft's own turning adds nothing that matters to the velocity of its faces.
@@ -117,7 +123,9 @@ def drag(box: Box, wind: np.ndarray, air: float, coefficient: float) -> np.ndarr
 
 
 def radiation(box: Box, sun: np.ndarray, lit: float, specular: float, diffuse: float) -> np.ndarray:
-    """Return the torque of sunlight on a box; `sun` points to the Sun (m).
+    """Return the torque of solar radiation pressure on a box.
+
+    `sun` points to the Sun (m).
 
     lit: the visible share of the Sun.  Each face feels -P A cos ((1 - specular) s + 2 (specular cos
     + diffuse / 3) n), with s towards the Sun and n its normal (Markley and Crassidis, section
@@ -136,7 +144,10 @@ def radiation(box: Box, sun: np.ndarray, lit: float, specular: float, diffuse: f
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """The surroundings at one time: vectors (3,) in body axes."""
+    """The environment of a spacecraft at one time.
+
+    Vectors (3,) are in body axes.
+    """
 
     position: np.ndarray
     "From the Earth's middle, m."
@@ -154,7 +165,9 @@ Torque = Callable[[Surroundings], np.ndarray]
 
 
 class Environment:
-    """The disturbances of a flight that are switched on, as torques by name.
+    """The disturbance torques of a flight, as far as they are switched on.
+
+    `torques` has them by name.
 
     It is a torque for `rigidsym.integrate`, too, over the length of the flight.
 
@@ -175,7 +188,7 @@ class Environment:
         self.torques = _torques(flight, inertia)
 
     def at(self, t: float, q: np.ndarray) -> Surroundings:
-        """Return the surroundings at time t (s) of a spacecraft of attitude q (4,)."""
+        """Return the environment at time t (s) of a spacecraft of attitude q (4,)."""
         position, velocity = self._path(t)
         sun, field = self._sky(t)
         x, y, _ = place = position.tolist()
@@ -184,14 +197,16 @@ class Environment:
         return Surroundings(*body, sky.sunlit(place, sun.tolist()))
 
     def total(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the sum of the torques (3,), N m, in body axes."""
+        """Return the sum of all disturbance torques (3,) in body axes, in N m."""
         if not self.torques:
             return np.zeros(3)
         here = self.at(t, q)
         return np.sum([torque(here) for torque in self.torques.values()], axis=0)
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the sum of the torques on spacecraft of attitudes q (..., 4) at a time: (..., 3).
+        """Return the sum of all disturbance torques at a time for one or more attitudes.
+
+        Attitudes have the shape (..., 4), torques (..., 3).
 
         Raises InputError for a time outside of the flight, for which the sky was not computed.
         """
@@ -202,7 +217,10 @@ class Environment:
         return np.reshape(found, omega.shape)
 
     def each(self, t: np.ndarray, q: np.ndarray) -> dict[str, np.ndarray]:
-        """Return every torque (N, 3) by name along times (N,) and attitudes (N, 4)."""
+        """Return each disturbance torque by name along a flight.
+
+        Torques have the shape (N, 3), times (N,), attitudes (N, 4).
+        """
         places = [self.at(*state) for state in zip(t, q, strict=True)] if self.torques else []
         return {
             name: np.array([torque(place) for place in places])
@@ -211,7 +229,10 @@ class Environment:
 
 
 def _sky(flight: Flight, path: sky.Path, begin: float) -> CubicSpline:
-    """Return the Sun's position (m) and the Earth's field (T), inertial, (2, 3), by time (s)."""
+    """Return a spline of the Sun's position and the Earth's magnetic field over the flight.
+
+    At a time in s, it has the inertial vectors (2, 3), in m and T.
+    """
     count = max(4, int(np.ceil((float(flight.run.length) - begin) / GRID)) + 1)
     t = begin + GRID * np.arange(count)
     position = np.array([path(time)[0] for time in t.tolist()])

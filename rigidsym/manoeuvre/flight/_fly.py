@@ -1,4 +1,4 @@
-"""The closed loop: sampled control, wheels that ramp, thrusters that burn, a rigid body between."""
+"""Simulation of a rigid body in closed loop with sampled control, wheels and thrusters."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ _NONE = np.zeros(3)
 
 @dataclass(frozen=True, slots=True)
 class _Sample:
-    """The integrated state (11,) at one time, and the wheels' torque and momentum (3,) each."""
+    """The integrated state (11,) and the wheels' torque and momentum (3,) at one sample."""
 
     state: np.ndarray
     torque: np.ndarray
@@ -37,7 +37,10 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _Ramp:
-    """Wheels between two samples, with a torque that changes linearly to `then`."""
+    """The wheels between two samples, with a torque that changes linearly.
+
+    `then` is the torque at the end.
+    """
 
     begin: float
     end: float
@@ -45,7 +48,7 @@ class _Ramp:
     then: np.ndarray
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return torque on the body and momentum stored, (3,) each."""
+        """Return the wheels' torque (3,) on the body and their momentum (3,) at a time."""
         share = (t - self.begin) / (self.end - self.begin)
         torque = self.now.torque + share * (self.then - self.now.torque)
         return torque, self.now.momentum - (t - self.begin) / 2 * (self.now.torque + torque)
@@ -53,7 +56,7 @@ class _Ramp:
 
 @dataclass(frozen=True, slots=True)
 class _Loop:
-    """The closed loop from one sample to the next."""
+    """The closed loop, which computes one sample from the one before."""
 
     flight: Flight
     inertia: np.ndarray
@@ -62,11 +65,14 @@ class _Loop:
 
     @property
     def thrusting(self) -> Burns | None:
-        """Burns of thrusters; None where wheels exert them."""
+        """The burns of thrusters, or None if wheels make the bursts."""
         return self.burns if self.flight.thrusters else None
 
     def steered(self, now: _Sample, wanted: control.Wanted, span: tuple[float, float]) -> _Ramp:
-        """Return the wheels' torque until the next sample: feedback, feedforward and burns."""
+        """Return the wheels' torque until the next sample, under all control commands.
+
+        The commands are feedback, feedforward and burns.
+        """
         begin, end = span
         q, omega, controller = now.state[_Q], now.state[_OMEGA], self.flight.controller
         command = control.feedforward(controller, q, omega, now.momentum, wanted)
@@ -80,7 +86,9 @@ class _Loop:
         return _Ramp(begin, end, now, then)
 
     def flown(self, ramp: _Ramp) -> np.ndarray | None:
-        """Return the state at the next sample, q of unit length; None where integration fails.
+        """Integrate the state to the next sample; return None where integration fails.
+
+        q has unit length.
 
         Steps end where the torque of thrusters changes.
         """
@@ -108,7 +116,9 @@ class _Loop:
 
     @np.errstate(all="ignore")
     def causes(self, ramp: _Ramp, turning: np.ndarray) -> dict[str, float]:
-        """Return the sizes of torques at the beginning of a span, N m, by their cause.
+        """Return the magnitudes of all torques at the start of an interval, by their cause.
+
+        They are in N m.
 
         Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum
         with its gyroscopic torque at the wanted rates (3,), since the rates flown come of all
@@ -216,7 +226,10 @@ def fly(
 def _equations(
     inertia: np.ndarray, ramp: _Ramp, environment: Environment, burning: np.ndarray
 ) -> Callable[[float, np.ndarray], np.ndarray]:
-    """Return the right-hand side between two samples, with one torque (3,) of thrusters."""
+    """Return the right-hand side of the equations of motion between two samples.
+
+    The torque (3,) of thrusters is constant.
+    """
 
     def derivative(t: float, state: np.ndarray) -> np.ndarray:
         q, omega = state[_Q], state[_OMEGA]
@@ -230,7 +243,7 @@ def _equations(
 
 
 def _turn(q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """Return q' = q (0, omega) / 2."""
+    """Return the time derivative q' = q (0, omega) / 2 of the attitude."""
     (a, b, c, d), (x, y, z) = q.tolist(), (omega / 2).tolist()
     return np.array(
         [

@@ -1,4 +1,4 @@
-"""A manoeuvre planned and flown from its file: tables, pictures, messages, files."""
+"""Results of a manoeuvre that is planned and flown from its file."""
 
 import io
 import json
@@ -38,7 +38,7 @@ _PICTURES = ("attitude", "error", "rates", "torques", "disturbances")
 
 @dataclass(frozen=True, slots=True)
 class Tracked:
-    """A flight with its manoeuvre, its settings and the motion that it follows."""
+    """A simulated flight with its manoeuvre, its settings and the motion that it follows."""
 
     manoeuvre: Manoeuvre
     flight: Flight
@@ -46,7 +46,10 @@ class Tracked:
     run: Run
 
     def summary(self) -> dict[str, Any]:
-        """Return the schema rigidsym.track/1: SI units and radians, settings as in `Flight`."""
+        """Return the summary of the flight in the schema rigidsym.track/1.
+
+        Numbers are in SI units and radians; settings are in the units of `Flight`.
+        """
         run, burns, transfer = self.run, self.run.burns, self.transfer
         return {
             "schema": SCHEMA,
@@ -78,12 +81,12 @@ class Tracked:
         }
 
     def to_json(self) -> str:
-        """Return the summary as text, of the schema rigidsym.track/1."""
+        """Return the summary as JSON in the schema rigidsym.track/1."""
         return json.dumps(self.summary(), indent=1, default=_plain) + "\n"
 
     @property
     def missed(self) -> bool:
-        """True where there was time to settle at the target and the spacecraft did not.
+        """True if the spacecraft had time to settle at the target and did not.
 
         With thrusters alone, without feedback: true where their last burn does not lead there.
         """
@@ -94,7 +97,10 @@ class Tracked:
         return target["final_error"] is not None and target["settled_at"] is None
 
     def rows(self, checks: bool = True) -> Rows:
-        """Return the measures as pairs of name and text, the checks last."""
+        """Return the table of measures as pairs of name and text.
+
+        The checks are last.
+        """
         rows = self.run.rows(self.flight.run.settled)
         missed = self.transfer.sensitivity
         flown = [name for name, _ in rows].index("error at arrival")
@@ -113,13 +119,18 @@ class Tracked:
         return tracked_html(self, self.rows(checks=False))
 
     def to_npz(self) -> bytes:
-        """Return float64 arrays, a row for each sample; names as those of `Run`."""
+        """Return the flight as the content of a NumPy file run.npz.
+
+        Its float64 arrays have a row for each sample, and the names of `Run.arrays`.
+        """
         buffer = io.BytesIO()
         np.savez(buffer, **self.run.arrays())
         return buffer.getvalue()
 
     def to_aem(self) -> str:
-        """Return the flight as a CCSDS attitude ephemeris message, UTC from the orbit's epoch on.
+        """Return the flight as a CCSDS attitude ephemeris message.
+
+        Times are in UTC, from the orbit's epoch on.
 
         Raises InputError for epochs before 1972, when seconds of UTC had other lengths, and for
         flights beyond the year 9999.
@@ -130,7 +141,9 @@ class Tracked:
         return aem(Track(run.t, run.q, run.omega), epoch, **names)
 
     def contents(self) -> dict[str, bytes]:
-        """Return the contents of all files by name: data, message, pictures, summary.
+        """Return the contents of all files of a flight by name.
+
+        They are data, a message, pictures and a summary.
 
         There is a message from 1972 on.  Raises InputError as `to_aem` does.
         """
@@ -142,7 +155,9 @@ class Tracked:
         return found | drawing.files(drawn) | {"summary.json": self.to_json().encode()}
 
     def write(self, directory: Path) -> list[Path]:
-        """Write all files of `contents` to a directory; raise InputError where that fails.
+        """Write all files of `contents` to a directory.
+
+        Raises InputError where that fails.
 
         All contents are made before the first is written.  An attitude.aem of an earlier flight is
         removed where this one has none: beside the other files it would be taken for this flight's.
@@ -154,7 +169,9 @@ class Tracked:
 
 
 def track(name: str, progress: Callable[[int, int], None] = lambda done, total: None) -> Tracked:
-    """Plan and fly the manoeuvre of a file (`paper`: the paper's); raises InputError.
+    """Plan and fly the manoeuvre of a file.
+
+    The name `paper` means the paper's manoeuvre.  Raises InputError for a bad file.
 
     `progress` is called with the samples done and all of them.
     """
@@ -166,5 +183,5 @@ def track(name: str, progress: Callable[[int, int], None] = lambda done, total: 
 
 
 def _plain(value: datetime | Fraction) -> str | float:
-    """Convert a setting of a type that JSON cannot hold."""
+    """Convert a date or fraction for JSON."""
     return value.isoformat() if isinstance(value, datetime) else float(value)

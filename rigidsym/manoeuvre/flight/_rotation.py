@@ -1,4 +1,4 @@
-"""Quaternions and cross products of single vectors, fast enough for the inner loop."""
+"""Fast quaternion and cross products of single vectors for the simulation loop."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ Numbers = np.ndarray | Sequence[float]
 
 
 def matrix(q: Numbers) -> np.ndarray:
-    """Return the rotation (3, 3), body to inertial, of a unit quaternion (4,)."""
+    """Return the rotation matrix, body to inertial, of a unit quaternion."""
     a, b, c, d = map(float, q)
     return np.array(
         [
@@ -22,18 +22,27 @@ def matrix(q: Numbers) -> np.ndarray:
 
 
 def relative(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return conj(p) q, of (..., 4) each: from the axes of q to those of p."""
+    """Return the relative rotation conj(p) q, from the axes of q to those of p.
+
+    Quaternions have the shape (..., 4).
+    """
     return product(conjugate(p), q)
 
 
 def angle(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Return the angle (...) between attitudes (..., 4), rad, accurate where it is small."""
+    """Return the angle between two attitudes in rad, accurately even for small angles.
+
+    Attitudes have the shape (..., 4).
+    """
     error = relative(p, q)
     return 2 * np.arctan2(np.linalg.norm(error[..., 1:], axis=-1), np.abs(error[..., 0]))
 
 
 def cross(a: Numbers, b: Numbers) -> np.ndarray:
-    """Return a x b, of (3,) each; numpy's takes ten times as long."""
+    """Return the cross product a x b of two vectors (3,).
+
+    `numpy.cross` takes ten times as long.
+    """
     a0, a1, a2 = map(float, a)
     b0, b1, b2 = map(float, b)
     return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])

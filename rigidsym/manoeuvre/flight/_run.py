@@ -1,4 +1,4 @@
-"""A flight at its samples: states, measures, and rows of tables."""
+"""The sampled states of a flight, with performance measures and table rows."""
 
 from dataclasses import dataclass
 from math import degrees, radians
@@ -24,7 +24,10 @@ _NEAR = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """A flight at its samples, N of them; SI units, vectors in body axes."""
+    """The sampled states, torques and reference of a flight.
+
+    There are N samples.  Units are SI, vectors are in body axes.
+    """
 
     inertia: np.ndarray
     "Principal moments (3,)."
@@ -55,11 +58,11 @@ class Run:
 
     @property
     def error(self) -> np.ndarray:
-        """Angle between the attitudes flown and the reference (N,), rad."""
+        """Angle (N,) between the flown attitude and the reference, in rad."""
         return angle(self.reference.q, self.q)
 
     def momentum_defect(self) -> float:
-        """Return the largest change of total momentum that no outer torque explains, N m s.
+        """Return the largest change of total momentum, in N m s, not explained by external torque.
 
         In inertial axes: zero but for rounding and integration.
         """
@@ -68,24 +71,32 @@ class Run:
         return float(np.max(np.linalg.norm(whole - whole[0] - self.impulse, axis=1)))
 
     def energy_defect(self) -> float:
-        """Return the largest change of the energy of rotation that no torque's work explains, J."""
+        """Return the largest change of kinetic energy, in J, not explained by torques."""
         energy = 0.5 * np.sum(self.inertia * self.omega**2, axis=1)
         return float(np.max(np.abs(energy - energy[0] - self.work)))
 
     def sizes(self) -> tuple[float, float]:
-        """Return the largest momentum of body and wheels, N m s, and the largest energy, J."""
+        """Return the largest momentum of body and wheels and the largest kinetic energy.
+
+        Units are N m s and J.
+        """
         body = self.inertia * self.omega
         momentum = np.linalg.norm(body, axis=1) + np.linalg.norm(self.wheel_momentum, axis=1)
         return float(np.max(momentum)), float(np.max(np.sum(body * self.omega, axis=1)) / 2)
 
     def tracking(self) -> dict[str, float]:
-        """Return greatest (`max`), root mean square and last angle of error until arrival, rad."""
+        """Return statistics of the attitude error until arrival, in rad.
+
+        They are its maximum, root mean square and last value.
+        """
         error = self.error[self.t < self.arrival]
         found = {"max": np.max(error), "rms": np.sqrt(np.mean(error**2)), "last": error[-1]}
         return {name: float(angle) for name, angle in found.items()}
 
     def holding(self, settled: float) -> dict[str, float | None]:
-        """Return how the target is held after arrival; None where nothing is flown by then.
+        """Return how accurately the target is held after arrival.
+
+        Values are None where the flight ends before.
 
         These are `final_error` and `greatest_error`, rad, and `settled_at`, the time (s) from which
         the error stays within `settled` rad; None where it does not at the end.
@@ -103,7 +114,9 @@ class Run:
         }
 
     def last_burn(self) -> dict[str, float] | None:
-        """Return time (`t`, s), `error` (rad) and `rate` (rad/s) at the end of thrusters' burns.
+        """Return the attitude and rate errors at the end of all thruster burns.
+
+        `t` is in s, `error` in rad, `rate` in rad/s.
 
         They are those of the first sample after all burns, relative to the reference; None without
         thrusters, or where the flight ends before.
@@ -121,7 +134,7 @@ class Run:
         }
 
     def effort(self) -> dict[str, list[float]]:
-        """Return peaks and integrals of |torque|, and peaks of the wheels' momentum, by axis."""
+        """Return peaks and integrals of |torque| and peaks of the wheels' momentum, by axis."""
         taken = np.abs(self.torque)
         return {
             "torque_peak": np.max(taken, axis=0).tolist(),
@@ -130,14 +143,16 @@ class Run:
         }
 
     def disturbance_peak(self) -> dict[str, float]:
-        """Return the greatest size of each disturbing torque, N m."""
+        """Return the largest magnitude of each disturbance torque, in N m."""
         return {
             name: float(np.max(np.linalg.norm(torque, axis=1)))
             for name, torque in self.disturbances.items()
         }
 
     def saturation(self, wheels: Wheels) -> dict[str, list[float]]:
-        """Return times at the limits of torque and momentum (s), by wheel, and the momentum needed.
+        """Return how long each wheel is at its limits, and the momentum that it would need.
+
+        Times at the limits of torque and momentum are in s.
 
         `momentum_needed` is the largest momentum (N m s) of wheels that follow the reference
         exactly, without disturbances: in space the total momentum stays.
@@ -158,7 +173,10 @@ class Run:
         }
 
     def rows(self, settled: float = _SETTLED) -> Rows:
-        """Return the measures as pairs of name and text; `settled` is a tolerance, degrees."""
+        """Return the table of measures as pairs of name and text.
+
+        `settled` is the tolerance of settling at the target, in degrees.
+        """
         error, target, effort = self.tracking(), self.holding(radians(settled)), self.effort()
         burnt = []
         if last := self.last_burn():
@@ -186,7 +204,10 @@ class Run:
         ]
 
     def saturation_rows(self, wheels: Wheels, missed: bool) -> Rows:
-        """Return rows of the limits that wheels meet, and why the target is missed, if it is."""
+        """Return table rows of the limits that wheels reach.
+
+        If the target is missed, the last row says why.
+        """
         found = self.saturation(wheels)
         limits = (("torque", wheels.max_torque, "N m"), ("momentum", wheels.max_momentum, "N m s"))
         met = []
@@ -205,7 +226,7 @@ class Run:
         return met
 
     def check_rows(self) -> Rows:
-        """Return table rows: the changes of momentum and of energy that no torque explains.
+        """Return the table rows of unexplained changes of momentum and energy.
 
         They are bounds where they are rounding, whose digits differ between processors.
         """
@@ -228,7 +249,10 @@ class Run:
         return run_html(self, self.rows())
 
     def arrays(self) -> dict[str, Any]:
-        """Return the arrays of run.npz, a row for each sample, by name."""
+        """Return the arrays of run.npz by name.
+
+        They have a row for each sample.
+        """
         return {
             "t": self.t,
             "q": self.q,
@@ -247,7 +271,7 @@ class Run:
 
 
 def predicted(size: float, direction: float) -> tuple[str, str]:
-    """Return the table row of the miss that is predicted for an uncorrected motion.
+    """Return the table row of the predicted miss of an uncorrected motion.
 
     size: by 1 % of the first burst, rad.  direction: by where it points, rad per rad.
     """

@@ -1,4 +1,4 @@
-"""Settings of a flight with their sources, and the tables of files that change them.
+"""Settings of a flight with their sources, and how manoeuvre files change them.
 
 "paper" below is the caption of the paper's Figure 3.  The paper prints nothing else: what is not
 marked so is a choice made here, with its reason.
@@ -46,7 +46,10 @@ Rule = tuple[Callable[[Any], bool], str]
 
 
 def _read(read: Callable[[Any], Any], *rules: Rule) -> PlainValidator:
-    """Return a validator that reads a value and checks it, or each of its parts, by rules."""
+    """Return a Pydantic validator that reads a value and checks it by rules.
+
+    Each part of a tuple is checked.
+    """
 
     def found(value: Any) -> Any:
         number = read(value)
@@ -61,12 +64,12 @@ def _read(read: Callable[[Any], Any], *rules: Rule) -> PlainValidator:
 
 
 def _number(*rules: Rule) -> PlainValidator:
-    """Return a validator that checks a double by rules."""
+    """Return a Pydantic validator that checks a double by rules."""
     return _read(lambda value: inputs.doubles("", [inputs.exact("", value)])[0], *rules)
 
 
 def _triple(*rules: Rule) -> PlainValidator:
-    """Return a validator that checks each of three doubles by rules."""
+    """Return a Pydantic validator that checks each of three doubles by rules."""
 
     def read(value: Any) -> tuple[float, ...]:
         return tuple(inputs.doubles("", inputs.certain("", inputs.vector("", value, 3))))
@@ -88,7 +91,10 @@ def _within(most: float, unit: str) -> Rule:
 
 
 def _between(low: float, high: float, what: str = "", unit: str = "") -> PlainValidator:
-    """Return a validator of a double in a range; `what` and `unit` are words for the message."""
+    """Return a Pydantic validator of a double in a range.
+
+    `what` and `unit` are words for the message.
+    """
     return _number((lambda x: low <= x <= high, f"must be {what}from {low:g} to {high:g}{unit}"))
 
 
@@ -118,7 +124,7 @@ Switch = Annotated[bool, PlainValidator(lambda value: inputs.is_true("", value))
 
 @dataclass(frozen=True, slots=True)
 class Orbit:
-    """A circular orbit of Kepler around a spherical Earth."""
+    """A circular Kepler orbit around a spherical Earth."""
 
     altitude: Annotated[float, _number(*_ALTITUDE)] = 600.0
     "Above the equatorial radius, km (paper)."
@@ -150,7 +156,7 @@ class Wheels:
 
 @dataclass(frozen=True, slots=True)
 class Thrusters:
-    """Pairs of thrusters along the principal axes, on or off."""
+    """Pairs of on-off thrusters along the principal axes."""
 
     torque: Positive = 1e-3
     "Of a pair while it burns, N m (chosen: as much as the wheels')."
@@ -162,7 +168,7 @@ class Thrusters:
 
 @dataclass(frozen=True, slots=True)
 class Controller:
-    """Proportional and derivative feedback of the attitude, gains in proportion to the inertia.
+    """Proportional-derivative feedback of the attitude, with gains proportional to inertia.
 
     On each axis the error decays as that of an oscillator, whatever the inertia: the gains are
     natural_frequency^2 I and 2 damping_ratio natural_frequency I.  The paper prints none.
@@ -180,7 +186,10 @@ class Controller:
 
 @dataclass(frozen=True, slots=True)
 class Spacecraft:
-    """The body on which the environment acts: a box, its middle beside the centre of mass."""
+    """The box-shaped spacecraft on which the environment acts.
+
+    Its middle is beside the centre of mass.
+    """
 
     size: Annotated[Triple, _triple(_LENGTH, _ABOVE)] = (0.34, 0.1, 0.1)
     "Edges along the body axes, m (chosen: three CubeSat units, the long axis the lightest)."
@@ -198,7 +207,7 @@ class Spacecraft:
 
 @dataclass(frozen=True, slots=True)
 class Disturbances:
-    """Switches of the disturbances; the paper has all four."""
+    """Switches of the disturbance torques, all of which the paper has."""
 
     drag: Switch = True
     gravity_gradient: Switch = True
@@ -245,7 +254,10 @@ def _sampled(run: Timing) -> Timing:
 
 @dataclass(frozen=True, slots=True)
 class Flight:
-    """All settings of a flight; `Flight()` is the paper's."""
+    """All settings of a flight.
+
+    `Flight()` is the paper's.
+    """
 
     orbit: Orbit = field(default_factory=Orbit)
     wheels: Annotated[Wheels, AfterValidator(_storable)] = field(default_factory=Wheels)
@@ -269,7 +281,9 @@ _NAMES = {
 
 
 def read(tables: TomlTable) -> Flight:
-    """Read a flight from the tables [orbit], [wheels], ... of a manoeuvre file.
+    """Read the settings of a flight from the tables of a manoeuvre file.
+
+    The tables are [orbit], [wheels] and so on.
 
     What is missing is the paper's.  With [thrusters] and no [controller] there is no feedback.
 

@@ -1,4 +1,4 @@
-"""The orbit, the Sun, the turning Earth and its magnetic field.
+"""Ephemerides of the orbit, the Sun, the rotating Earth and its magnetic field.
 
 Sources of constants: WGS 84 (mu, radius, rotation); IAU 2012 and 2015 resolutions (astronomical
 unit, radius and irradiance of the Sun).
@@ -31,7 +31,7 @@ SUNLIGHT = 1361.0 / 299792458.0
 
 
 class Path:
-    """A circular orbit of Kepler, inertial."""
+    """A circular Kepler orbit in inertial axes."""
 
     def __init__(self, orbit: Orbit) -> None:
         node, tilt, self._start = (
@@ -45,7 +45,7 @@ class Path:
         self._ascending, self._highest = (self.radius * axis for axis in circle.axes)
 
     def __call__(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return position (m) and velocity (m/s), (3,) each, at a time in s."""
+        """Return the position (m) and velocity (m/s) at a time in s."""
         along = self._start + self.mean_motion * t
         cosine, sine = math.cos(along), math.sin(along)
         position = cosine * self._ascending + sine * self._highest
@@ -53,7 +53,7 @@ class Path:
 
 
 def sunlit(position: Sequence[float], sun: Sequence[float]) -> float:
-    """Return the visible share of the Sun's disc, by a conical shadow of the Earth.
+    """Return the visible share of the Sun's disc outside of the Earth's conical shadow.
 
     position, sun: (3,) from the Earth's middle, m.  Montenbruck and Gill, Satellite Orbits,
     section 3.4.2: a, b are the apparent radii of Sun and Earth, c the angle between their middles.
@@ -79,7 +79,10 @@ def _arccos(x: float) -> float:
 
 
 def terrestrial_time(epoch: datetime, t: np.ndarray) -> tuple[float, np.ndarray]:
-    """Return two-part Julian dates (TT) of the times t (N,) s after an epoch in UTC."""
+    """Return two-part Julian dates in terrestrial time (TT) for times after an epoch.
+
+    Times t (N,) are in s; the epoch is in UTC.
+    """
     with _unwarned():
         first, second = erfa.utctai(*_utc(epoch))
     return erfa.taitt(first, second + np.asarray(t) / DAY)
@@ -101,7 +104,9 @@ def _unwarned() -> Generator[None]:
 
 
 def sun_position(epoch: datetime, t: np.ndarray) -> np.ndarray:
-    """Return the Sun's position from the Earth's middle, inertial, m, (N, 3), at times t (N,).
+    """Return geocentric positions of the Sun in inertial axes.
+
+    Positions (N, 3) are in m, times t (N,) in s.
 
     The aberration of its light, 20 arc seconds, is left out.
     """
@@ -111,7 +116,7 @@ def sun_position(epoch: datetime, t: np.ndarray) -> np.ndarray:
 
 
 def earth_turn(epoch: datetime, t: np.ndarray) -> np.ndarray:
-    """Return rotation matrices (N, 3, 3) from inertial to Earth-fixed axes.
+    """Return the rotation matrices (N, 3, 3) from inertial to Earth-fixed axes.
 
     They are of precession, nutation and the Earth's angle.  UT1 is taken as UTC (15 arc seconds at
     most) and the polar motion (half of one) as none.
@@ -122,7 +127,9 @@ def earth_turn(epoch: datetime, t: np.ndarray) -> np.ndarray:
 
 
 def magnetic_field(epoch: datetime, t: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """Return the Earth's field (IGRF), inertial, T, (N, 3), at inertial positions (N, 3) in m.
+    """Return the Earth's magnetic field by the IGRF model, in inertial axes.
+
+    Fields (N, 3) are in T, inertial positions (N, 3) in m.
 
     Raises InputError for an epoch that the field's coefficients do not cover.
     """
@@ -145,7 +152,10 @@ def magnetic_field(epoch: datetime, t: np.ndarray, position: np.ndarray) -> np.n
 
 
 def _local_axes(colatitude: np.ndarray, longitude: np.ndarray) -> np.ndarray:
-    """Return unit vectors upwards, southwards and eastwards as rows (N, 3, 3), Earth-fixed."""
+    """Return unit vectors upwards, southwards and eastwards in Earth-fixed axes.
+
+    They are the rows of matrices (N, 3, 3).
+    """
     c, s = np.cos(colatitude), np.sin(colatitude)
     cosine, sine, none = np.cos(longitude), np.sin(longitude), np.zeros_like(longitude)
     rows = ((s * cosine, s * sine, c), (c * cosine, c * sine, -s), (-sine, cosine, none))
