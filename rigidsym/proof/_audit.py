@@ -9,7 +9,7 @@ from rigidsym.language._specification import Theorem, sequences, theorems
 
 @dataclass(frozen=True, slots=True)
 class Audit:
-    """The assumptions of one theorem, grouped by kind, as text."""
+    """The assumptions of one theorem, grouped by kind."""
 
     theorem: str
     title: str
@@ -17,7 +17,7 @@ class Audit:
 
 
 def audit(specification: str, ledger: Mapping[str, Any]) -> list[Audit]:
-    """List, for each specified theorem, everything that a reader takes on trust."""
+    """List the assumptions of each theorem in the specification."""
     return [_audit(theorem, ledger) for theorem in theorems(specification).values()]
 
 
@@ -51,7 +51,7 @@ def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
 def _readings(
     theorem: Theorem, ledger: Mapping[str, Any], contexts: Mapping[str, Any]
 ) -> list[str]:
-    """List the standard functions that the published names of a theorem stand for."""
+    """List which standard function each symbol in a theorem's formulas denotes."""
     found = []
     for sequence, names in theorem.formulas:
         for entry in sequences(ledger)[sequence]:
@@ -61,7 +61,10 @@ def _readings(
 
 
 def _suppositions(name: str, ledger: Mapping[str, Any]) -> list[str]:
-    """List the cited results that link standard functions to a theorem's hypotheses."""
+    """List the unproved results from the literature that a theorem relies on.
+
+    These results say that standard functions satisfy the theorem's hypotheses.
+    """
     facts = ledger["facts"]
     resting = {
         fact["context"]

@@ -1,4 +1,4 @@
-"""Facts with their hypotheses, displayed in notebooks as hypotheses |- statement."""
+"""Facts of a ledger with their hypotheses, as displayed in notebooks."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
@@ -56,7 +56,10 @@ class Claim:
 
     @property
     def latex(self) -> str:
-        """LaTeX of hypotheses |- statement; the context's name replaces many hypotheses."""
+        """LaTeX of the fact in the form hypotheses |- statement.
+
+        The context's name replaces many hypotheses.
+        """
         kind = self.fact["kind"]
         parts = [*chain(*hypotheses(self.context).values())] if self.context else []
         by_name = not 0 < len(parts) <= FEW or kind in ("model", "partition")
@@ -137,8 +140,9 @@ class Claims(Mapping[str, Claim]):
 
 
 def claims(ledger: Any = None) -> Claims:
-    """Return the facts of a ledger; of the sealed ledger if none is given.
+    """Return the facts of a ledger.
 
+    Without an argument, they are the facts of the sealed ledger.
     The ledger is the kernel's, or JSON as text or data.
     """
     data = _data(ledger)

@@ -1,4 +1,4 @@
-"""Running all chapters of the derivation to produce the ledger."""
+"""Execution of the derivation's chapters, which produces the ledger."""
 
 import json
 import re
@@ -23,12 +23,15 @@ from rigidsym.view._proofs import chapter_html, derivation_html
 
 
 class DerivationError(RuntimeError):
-    """Failure of a chapter; the message names it and gives the reason in one line."""
+    """Error for a chapter of the derivation that fails.
+
+    The message names the chapter and gives the reason in one line.
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """The facts that one chapter proved, its steps, and the seconds it took."""
+    """Result of one chapter: its facts, its derivation steps and its run time in seconds."""
 
     name: str
     title: str
@@ -39,7 +42,10 @@ class Chapter:
 
     @property
     def computed(self) -> int:
-        """The number of facts whose statements a step computed; the others were typed."""
+        """The number of facts whose statements were computed by a derivation step.
+
+        The statements of the others were typed.
+        """
         found = {step.fact.id for step in self.steps}
         return sum(fact.id in found for fact in self.facts)
 
@@ -53,7 +59,7 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """The chapters that ran, with the resulting ledger as text."""
+    """Result of a derivation: its chapters and the ledger as text."""
 
     chapters: tuple[Chapter, ...]
     ledger: str
@@ -68,7 +74,10 @@ class Derivation:
         return json.loads(self.ledger)["published"].get("mutants", {})
 
     def to_json(self) -> str:
-        """Return every claim with its grade and source as JSON of schema rigidsym.derive/2."""
+        """Return all facts with their grades and sources as JSON text.
+
+        The schema is rigidsym.derive/2.
+        """
         chapters = [
             {
                 "chapter": chapter.name,

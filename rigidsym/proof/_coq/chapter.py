@@ -14,7 +14,11 @@ Line: TypeAlias = str | Callable[[], str]
 
 @dataclass(slots=True)
 class Model:
-    """A context as a model of another: the other's names in it, and their theory."""
+    """Data of an exported proof that one context satisfies another's hypotheses.
+
+    `of` is the other context, `theory` proves its hypotheses here, `aliases` are its names here,
+    and `hypotheses` are the assumptions of the proof.
+    """
 
     of: "Chapter"
     theory: Theory
@@ -24,7 +28,10 @@ class Model:
 
 @dataclass(slots=True)
 class Chapter:
-    """A context during its export; `blocks` follow its names and hypotheses in the file."""
+    """One context of the ledger while its Coq file is written.
+
+    `blocks` are the parts of the file that follow its names and hypotheses.
+    """
 
     context: Context
     theory: Theory = field(init=False)
@@ -46,7 +53,10 @@ class Chapter:
         self._suppose()
 
     def _suppose(self) -> None:
-        """Add all hypotheses to the theory, in the kernel's order."""
+        """Add all hypotheses of the context to its theory.
+
+        They are added in the kernel's order.
+        """
         context, theory = self.context, self.theory
         for k, text in enumerate(context.units):
             theory.unit(text, self._hypothesis("unit", k, text))
@@ -80,30 +90,37 @@ class Chapter:
 
     @property
     def t(self) -> str:
-        """The argument " t", or "" if the context has no time."""
+        """The Coq argument " t" for the time, or "" if the context has no time."""
         return " t" if self.dynamic else ""
 
     def moves(self, text: str) -> bool:
-        """Return whether the value of a text changes in time."""
+        """Return whether an expression depends on time."""
         return bool(self.moving & {*names_in(parse(text))})
 
     def say(self, name: str, names: str = "X", module: str = "") -> str:
-        """Return the Coq term of a quantity in a record of names.
+        """Return the Coq term of a quantity.
 
+        `names` is the Coq record that contains the quantity.
         `module` is the prefix by which another file refers to this one.
         """
         return f"{module}{self.words[name]} {names}{' t' if name in self.moving else ''}"
 
     def real(self, tree: Tree) -> str:
-        """Return an expression as a real number of Coq."""
+        """Return an expression as a Coq term of type R."""
         return real(tree, self.say)
 
     def write(self, *lines: Line) -> None:
-        """Append a block of lines; a function in it is called when the file is written."""
+        """Append a block of lines to the file.
+
+        A function among the lines is called when the file is written.
+        """
         self.blocks.append(lines)
 
     def model(self, name: str) -> Model:
-        """Return this context as a model of another; NotExportedError if it is not exported."""
+        """Return the exported proof that this context satisfies another's hypotheses.
+
+        Raises NotExportedError if there is none.
+        """
         if name not in self.models:
             raise NotExportedError(f"that this is a model of {name} is not exported")
         return self.models[name]
@@ -148,7 +165,10 @@ class Chapter:
         return f"Definition {self.words[name]} (X : names){time} : R := {body}.{note}"
 
     def hypotheses(self, names: str = "X", module: str = "") -> Iterable[tuple[str, bool, str]]:
-        """Yield each field of the record `holds`: name, whether it is about every t, and claim."""
+        """Yield each hypothesis of the context as a field of the Coq record `holds`.
+
+        A field has a name, whether it holds at every time t, and a claim.
+        """
         kinds = (
             ("unit", "units", "{} <> 0"),
             ("relation", "relations", "{} = 0"),
@@ -167,18 +187,18 @@ class Chapter:
             yield f"rate_{word}", True, f"is_derive ({module}{word} {names}) t ({rate})"
 
     def rated(self) -> list[str]:
-        """Return the names that move with a known derivative."""
+        """Return the names of quantities whose time derivative is known and not zero."""
         return [name for name, text in (self.context.rates or {}).items() if text not in ("0", "?")]
 
     # --- other contexts
 
     def qualified(self, other: "Chapter", word: str) -> str:
-        """Return a word of another file with its prefix."""
+        """Return a Coq name from another context's file with its module prefix."""
         self.uses.add(other.name)
         return f"{other.name}.{word}"
 
     def record(self, other: "Chapter", values: dict[str, str]) -> str:
-        """Return a record of another context's names with these values."""
+        """Return a Coq record that gives values to another context's quantities."""
         rows = [
             f"{self.qualified(other, other.words[name])} := {value}"
             for name, value in values.items()
@@ -187,17 +207,20 @@ class Chapter:
 
 
 def comment(text: str | None) -> str:
-    """Return a name's reading as a Coq comment."""
+    """Return a text as a Coq comment, or an empty string if there is none."""
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 
 def sound(more: str) -> str:
-    """Return the proposition, up to a theory, that it is sound for all names and `more` ones."""
+    """Return the Coq proposition that a theory is sound, up to the theory's name.
+
+    The theory is about all names of the context and the further values `more`.
+    """
     return f"sound (fun t => atoms X t ++ {more})"
 
 
 def known(suffix: str, theory: Theory, start: str, claim: str, before: str) -> str:
-    """Return Coq text that runs a theory's steps and proves the result sound.
+    """Return Coq commands that build a theory from its steps and prove it sound.
 
     `claim` is the proposition without the theory, `before` proves it for the theory `start`.
     """
@@ -229,7 +252,10 @@ def claims_list(name: str, rows: Sequence[str], kind: str = "certified") -> str:
 
 
 def path(proof: str, k: int, count: int) -> str:
-    """Return the proof of the k-th of `count` claims from a proof of all."""
+    """Return the Coq proof of the k-th part of a conjunction of `count` parts.
+
+    `proof` proves the whole conjunction.
+    """
     for _ in range(k):
         proof = f"(proj2 {proof})"
     return f"(proj1 {proof})" if k < count - 1 else proof

@@ -44,7 +44,10 @@ CoqMakefile: _CoqProject
 
 @dataclass(frozen=True, slots=True)
 class Export:
-    """Exported files by name, counts of exported facts by rule, and omitted facts with reasons."""
+    """Exported Coq files, with counts of exported facts and reasons for omitted ones.
+
+    Files are listed by name, counts by inference rule, and reasons by id of the fact.
+    """
 
     files: Mapping[str, str]
     exported: Mapping[str, int]
@@ -70,7 +73,7 @@ def export(ledger: Ledger) -> Export:
 
 
 def _fixed(files: Mapping[str, str]) -> dict[str, str]:
-    """Return the hand-written files whose required files all exist."""
+    """Return the hand-written Coq files whose imports are all available."""
     found: dict[str, str] = {}
     for name in _FIXED:
         text = resources.files("rigidsym.proof._coq").joinpath(name).read_text("utf-8")

@@ -1,4 +1,4 @@
-"""Facts of the ledger as Coq theorems, with one method for each rule."""
+"""Conversion of the ledger's facts to Coq theorems, with one method per inference rule."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -19,13 +19,13 @@ from rigidsym.proof.kernel._language import Tree, parse
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A claim in the prelude's language: its constructor and its operands."""
+    """A claim in the language of the Coq prelude: a constructor and its operands."""
 
     form: str
     sides: tuple[Tree, ...]
 
     def data(self, theory: Theory) -> str:
-        """Return the claim as data for the prelude's checker."""
+        """Return the claim as input to the checker in the Coq prelude."""
         return f"{self.form} {' '.join(data(tree, theory.index) for tree in self.sides)}"
 
     def real(self, chapter: Chapter) -> str:
@@ -45,7 +45,7 @@ class Claim:
 
 
 def claims_of(fact: Fact) -> list[list[Claim]]:
-    """Return the claims of each component of a fact."""
+    """Convert each component of a fact to a list of claims."""
     return [_component(fact.kind, *sides) for sides in _sides(fact)]
 
 
@@ -71,12 +71,15 @@ SUPPOSED = ("assumption", "theta", "start")
 
 
 def computed(term: str) -> str:
-    """Return a Coq proof whose last step is a computation."""
+    """Return a Coq proof that applies a term and ends with a computation."""
     return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
 
 
 class Printer:
-    """Writer of facts into the chapters of their contexts, in the order of the ledger."""
+    """Writer of the ledger's facts into the Coq files of their contexts.
+
+    Facts are written in the order of the ledger.
+    """
 
     def __init__(self, chapters: dict[str, Chapter], facts: dict[str, Fact]) -> None:
         self.chapters, self.facts = chapters, facts
@@ -85,7 +88,10 @@ class Printer:
         self.components: dict[str, list[tuple[Tree, ...]]] = {}
 
     def export(self, fact: Fact) -> None:
-        """Write one fact; NotExportedError if that is impossible."""
+        """Write one fact as a Coq theorem or assumption.
+
+        Raises NotExportedError if that is impossible.
+        """
         rules: dict[str, Callable[[Chapter, Fact], tuple[str, ...]]] = {
             "identity": self._identity,
             "counterexample": self._counterexample,
@@ -201,7 +207,10 @@ class Printer:
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:
-        """Return the proof term of a premise at t, from X, H and hypotheses A0, A1, ..."""
+        """Return the Coq term that proves a premise of a model at time t.
+
+        The term refers to the names X, their hypotheses H, and the assumptions A0, A1, ...
+        """
         rest = self.hypotheses[premise.id]
         numbers = [hypotheses.index(text) for text in rest]
         if premise.rule in SUPPOSED:
@@ -217,7 +226,7 @@ class Printer:
         return tuple(found)
 
     def _value(self, chapter: Chapter, other: Chapter, name: str, held: bool) -> str:
-        """Return another context's quantity in terms of this context's names."""
+        """Express a quantity of another context in the names of this context."""
         value = f"{chapter.words[name]} X"
         if name in other.moving:
             return value if name in chapter.moving else f"fun _ => {value}"
@@ -228,7 +237,7 @@ class Printer:
     def _fields(
         self, chapter: Chapter, other: Chapter, theory: Theory, aliases: dict[str, str]
     ) -> tuple[list[str], list[str]]:
-        """Return claims and proofs of another context's hypotheses in this context."""
+        """Return another context's hypotheses as claims in this context, with their proofs."""
         rows, moving = [], []
 
         def there(text: str) -> Tree:
@@ -400,7 +409,7 @@ class Printer:
         return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
-        """Define the quantities of a case as those of the whole context."""
+        """Define a case's quantities in Coq as those of the context that was split."""
         text = f"Definition as_{other.name} (X : names) : {other.name}.names :="
         if other.name not in chapter.cases:
             chapter.cases.add(other.name)
@@ -408,7 +417,7 @@ class Printer:
             chapter.write(f"{text}\n  {chapter.record(other, values)}.")
 
     def _by_sign(self, chapter: Chapter, fact: Fact, cases: Sequence[Chapter], x: str) -> str:
-        """Return the proof that a context's cases are those of the sign of x."""
+        """Return the Coq proof that a context splits into cases by the sign of x."""
         context = chapter.context
         given = {
             "unit": len(context.units),
@@ -463,6 +472,6 @@ def _all(said: Sequence[str]) -> str:
 
 
 def _binder(hypotheses: Sequence[str]) -> tuple[str, str]:
-    """Return hypotheses as parameters of a Coq theorem, and as arguments."""
+    """Return the texts that declare hypotheses in a Coq theorem and that pass them."""
     binder = "".join(f" (A{k} : {text})" for k, text in enumerate(hypotheses))
     return binder, "".join(f" A{k}" for k in range(len(hypotheses)))

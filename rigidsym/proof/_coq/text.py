@@ -1,4 +1,7 @@
-"""Ledger expressions in Coq: as real numbers, and as data for the prelude's checker."""
+"""Conversion of ledger expressions to Coq terms.
+
+The terms are real numbers, or data for the checker in the prelude.
+"""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 
@@ -24,7 +27,7 @@ _OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)
 
 
 def identifiers(names: Iterable[str]) -> dict[str, str]:
-    """Return the Coq name of each quantity, changed if Coq reserves it."""
+    """Return a Coq name for each quantity, different from all reserved words."""
     known = list(names)
     taken = {*known, *RESERVED}
     found = {}
@@ -39,7 +42,7 @@ def identifiers(names: Iterable[str]) -> dict[str, str]:
 
 
 def operands(tree: Tree) -> list[Tree]:
-    """Return the direct subtrees of a tree from left to right."""
+    """Return the direct subtrees of a syntax tree from left to right."""
     match tree:
         case int() | str():
             return []
@@ -49,19 +52,22 @@ def operands(tree: Tree) -> list[Tree]:
 
 
 def parts(tree: Tree) -> Iterator[Tree]:
-    """Yield all subtrees in postorder."""
+    """Yield all subtrees of a syntax tree in postorder."""
     for operand in operands(tree):
         yield from parts(operand)
     yield tree
 
 
 def names_in(tree: Tree) -> Iterator[str]:
-    """Yield the names in a tree from left to right, with repetitions."""
+    """Yield the names in a syntax tree from left to right, with repetitions."""
     return (part for part in parts(tree) if isinstance(part, str))
 
 
 def divisors(tree: Tree) -> Iterator[Tree]:
-    """Yield the divisors in a tree except numbers, inner ones first."""
+    """Yield the divisors in a syntax tree, innermost first.
+
+    Divisors that are numbers are left out.
+    """
     for part in parts(tree):
         if is_chain(part) and isinstance(part, tuple):
             pairs = zip(part[1::2], part[2::2], strict=True)
@@ -69,17 +75,20 @@ def divisors(tree: Tree) -> Iterator[Tree]:
 
 
 def derivatives(tree: Tree) -> Iterator[Tree]:
-    """Yield the arguments of D in a tree, inner ones first."""
+    """Yield the expressions that a syntax tree differentiates, innermost first.
+
+    These are the arguments of D.
+    """
     yield from (part[2] for part in parts(tree) if isinstance(part, tuple) and part[0] == "D")
 
 
 def is_chain(tree: Tree) -> bool:
-    """Return whether a tree is a chain of operators, such as x + y - z or x * y / z."""
+    """Return whether a syntax tree is a chain of operations such as x + y - z or x * y / z."""
     return isinstance(tree, tuple) and len(tree) > 2 and tree[1] in _OPERATORS
 
 
 def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
-    """Return a tree with its names replaced."""
+    """Return a syntax tree with some names replaced."""
     match tree:
         case int():
             return tree
@@ -95,7 +104,10 @@ def renamed(tree: Tree, names: Mapping[str, str]) -> Tree:
 
 
 def real(tree: Tree, say: Callable[[str], str], level: int = 0) -> str:
-    """Return a tree as a real number of Coq; `say` writes a name."""
+    """Return a syntax tree as a Coq term of type R.
+
+    `say` returns the term of a name, `level` is how tightly the surrounding operator binds.
+    """
     match tree:
         case int():
             return str(tree)
@@ -119,7 +131,10 @@ def _in_brackets(text: str, needed: bool) -> str:
 
 
 def data(tree: Tree, index: Mapping[str, int]) -> str:
-    """Return a tree as an `expr` of the prelude, with names as indices of atoms."""
+    """Return a syntax tree as a Coq term of the prelude's type `expr`.
+
+    Names become their indices in the list of atoms.
+    """
     match tree:
         case int():
             return f"(Num {tree})"
@@ -138,7 +153,7 @@ def data(tree: Tree, index: Mapping[str, int]) -> str:
 
 
 def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
-    """Return a polynomial as the prelude's list of terms."""
+    """Return a polynomial as a Coq list of its terms, in the prelude's format."""
     places = [index[str(generator)] for generator in polynomial.ring.gens]
     found = []
     for powers, number in polynomial.terms():
@@ -148,11 +163,11 @@ def terms(polynomial: PolyElement, index: Mapping[str, int]) -> str:
 
 
 def rational(number: Number) -> str:
-    """Return numerator and denominator of a rational number as Coq arguments."""
+    """Return the numerator and denominator of a rational number as Coq arguments."""
     above = number.numerator
     return f"{above if above >= 0 else f'({above})'} {number.denominator}"
 
 
 def listed(items: Iterable[object]) -> str:
-    """Return a Coq list."""
+    """Return items as a Coq list."""
     return f"[{'; '.join(map(str, items))}]"

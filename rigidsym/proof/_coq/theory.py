@@ -1,4 +1,4 @@
-"""A context's arithmetic as steps of the prelude, which Coq checks.
+"""Arithmetic in a context as a list of computation steps that Coq checks.
 
 The kernel's own ring computes the certificates; Coq checks them again.
 """
@@ -20,7 +20,7 @@ class NotExportedError(ValueError):
 
 
 class Theory:
-    """Steps of the prelude and the kernel ring that computed their certificates.
+    """Computation steps for Coq, and the kernel ring that provides their certificates.
 
     `given` are Coq terms that prove the hypotheses of the steps.
     """
@@ -40,14 +40,14 @@ class Theory:
         self._place(context.definitions)
 
     def _place(self, names: Iterable[str]) -> None:
-        """Assign an index to each definition, after those that it uses."""
+        """Assign an index to each definition, so that it follows the definitions it uses."""
         for name in names:
             if name in self.texts and name not in self.index:
                 self._place(x for x in names_in(self.texts[name]) if x != name)
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":
-        """Return a copy whose steps and proofs start empty."""
+        """Return a copy with empty lists of steps and proofs, to be continued."""
         more = copy(self)
         more.ring = copy(self.ring)
         more.ring.values = dict(self.ring.values)
@@ -63,32 +63,35 @@ class Theory:
         return list(self.index)
 
     def unit(self, text: str, proof: str) -> None:
-        """Add a quantity that does not vanish."""
+        """Add the hypothesis that an expression is not zero."""
         value = self.read(parse(text))
         self._step(f"Unit {self.data(text)}", proof)
         self.ring.units += (value.numerator,)
 
     def relation(self, text: str, proof: str) -> None:
-        """Add a quantity that vanishes by hypothesis."""
+        """Add the hypothesis that an expression is zero."""
         value = self.read(parse(text))
         self._step(f"Relation {self.data(text)}", proof)
         self.ring.relations += (value.numerator,)
 
     def premise(self, tree: Tree, proof: str) -> None:
-        """Add a quantity that vanishes by a fact, as a divisor that precedes all relations."""
+        """Add a proved equation in the form expression = 0.
+
+        In divisions it precedes all relations.
+        """
         numerator = self.read(tree).numerator
         self._step(f"Relation {data(tree, self.index)}", proof)
         self.extra += (numerator,)
 
     def rate(self, name: str, text: str, proof: str) -> None:
-        """Add the time derivative of a generator."""
+        """Add the hypothesis that a generator has a given time derivative."""
         tree = parse(text)
         self.read(tree)
         self._step(f"Moves {self.index[name]} {data(tree, self.index)}", proof)
         self._slopes.add(name)
 
     def sign(self, text: str, proof: str) -> None:
-        """Add a nonnegative quantity."""
+        """Add the hypothesis that an expression is nonnegative."""
         self.define(*names_in(parse(text)))
         self._step(f"Sign {self.data(text)}", proof)
 
@@ -117,7 +120,7 @@ class Theory:
             self.given.append(proof)
 
     def define(self, *names: str) -> None:
-        """Add the definitions of names that Coq does not know yet."""
+        """Add a definition step for each of these names that has none yet."""
         for name in names:
             if name in self.texts and name not in self._defined:
                 self._defined.add(name)
@@ -128,7 +131,7 @@ class Theory:
                 self.ring.read(name)
 
     def ready(self, tree: Tree) -> None:
-        """Add the definitions, inverses and derivatives that occur in a tree."""
+        """Add steps for the definitions, inverses and derivatives in an expression."""
         self.define(*names_in(tree))
         for divisor in divisors(tree):
             self.invert(divisor)
@@ -136,12 +139,18 @@ class Theory:
             self.differentiate(inner)
 
     def read(self, tree: Tree) -> Element:
-        """Return the ring element of a tree, after adding what Coq needs to read it."""
+        """Return the ring element of an expression.
+
+        Adds the steps that Coq needs to read the expression.
+        """
         self.ready(tree)
         return self.ring.value(tree)
 
     def invert(self, tree: Tree) -> None:
-        """Add the inverse of a tree; NotExportedError unless it is a product of units."""
+        """Add a step that inverts an expression.
+
+        Raises NotExportedError unless the expression is a product of units.
+        """
         if isinstance(tree, int) or tree in self._inverted:
             return
         value = self.read(tree)
@@ -157,7 +166,10 @@ class Theory:
         self._step(f"Invert {what} {number} {self.powers(below)} {self.rows(cofactors)}")
 
     def differentiate(self, tree: Tree) -> None:
-        """Add the time derivative of a tree, in the kernel's normal form."""
+        """Add a step that computes the time derivative of an expression.
+
+        The derivative is in the kernel's normal form.
+        """
         if tree in self._slopes:
             return
         self.ready(tree)
@@ -177,7 +189,10 @@ class Theory:
         self._step(f"Differentiate {what} {form} {self.rows(cofactors)}")
 
     def _slope(self, tree: Tree) -> Element:
-        """Return the time derivative by the rules that the prelude's `slope` applies."""
+        """Return the time derivative of an expression, computed as in the Coq prelude.
+
+        The prelude's function is called `slope`.
+        """
         ring = self.ring
         match tree:
             case int():
@@ -209,25 +224,34 @@ class Theory:
         return rate
 
     def reduce(self, polynomial: PolyElement) -> tuple[list[PolyElement], PolyElement]:
-        """Divide by premises and relations; return relation then premise cofactors and the rest."""
+        """Divide a polynomial by all premises and relations.
+
+        Returns the cofactors of the relations, then those of the premises, and the remainder.
+        """
         cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder
 
     def rows(self, cofactors: Sequence[PolyElement]) -> str:
-        """Return cofactors as Coq data, without trailing zeros."""
+        """Return cofactors as a Coq list, without trailing zeros."""
         kept = list(cofactors)
         while kept and not kept[-1]:
             kept.pop()
         return listed(terms(polynomial, self.index) for polynomial in kept)
 
     def powers(self, below: Counter[PolyElement]) -> str:
-        """Return the multiplicity of each unit in a denominator; repeated units count once."""
+        """Return the multiplicities of units in a denominator as a Coq list.
+
+        A unit that is listed twice is counted once.
+        """
         left = Counter(below)
         return f"{listed(left.pop(unit, 0) for unit in self.ring.units)}%nat"
 
     def gap(self, left: Tree, right: Tree) -> str:
-        """Return cofactors, found by division, that prove two trees equal."""
+        """Return the cofactors that prove two expressions equal, as a Coq list.
+
+        Division by the premises and relations finds them.
+        """
         difference = (self.read(left) - self.read(right)).numerator
         cofactors, remainder = self.reduce(difference)
         if remainder:
@@ -235,5 +259,5 @@ class Theory:
         return self.rows(cofactors)
 
     def data(self, text: str) -> str:
-        """Return a text as data of the prelude."""
+        """Return an expression as a Coq term of the prelude's type `expr`."""
         return data(parse(text), self.index)

@@ -1,4 +1,4 @@
-"""Builder of a ledger, with short methods to open contexts and to state claims.
+"""Builder of a ledger, with methods to add contexts and to prove facts.
 
 Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
 """
@@ -28,7 +28,7 @@ Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
 class LedgerBuilder:
-    """A ledger under construction, with its derivation steps and the chapters' results.
+    """A ledger under construction, with its derivation steps and results of chapters.
 
     `sealed` is the text of a written ledger, whose counts of mutants are kept for facts that are
     unchanged.  `recounted` is the number of facts whose mutants were counted again.
@@ -42,7 +42,7 @@ class LedgerBuilder:
         self._results: dict[type, Any] = {}
 
     def keep(self, result: Any) -> None:
-        """Store the result of a chapter under its type, for later chapters."""
+        """Store a chapter's result, so that later chapters can find it by its type."""
         self._results[type(result)] = result
 
     def __contains__(self, kind: type) -> bool:
@@ -56,11 +56,17 @@ class LedgerBuilder:
         return self._results[kind]
 
     def open(self, context: Context) -> Ring:
-        """Admit a context and return its ring; KernelError if the kernel refuses it."""
+        """Add a context to the ledger and return its ring.
+
+        Raises KernelError if the kernel refuses the context.
+        """
         return self.ledger.open(context)
 
     def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove equations, component by component, in the context before the dot of the id."""
+        """Prove equations by their normal form.
+
+        The part of the id before the dot is the context.  Each component is proved by itself.
+        """
         return self.decide(_fact(fact_id, "equal", equations, "identity", source))
 
     def compare(
@@ -93,11 +99,14 @@ class LedgerBuilder:
         return None
 
     def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
-        """Prove name = sqrt(radicand) from the square and the sign of the name."""
+        """Prove that a quantity is the square root of another.
+
+        The proof uses the square of `name` and its sign.
+        """
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove that quantities are nonnegative by rewriting them in visibly nonnegative forms."""
+        """Prove that quantities are nonnegative by rewriting them in a form that shows it."""
         return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
@@ -107,7 +116,7 @@ class LedgerBuilder:
         point: Point,
         source: Iterable[str] = (),
     ) -> Fact:
-        """Prove that equations do not always hold, by a rational point.
+        """Refute equations at a rational point.
 
         `point` overrides values of the context's witness.
         """
@@ -131,12 +140,16 @@ class LedgerBuilder:
         return self.ledger.add(replace(fact, certificate=certificate))
 
     def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove equations that hold at the initial instant and are preserved by d/dt."""
+        """Prove equations from their initial values and their time derivatives.
+
+        They hold at the initial instant, and d/dt preserves them.
+        """
         return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
-        """Prove that a context is a model of another one.
+        """Prove that a context satisfies all hypotheses of another one.
 
+        It is then called a model of the other one.
         The premises are facts that the proof may use.
         """
         name = f"{context}.models_{source}"
@@ -150,7 +163,10 @@ class LedgerBuilder:
         points: Iterable[Point],
         whole: Iterable[str] = (),
     ) -> Fact:
-        """Add a cited result, graded ENCLOSED if balls confirm it at the given points.
+        """Add an unproved result with a reference to the literature.
+
+        Its grade is ENCLOSED if ball arithmetic confirms it at the given points.  Without points,
+        it is ASSUMED.
 
         It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
         """
@@ -162,8 +178,9 @@ class LedgerBuilder:
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
     def split(self, context: str, name: str, *cases: Case) -> None:
-        """Open the cases name = 0, name > 0 and, if given, name < 0 of a context.
+        """Split a context into cases by the sign of a name.
 
+        The cases are name = 0, name > 0 and, if given, name < 0.
         Each case comes with its name and the values of its witness that differ from the context's.
         """
         whole = self.ledger.contexts[context]
@@ -183,7 +200,10 @@ class LedgerBuilder:
         return self._conclude(whole, *(premise.id for premise in finer.values()))
 
     def carry(self, context: str, fact_ids: Iterable[str]) -> None:
-        """Restate facts in a context that is a proved model of theirs."""
+        """Restate facts in another context that satisfies the hypotheses of theirs.
+
+        This has to be proved before, by `model`.
+        """
         for fact_id in fact_ids:
             there = self.ledger.facts[fact_id]
             name = f"{context}.{fact_id.split('.')[1]}"
@@ -191,8 +211,9 @@ class LedgerBuilder:
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
     def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
-        """Publish a named sequence of formulas, in order of evaluation, for the number half.
+        """Publish a named sequence of formulas for numerical use.
 
+        The formulas are in order of evaluation.
         Each entry is a proved fact, or a name's definition or reading in a context.
         """
         listed = list(entries)
@@ -204,7 +225,10 @@ class LedgerBuilder:
         self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_known(self, entry: Entry) -> bool:
-        """Return whether an entry is a proved formula, or a name's definition or reading."""
+        """Return whether the ledger contains what an entry publishes.
+
+        That is a proved formula, or the definition or reading of a name.
+        """
         if "fact" in entry:
             fact = self.ledger.facts.get(str(entry["fact"]))
             kinds = ("equal", "root")
@@ -217,7 +241,11 @@ class LedgerBuilder:
         return entry["reading"] in context.reading
 
     def decide(self, fact: Fact) -> Fact:
-        """Admit an identity with computed cofactors; KernelError if its normal form is not zero."""
+        """Prove an identity by polynomial division and add it to the ledger.
+
+        The cofactors of the division are its certificate.
+        Raises KernelError if the normal form is not zero.
+        """
         ring = self.ledger.rings[fact.context]
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
@@ -239,12 +267,15 @@ def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iter
 
 
 def facts(context: str, names: str) -> list[Entry]:
-    """Return entries that publish facts of a context: `facts("regular", "H E_a")`."""
+    """Return entries for publishing facts of a context.
+
+    For example: `facts("regular", "H E_a")`.
+    """
     return [{"fact": f"{context}.{name}"} for name in names.split()]
 
 
 def definitions(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries that publish definitions of a context.
+    """Return entries for publishing definitions of a context.
 
     `source` are the equations of the paper that use them.
     """
@@ -252,7 +283,7 @@ def definitions(context: str, names: str, *source: str) -> list[Entry]:
 
 
 def readings(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries that publish names which stand for standard functions.
+    """Return entries for publishing the standard functions that a context's names denote.
 
     `source` are the equations of the paper that use them.
     """
@@ -264,7 +295,7 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
 
 
 def text(side: Side) -> str:
-    """Return the kernel's text of an expression, a number or an element."""
+    """Convert a number, an expression or a ring element to text that the kernel can parse."""
     if not isinstance(side, Element):
         return str(side)
     below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
@@ -272,5 +303,8 @@ def text(side: Side) -> str:
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
-    """Return entrywise equations of two vectors or matrices, without trivial ones."""
+    """Return the equations between corresponding entries of two vectors or matrices.
+
+    Trivial equations are left out.
+    """
     return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]

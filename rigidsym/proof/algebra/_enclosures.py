@@ -28,8 +28,9 @@ STEPS = 32
 
 
 def agrees(at: "Evaluation", fact: Fact) -> bool:
-    """Return whether the balls of lhs - rhs contain zero and are small at a point.
+    """Return whether ball arithmetic confirms a fact at one point.
 
+    The balls of lhs - rhs have to contain zero and to be small.
     Raises KernelError if a side has no value there.
     """
     gaps, small = [], _tiny(64)
@@ -41,7 +42,10 @@ def agrees(at: "Evaluation", fact: Fact) -> bool:
 
 
 def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
-    """Return a point's rational values as balls; KernelError for names that are not free."""
+    """Convert the rational coordinates of a point to balls.
+
+    Raises KernelError for names that are not free.
+    """
     known = {}
     for name, number in point.items():
         if name not in context.generators or _is_formula(context.reading.get(name, "?")):
@@ -52,7 +56,7 @@ def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
 
 
 class Evaluation:
-    """Values of a context's names at one point as balls, computed on demand."""
+    """Evaluation of a context's expressions at one point by ball arithmetic."""
 
     def __init__(self, context: Context, point: Mapping[str, acb]) -> None:
         self.context = context
@@ -60,7 +64,10 @@ class Evaluation:
         self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1), **point}
 
     def check(self) -> None:
-        """Refuse a point that violates a hypothesis about names evaluated so far."""
+        """Raise KernelError if the point violates a hypothesis of the context.
+
+        Only hypotheses whose names have all been evaluated are checked.
+        """
         for holds, texts in (
             (lambda value: value.contains(0), self.context.relations),
             (lambda value: not value.contains(0), self.context.units),
@@ -71,7 +78,10 @@ class Evaluation:
                     raise KernelError(f"the point is not one of the context: {text}")
 
     def value(self, text: str) -> acb:
-        """Return the ball of an expression; KernelError if it is invalid or circular."""
+        """Return the value of an expression as a ball.
+
+        Raises KernelError if the expression is invalid or circular.
+        """
         try:
             return self._of(parse(text))
         except (RecursionError, TypeError, ValueError) as error:
@@ -108,7 +118,7 @@ class Evaluation:
 
 
 def names(tree: Tree) -> Iterator[str]:
-    """Yield the names in an expression tree, without those of functions."""
+    """Yield the names of quantities in an expression tree, without function names."""
     match tree:
         case str() if is_name(tree):
             yield tree
@@ -120,7 +130,7 @@ def names(tree: Tree) -> Iterator[str]:
 
 
 def _is_formula(reading: str) -> bool:
-    """Return whether a reading is an expression, not words."""
+    """Return whether the meaning of a name is given as a formula rather than in words."""
     try:
         parse(reading)
     except KernelError:
@@ -129,8 +139,9 @@ def _is_formula(reading: str) -> bool:
 
 
 def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """Return theta_kind(z, q) or its z-derivative as a function (DLMF 20.2(i)).
+    """Return a Jacobi theta function or its z-derivative as a Python function.
 
+    It is theta_kind(z, q) (DLMF 20.2(i)).
     Arb takes z/pi.
     """
 
@@ -143,7 +154,7 @@ def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _tiny(lost: int) -> arb:
-    """Return 2**(lost - precision), the tolerance after losing some bits."""
+    """Return the tolerance 2**(lost - precision) for a loss of some bits."""
     return arb(2) ** (lost - ctx.prec)
 
 
@@ -159,12 +170,15 @@ def _nome(m: acb) -> acb:
 
 
 def _slope(phi: acb, m: acb) -> acb:
-    """Return dF/dphi for the integral of the first kind F(phi | m)."""
+    """Return the derivative of Legendre's integral F(phi | m) with respect to phi."""
     return 1 / (1 - m * phi.sin() ** 2).sqrt()
 
 
 def _amplitude(u: acb, m: acb) -> acb:
-    """Enclose phi with F(phi | m) = u by an interval Newton step (DLMF 22.16.10, continued)."""
+    """Enclose the Jacobi amplitude of u by an interval Newton step.
+
+    The amplitude is the phi with F(phi | m) = u (DLMF 22.16.10), continued analytically.
+    """
     phi = _near(u, _parameter(m))
     radius = arb(0, _tiny(32))
     box = acb(phi.real + radius, phi.imag + radius)
@@ -175,7 +189,10 @@ def _amplitude(u: acb, m: acb) -> acb:
 
 
 def _near(u: acb, m: acb) -> acb:
-    """Approximate the amplitude of u by midpoint steps along 0..u, then Newton's method."""
+    """Approximate the Jacobi amplitude of u numerically.
+
+    The midpoint rule integrates along 0..u, and Newton's method improves the result.
+    """
     phi, step = acb(0), u / STEPS
     for _ in range(STEPS):
         half = (phi + step / (2 * _slope(phi, m))).mid()
@@ -186,8 +203,9 @@ def _near(u: acb, m: acb) -> acb:
 
 
 def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
-    """Integrate Pi(n; phi | m) along the real path from 0 (DLMF 19.2.7).
+    """Compute Legendre's incomplete integral Pi(n; phi | m) by numerical integration.
 
+    The path is the straight line from 0 to phi (DLMF 19.2.7).
     The path has no poles for n < 1.
     """
 
@@ -224,7 +242,7 @@ FEWER_BITS = 128
 
 
 def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
-    """Return whether balls confirm a fact at the given points and at drawn ones."""
+    """Return whether ball arithmetic confirms a fact at given and at pseudorandom points."""
     with ctx.workprec(BITS):
         given = (Evaluation(context, rational(context, point)) for point in points)
         if not all(agrees(at, fact) for at in given):
@@ -235,7 +253,7 @@ def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) 
 
 
 def _at_drawn_points(context: Context, fact: Fact, free: Sequence[str]) -> bool:
-    """Return whether balls confirm a fact at `COUNT` drawn points.
+    """Return whether ball arithmetic confirms a fact at `COUNT` pseudorandom points.
 
     Raises KernelError if too few draws are points of the context.
     """
@@ -264,7 +282,10 @@ def _drawn(context: Context, fact: Fact, free: Sequence[str], attempt: int) -> E
 
 
 def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
-    """Return a value for a name, determined by a hash of the claim and the attempt."""
+    """Return a pseudorandom value for a name.
+
+    A hash of the claim and of the attempt determines it.
+    """
     claim = [fact.context, *fact.lhs, "=", *fact.rhs, name, str(attempt)]
     digest = sha256("\n".join(claim).encode()).digest()
     share, kind = fmpq(int.from_bytes(digest[:8]), 2**64), digest[8] % 8
@@ -278,15 +299,19 @@ def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
 
 
 def _ties(context: Context, free: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield each relation between free names, with its last name."""
+    """Yield each relation between free names, preceded by the name to solve it for.
+
+    That is the last name in the relation.
+    """
     for relation in context.relations:
         if (tied := {*names(parse(relation))}) <= {*free}:
             yield max(tied, key=free.index), relation
 
 
 def _solution(context: Context, known: Mapping[str, acb], name: str, relation: str) -> acb:
-    """Solve a relation for a name in it: a + b x = 0, or a + b x**2 = 0 with x > 0.
+    """Solve a relation that is linear in a name or in its square.
 
+    The relation is a + b x = 0, or a + b x**2 = 0 with x > 0.
     A point with another relation is refused.
     """
     zero, one, less = (

@@ -1,4 +1,4 @@
-"""Mutants of proved statements, to test that the proofs reject wrong ones.
+"""Mutants of proved statements, to test that proofs reject wrong statements.
 
 A proof that would also accept a changed sign, index or power proves nothing about them.  Each
 mutant changes one place of one side of one component.  It is `refuted` (its normal form is not
@@ -41,8 +41,9 @@ _INDEX = {"1": "2", "2": "3", "3": "1", "a": "b", "b": "d", "d": "a"}
 def tally(
     ledger: Ledger, known: Mapping[str, Fates] | None = None, each: int = EACH
 ) -> dict[str, Fates]:
-    """Count the fates of up to `each` mutants of every decided fact.
+    """Count the refuted, refused and equivalent mutants of each decided fact.
 
+    At most `each` mutants of a fact are tried.
     Facts in `known` keep their counts.
     Facts about printed lines are left out: tests change one place of the printed LaTeX instead.
     """
@@ -56,7 +57,7 @@ def tally(
 
 
 def known_fates(ledger: Ledger, text: str) -> dict[str, Fates]:
-    """Return the mutant counts of a written ledger for facts that are unchanged here.
+    """Return the mutant counts in a written ledger for facts that have not changed.
 
     Their contexts have to be unchanged, too.
     """
@@ -97,8 +98,9 @@ def _enclose(context: Context, mutant: Fact) -> str:
 def decide(
     ring: Ring, lhs: str, rhs: str, power: int = 1, point: list[Number] | None = None
 ) -> str:
-    """Return whether lhs**power = rhs is refuted, refused or equivalent, by its normal form.
+    """Decide whether a mutated equation is refuted, refused or equivalent.
 
+    The equation is lhs**power = rhs.  Its normal form decides.
     If the sides differ at a point of the context, they are refuted without a normal form.
     """
     try:
@@ -110,7 +112,10 @@ def decide(
 
 
 def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
-    """Yield (lhs, rhs) with one place of one component changed, alternating kinds of change."""
+    """Yield mutants of a fact as pairs of left and right side.
+
+    In each, one place of one component is changed.  The kinds of change alternate.
+    """
     kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
     known = ring.values
     sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
@@ -135,7 +140,10 @@ def _changes(text: str, known: Mapping[Tree, Element]) -> Iterator[tuple[str, Ed
 
 
 def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
-    """Yield the kind of each single change of a text, with a function that returns the new text."""
+    """Yield all single changes of an expression, each with its kind.
+
+    A change is a function that returns the new text.
+    """
     tree = ast.parse(text, mode="eval")
     for place, node in enumerate(islice(ast.walk(tree), PLACES)):
         for kind, changed in variants(node):
@@ -143,7 +151,10 @@ def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
 
 
 def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str, ast.expr]]:
-    """Yield likely slips at one node: sign, power, factor, term, index, function, derivative."""
+    """Yield likely slips at one node of a syntax tree, each with its kind.
+
+    The kinds are sign, power, factor, term, index, function and derivative.
+    """
     match node:
         case ast.BinOp(left=left, op=ast.Add(), right=right):
             yield "sign", ast.BinOp(left, ast.Sub(), right)
@@ -172,7 +183,7 @@ def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str
 
 
 def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
-    """Yield the known names that are easily mistaken for a name.
+    """Yield known names that could be mistaken for the given name.
 
     These are names of the next axis and of similar functions.
     """
@@ -184,7 +195,7 @@ def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
 
 
 def _replaced(text: str, place: int, changed: ast.expr) -> str:
-    """Return a text with the node at one place of its syntax tree replaced."""
+    """Replace one node in the syntax tree of an expression and return the new text."""
     tree = ast.parse(text, mode="eval")
     target = list(ast.walk(tree))[place]
 

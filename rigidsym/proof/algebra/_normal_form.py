@@ -20,8 +20,9 @@ Term: TypeAlias = tuple[tuple[int, ...], Number]
 
 
 def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
-    """Divide a polynomial by several ones; return the cofactors and the remainder.
+    """Divide a polynomial by several polynomials.
 
+    Returns the cofactors and the remainder.
     Each term, also of intermediate results, is divided by the first divisor whose leading term
     divides it.  All terms divisible by the leading term of one divisor are divided together.
     """
@@ -62,7 +63,9 @@ def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
-    """Divide a polynomial by a context's relations; return the cofactors and the remainder.
+    """Divide a polynomial by the relations of a context.
+
+    Returns the cofactors and the remainder.
 
     A remainder of 0 proves that the polynomial vanishes.
     If plain division leaves a remainder, each relation is first reduced by those before it, and
@@ -78,7 +81,7 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
 
 
 def nested(polynomial: PolyElement) -> str:
-    """Return a polynomial as text in nested form, half as long as the expanded one.
+    """Print a polynomial in nested form, which is about half as long as the expanded form.
 
     >>> from sympy import QQ, ring
     >>> _, x, y = ring("x, y", QQ)
@@ -110,7 +113,11 @@ def _product(powers: tuple[int, ...], number: Number, names: Sequence[str]) -> s
 
 @lru_cache(maxsize=128)
 def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement]]]:
-    """Return the relations, each reduced by those before it, with cofactors in the originals."""
+    """Reduce each relation of a context by the relations before it.
+
+    Returns the reduced relations that are not zero, and for each its cofactors in the original
+    relations.
+    """
     basis: list[PolyElement] = []
     origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
@@ -126,7 +133,7 @@ def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement
 def _combined(
     parts: list[PolyElement], rows: list[list[PolyElement]], like: list[PolyElement]
 ) -> list[PolyElement]:
-    """Return the sum of part * row over rows of polynomials.
+    """Return the linear combination of rows of polynomials with polynomial coefficients.
 
     `like` has as many entries as a row, for the case that there is none.
     """

@@ -34,7 +34,10 @@ _LISTS = ("units", "relations", "nonnegative", "start")
 
 
 def part_of(context: Context, *names: str) -> Part:
-    """Return a context as a part, restricted to the given names if there are any."""
+    """Convert a context, or some of its names, to a part.
+
+    If names are given, hypotheses other than their definitions and rates are left out.
+    """
     chosen = {*names} or {*context.generators, *context.definitions}
     found: dict[str, Any] = {} if names else {key: getattr(context, key) for key in _LISTS}
     for key in _TABLES:
@@ -44,7 +47,10 @@ def part_of(context: Context, *names: str) -> Part:
 
 
 def join(name: str, *parts: Part, static: bool = False) -> Context:
-    """Join parts into one context; `static` leaves out the time derivative."""
+    """Join parts into one context.
+
+    `static` leaves out the time derivative.
+    """
     merged: dict[str, Any] = {
         key: {x: text for part in parts for x, text in getattr(part, key).items()}
         for key in _TABLES
@@ -57,17 +63,20 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
 
 
 def extend(name: str, context: Context, *parts: Part) -> Context:
-    """Return a context extended by parts under a new name; parts may override definitions."""
+    """Extend a context by parts, under a new name.
+
+    Parts may override definitions.
+    """
     return join(name, part_of(context), *parts, static=context.rates is None)
 
 
 def sign(name: str, reading: str) -> Part:
-    """Return the part of a constant that is +1 or -1."""
+    """Return the part that introduces a constant equal to +1 or -1."""
     return Part({name: "1"}, relations=(f"{name}**2 - 1",), reading={name: reading})
 
 
 def half_angle(name: str, rate: str = "") -> Part:
-    """Return the part of cos and sin of half an angle and of the whole angle.
+    """Return the part that introduces cos and sin of half an angle and of the angle.
 
     `rate` is the time derivative of the whole angle.
     """
@@ -75,7 +84,7 @@ def half_angle(name: str, rate: str = "") -> Part:
 
 
 def double_angle(name: str, rate: str = "") -> Part:
-    """Return the part of cos and sin of an angle and of the doubled angle.
+    """Return the part that introduces cos and sin of an angle and of its double.
 
     `rate` is the time derivative of the single angle.
     """
@@ -102,7 +111,7 @@ def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
 
 
 def circle(cosine: str, sine: str, angle: str) -> Part:
-    """Return the part of cos and sin of an angle at one instant."""
+    """Return the part that introduces cos and sin of an angle at one instant."""
     return Part(
         witness={sine: "4/5", cosine: "3/5"},
         relations=(f"{cosine}**2 + {sine}**2 - 1",),
@@ -111,8 +120,9 @@ def circle(cosine: str, sine: str, angle: str) -> Part:
 
 
 def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) -> Part:
-    """Return the part of sn, cn and dn of (argument | parameter) (DLMF 22.6, 22.13).
+    """Return the part that introduces Jacobi's functions sn, cn and dn.
 
+    They are taken at (argument | parameter) (DLMF 22.6, 22.13).
     `rate` is the time derivative of the argument.
     """
     return Part(

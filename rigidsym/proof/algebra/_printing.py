@@ -1,4 +1,4 @@
-"""Printer of SymPy polynomials as kernel texts with a chosen order of terms.
+"""Printer of SymPy polynomials with a chosen order of names and terms.
 
 SymPy sorts names alphabetically.  A text printed here may become a formula of the number half,
 where terms are added in the printed order.  Names have the listed order, terms are sorted by
@@ -13,8 +13,9 @@ Ranks: TypeAlias = dict[str, int]
 
 
 def printed(polynomial: Expr, names: str) -> str:
-    """Print a polynomial in the listed names, in their order.
+    """Print a polynomial with its names in a chosen order.
 
+    `names` lists all names in that order.
     Raises ValueError for anything but sums, products and natural powers of these names.
     >>> from sympy import symbols
     >>> a, b, e = symbols("a b e")
@@ -31,7 +32,11 @@ def _sum(total: Expr, ranks: Ranks) -> str:
 
 
 def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
-    """Return a term's degree, sign, ranks of its factors, and text without the sign."""
+    """Return the sort key and the text of a term.
+
+    The key is the degree, whether the term is negative, and the ranks of the factors.  The text
+    has no sign.
+    """
     number, rest = term.as_coeff_Mul()
     factors = sorted(_factor(factor, ranks) for factor in Mul.make_args(rest) if factor != 1)
     texts = [text for _, text, _ in factors]
@@ -43,7 +48,10 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
 
 
 def _factor(factor: Expr, ranks: Ranks) -> tuple[int, str, int]:
-    """Return a factor's rank, text and degree; sums have the last rank."""
+    """Return the rank, text and degree of a factor.
+
+    Sums have the last rank.
+    """
     base, exponent = factor.as_base_exp()
     if not (isinstance(exponent, Integer) and exponent > 0):
         raise ValueError(f"{factor}: not a natural power")

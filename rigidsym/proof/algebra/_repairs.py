@@ -20,8 +20,9 @@ _SIDES = ("lhs", "rhs")
 
 
 def repairs(ledger: Ledger, fact_id: str, place: str, component: int = 0) -> list[tuple[str, str]]:
-    """Return up to `MOST` shortest proved repairs of a refuted fact as (lhs, rhs).
+    """Return the shortest proved repairs of a refuted fact.
 
+    There are at most `MOST`, each a pair of sides (lhs, rhs), or of a name and its definition.
     `place` is what the paper prints: a side of the statement, or a definition of its context.
     `component` says which of several components to mend.
     """
@@ -70,7 +71,10 @@ def _statement(fact: Fact, place: str, text: str) -> tuple[str, str]:
 
 
 def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | None:
-    """Return a context's ring with changed definitions; None if the kernel refuses it."""
+    """Return a context's ring with changed definitions.
+
+    Returns None if the kernel refuses the definitions.
+    """
     if not changed:
         return ring
     try:
@@ -80,7 +84,10 @@ def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | No
 
 
 def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
-    """Yield the known rational points of a context: its witness and its counterexamples."""
+    """Yield the known rational points of a context.
+
+    These are its witness and the points of its counterexamples.
+    """
     yield context.witness
     for fact in ledger.facts.values():
         if fact.context == context.name and fact.kind == "unequal":
@@ -89,7 +96,10 @@ def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
 
 @dataclass(frozen=True, slots=True)
 class Jet:
-    """A rational value with its time derivative, which is None if unknown."""
+    """A rational value with its time derivative.
+
+    The derivative is None if it is unknown.
+    """
 
     value: Fraction
     rate: Fraction | None = Fraction(0)
@@ -106,7 +116,10 @@ class Jet:
         return Jet(self.value * other.value, rate)
 
     def power(self, exponent: int) -> "Jet":
-        """Return an integer power of a jet; ZeroDivisionError if it is undefined."""
+        """Return an integer power of a jet.
+
+        Raises ZeroDivisionError if it is undefined.
+        """
         slope = exponent * self.value ** (exponent - 1)
         return Jet(self.value**exponent, None if self.rate is None else slope * self.rate)
 
@@ -121,11 +134,17 @@ _OPERATIONS: dict[type, Callable[[Jet, Jet], Jet]] = {
 
 
 class UnknownRateError(ValueError):
-    """A second derivative, or a derivative that the context leaves unknown."""
+    """Error for a time derivative that the context does not determine.
+
+    It is a second derivative, or a derivative that the context leaves unknown.
+    """
 
 
 class Instant:
-    """Exact values of a context's texts, and of their derivatives, at one rational point."""
+    """Exact evaluation of a context's expressions at one rational point.
+
+    Time derivatives are evaluated, too.
+    """
 
     def __init__(self, context: Context, point: Mapping[str, str]) -> None:
         self.definitions, self.rates = context.definitions, context.rates or {}
@@ -133,7 +152,7 @@ class Instant:
         self.moving = self._moving({})
 
     def _moving(self, changed: Mapping[str, str]) -> dict[str, Jet]:
-        """Return the generators' values and rates after some definitions changed."""
+        """Return the values and time derivatives of generators under changed definitions."""
         known = {**self.still, **changed}
         rates = {
             name: None if text == "?" else self._value(text, dict(known)).value
@@ -142,7 +161,10 @@ class Instant:
         return {name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()}
 
     def agree(self, lhs: str, rhs: str, changed: Mapping[str, str]) -> bool:
-        """Return whether two sides have the same value; True if it needs an unknown rate."""
+        """Return whether an equation holds at the point under changed definitions.
+
+        Returns True if a side needs an unknown time derivative.
+        """
         try:
             moving = self._moving(changed) if changed else self.moving
             known: dict[str, Jet | str] = {**moving, **changed}

@@ -1,4 +1,4 @@
-"""Elliptic functions of balls with rigorous error bounds.
+"""Elliptic functions in ball arithmetic, with rigorous error bounds.
 
 Jacobi's functions come from their definition alone, the inverse phi = am(u) of
 
@@ -21,7 +21,10 @@ EVALUATIONS = 20_000
 
 
 def jacobi(u: acb, m: acb) -> tuple[acb, acb, acb]:
-    """Return sn, cn and dn of (u | m) for |Im u| < K' and 0 < m < 1."""
+    """Return Jacobi's functions sn, cn and dn at (u | m).
+
+    The domain is |Im u| < K' and 0 < m < 1.
+    """
     phi, turns = _amplitude(u, m)
     _, s, c, d = _first(phi, m)
     return (-s, -c, d) if turns % 2 else (s, c, d)
@@ -39,30 +42,42 @@ def epsilon(u: acb, m: acb) -> acb:
 
 
 def inverse_sc(x: acb, m: acb) -> acb:
-    """Return the real u with sc(u | m) = x, which is F(arctan(x))."""
+    """Return the real u that solves sc(u | m) = x.
+
+    It is F(arctan(x)).
+    """
     return _first(acb(real(x).atan()), between(arb(0), m, arb(1)))[0]
 
 
 def third_kind_of_argument(u: acb, n: acb, m: acb) -> acb:
-    """Integrate sn**2/(1 - n*sn**2) from 0 to a real u, by substituting phi = am(u)."""
+    """Integrate sn**2/(1 - n*sn**2) from 0 to a real u.
+
+    The substitution is phi = am(u).
+    """
     phi, turns = _amplitude(acb(real(u)), m)
     return _third(lambda square: square, n, phi + turns * acb.pi(), m)
 
 
 def third_kind(n: acb, phi: acb, m: acb) -> acb:
-    """Return Legendre's Pi(n; phi | m) for any real phi, by integration."""
+    """Return Legendre's integral of the third kind, Pi(n; phi | m), for a real phi."""
     return _third(lambda square: acb(1), n, acb(real(phi)), m)
 
 
 def real(value: acb) -> arb:
-    """Return the real part of a ball; Refused unless it is exactly real and finite."""
+    """Convert a complex ball to a real ball.
+
+    Raises Refused unless the ball is exactly real and finite.
+    """
     if not (value.imag == 0 and value.is_finite()):
         raise Refused("a function of real numbers gets another value")
     return value.real
 
 
 def between(low: arb | None, value: acb, high: arb) -> acb:
-    """Return a real ball; Refused unless it lies strictly between the bounds."""
+    """Return a ball if it is real and lies strictly between two bounds.
+
+    Raises Refused for any other ball.
+    """
     number = real(value)
     if not number < high or not (low is None or low < number):
         raise Refused("a function gets a value out of its range")
@@ -70,7 +85,10 @@ def between(low: arb | None, value: acb, high: arb) -> acb:
 
 
 def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
-    """Return phi and k with am(u) = phi + k*pi, where phi is on the branch of `_first`."""
+    """Return the Jacobi amplitude of u, reduced by a multiple of pi.
+
+    Returns phi and k with am(u) = phi + k*pi, where phi is on the branch of `_first`.
+    """
     m = between(arb(0), m, arb(1))
     if not u.is_finite() or not abs(u.imag) < acb.elliptic_k(1 - m).real:
         raise Refused("an argument of Jacobi's functions is not below the pole i*K'")
@@ -80,8 +98,9 @@ def _amplitude(u: acb, m: acb) -> tuple[acb, int]:
 
 
 def _inverse(u: acb, m: acb) -> acb:
-    """Enclose the solutions phi of F(phi) = u for a ball u by an interval Newton method.
+    """Enclose the solution phi of F(phi) = u by an interval Newton method.
 
+    The result holds the solutions for all u in the ball.
     It starts from a root found by plain Newton steps.
     Where Newton's operator maps a ball into its interior, it holds exactly one zero.  If the ball
     meets the strip |Re phi| < pi/2, `_first` has continued F from 0 to there: phi is am(u).
@@ -108,7 +127,10 @@ def _inverse(u: acb, m: acb) -> acb:
 
 
 def _guess(u: complex, m: float) -> complex:
-    """Approximate am(u) by Runge-Kutta steps for phi' = Delta."""
+    """Approximate the Jacobi amplitude of u by Runge-Kutta steps.
+
+    They solve phi' = Delta.
+    """
 
     def slope(phi: complex) -> complex:
         return cmath.sqrt(1 - m * cmath.sin(phi) ** 2)
@@ -123,8 +145,9 @@ def _guess(u: complex, m: float) -> complex:
 
 
 def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
-    """Return F, sin, cos and Delta of phi, continued analytically from 0.
+    """Return Legendre's integral F(phi | m) with sin(phi), cos(phi) and Delta(phi).
 
+    All are continued analytically from phi = 0.
     The domain is the strip |Re phi| < pi/2 and some of what lies beyond it.
     F = s*R_F(c**2, Delta**2, 1).  Doubling its arguments once by hand, with the roots c and Delta,
     takes it across the cut that c**2 runs into at the sides of the strip: the doubled ones are
@@ -140,12 +163,18 @@ def _first(phi: acb, m: acb) -> tuple[acb, acb, acb, acb]:
 
 
 def _doubled(c: acb, d: acb) -> tuple[acb, acb, acb]:
-    """Return the doubled arguments of R_F: (x + y)/4 for x = c**2, d**2, 1, y = c*d + d + c."""
+    """Return the arguments of Carlson's R_F after one duplication step.
+
+    They are (x + y)/4 for x = c**2, d**2, 1, where y = c*d + d + c.
+    """
     return (c + d) * (c + 1) / 4, (d + c) * (d + 1) / 4, (1 + c) * (1 + d) / 4
 
 
 def _third(above: Callable[[acb], acb], n: acb, phi: acb, m: acb) -> acb:
-    """Integrate above(sin**2)/((1 - n*sin**2)*Delta) from 0 to a real phi."""
+    """Integrate an elliptic integrand of the third kind from 0 to a real phi.
+
+    The integrand is above(sin**2)/((1 - n*sin**2)*Delta).
+    """
     n, m = between(None, n, arb(1)), between(None, m, arb(1))
 
     def integrand(theta: acb, analytic: bool) -> acb:

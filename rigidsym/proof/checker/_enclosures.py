@@ -1,4 +1,4 @@
-"""Numerical checks of equations by ball arithmetic, at given and at drawn points.
+"""Numerical checks of equations by ball arithmetic, at given and at pseudorandom points.
 
 The value of a name comes from the point, from its definition, or from a reading that is a formula.
 Two sides agree if the ball of their difference is small and contains 0.
@@ -25,7 +25,10 @@ TOLERANCE = "1e-30"
 
 
 def check_point(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
-    """Refuse an equation unless the balls of both sides agree at a point of its context."""
+    """Check by ball arithmetic that an equation holds at one point.
+
+    Raises Refused unless the balls of both sides agree and the point is one of the context.
+    """
     with ctx.workprec(PRECISION):
         values = Values(given, numbers(given, point))
         if not values.confirm(fact, TOLERANCE):
@@ -33,7 +36,10 @@ def check_point(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
 
 
 def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
-    """Return the values of a point as balls; Refused for names that are not free."""
+    """Convert the coordinates of a point to balls.
+
+    Raises Refused for names that are not free.
+    """
     if taken := point.keys() - {*given.generators}:
         raise Refused(f"a point gives {min(taken)!a}, which is no generator")
     if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
@@ -42,7 +48,7 @@ def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
 
 
 class Values(Language[acb]):
-    """Ball values of a context's texts at a point, computed on demand."""
+    """Evaluation of a context's expressions at one point by ball arithmetic."""
 
     def __init__(self, given: Hypotheses, point: dict[str, acb]) -> None:
         self._given, self._unread = given, {**given.reading, **given.definitions}
@@ -52,7 +58,7 @@ class Values(Language[acb]):
         self._values |= point
 
     def confirm(self, fact: Claim, tolerance: str) -> bool:
-        """Return whether both sides agree within a tolerance.
+        """Return whether both sides of a fact agree within a tolerance.
 
         Raises Refused if they have no value, or if the point is not one of the context.
         """
@@ -66,7 +72,10 @@ class Values(Language[acb]):
         return True
 
     def check(self) -> None:
-        """Refuse a point that violates a hypothesis about the names evaluated so far."""
+        """Check that the point satisfies the hypotheses of the context.
+
+        Only hypotheses whose names have all been evaluated are checked.  Raises Refused.
+        """
         given = self._given
         for texts, holds in (
             (given.relations, lambda value: value.contains(0)),
@@ -82,7 +91,10 @@ class Values(Language[acb]):
         return acb(number)
 
     def name(self, name: str) -> acb:
-        """Return the value of a name; Refused if its definition is circular."""
+        """Return the value of a name as a ball.
+
+        Raises Refused if the definition of the name is circular.
+        """
         if name not in self._values:
             if name not in self._unread:
                 raise Refused(f"{name!r} has no value at the point")
@@ -94,7 +106,10 @@ class Values(Language[acb]):
         return self._values[name]
 
     def call(self, function: str, arguments: list[acb]) -> acb:
-        """Return the value of a function; its imaginary part is dropped for real arguments."""
+        """Return the value of a function call as a ball.
+
+        The imaginary part is dropped if all arguments are real.
+        """
         key = function, len(arguments)
         if key not in FUNCTIONS:
             raise Refused(f"{function} of {len(arguments)} is no function here")
@@ -105,8 +120,9 @@ class Values(Language[acb]):
 
 
 def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
-    """Return theta_index(z, q) or its z-derivative as a function (DLMF 20.2(i)).
+    """Return a Jacobi theta function or its z-derivative as a Python function.
 
+    It is theta_index(z, q) (DLMF 20.2(i)).
     FLINT takes z/pi.
     """
 
@@ -118,14 +134,17 @@ def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _root(x: acb) -> acb:
-    """Return the square root of a real ball; Refused if it may be negative."""
+    """Return the square root of a real ball.
+
+    Raises Refused if the ball has negative points.
+    """
     if not elliptic.real(x) >= 0:
         raise Refused("the root of a number that may be negative")
     return x.sqrt()
 
 
 def _nome(m: acb) -> acb:
-    """Return the nome exp(-pi K'/K) of a parameter."""
+    """Return the elliptic nome exp(-pi K'/K) for a parameter m."""
     m = between(arb(0), m, arb(1))
     return (-acb.pi() * acb.elliptic_k(1 - m) / acb.elliptic_k(m)).exp()
 
@@ -157,7 +176,10 @@ BITS, ALIKE = 128, "1e-18"
 
 
 def check_drawn_points(given: Hypotheses, fact: Claim, free: list[str], whole: list[str]) -> None:
-    """Refuse an equation that fails at one of many points drawn by a hash of the claim."""
+    """Check by ball arithmetic that an equation holds at many pseudorandom points.
+
+    A hash of the claim draws the points.  Raises Refused if the equation fails at one of them.
+    """
     free = [name for name in given.generators if name in free]
     seen = 0
     with ctx.workprec(BITS):
@@ -192,7 +214,10 @@ def _draw(
 
 
 def _number(seed: bytes, whole: bool, positive: bool) -> acb:
-    """Draw a number from (0, 1), from near its ends, or from (-8, 8)."""
+    """Return a pseudorandom number for a seed.
+
+    It is from (0, 1), from near the ends of this interval, or from (-8, 8); or a small integer.
+    """
     part, choice = fmpq(int.from_bytes(seed[:8], "little"), 2**64), seed[8] % 10
     if whole:
         return acb(seed[9] % 9 - 4)
@@ -206,7 +231,7 @@ def _number(seed: bytes, whole: bool, positive: bool) -> acb:
 
 
 def _solve(given: Hypotheses, known: dict[str, acb], name: str, relation: str) -> acb:
-    """Solve a relation for a name that occurs in it linearly, or only as its square."""
+    """Solve a relation that is linear in a name or in its square."""
     at = [Values(given, {**known, name: acb(x)}).read(relation) for x in (-1, 0, 1)]
     if (at[0] - at[2]).contains(0):
         square = at[1] / (at[1] - at[2])

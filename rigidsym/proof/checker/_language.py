@@ -1,4 +1,4 @@
-"""Grammar of ledger expressions, with one reader per kind of value.
+"""Grammar of ledger expressions, and a parser that evaluates them.
 
 Text is made of natural numbers, names, ``+ - * /``, powers whose exponents are natural numbers, and
 calls ``f(x, y)``, with optional spaces between them.  Names are not Python's keywords; numbers have
@@ -29,13 +29,14 @@ Form: TypeAlias = int | str | tuple["Form", ...]
 
 
 def is_name(text: object) -> bool:
-    """Return whether a text is a name of a quantity or of a context."""
+    """Return whether a value is a valid name of a quantity or of a context."""
     return isinstance(text, str) and bool(NAME.fullmatch(text)) and not keyword.iskeyword(text)
 
 
 class Language(ABC, Generic[Meaning]):
-    """Parser of the grammar; subclasses evaluate numbers, names and calls.
+    """Parser of ledger expressions, with evaluation left to subclasses.
 
+    Subclasses evaluate numbers, names and calls.
     Operators are Python's own unless a subclass evaluates them in another way.
     """
 
@@ -64,7 +65,10 @@ class Language(ABC, Generic[Meaning]):
         return base**exponent
 
     def read(self, text: str) -> Meaning:
-        """Return the value of a text; Refused unless it is one expression."""
+        """Parse and evaluate an expression.
+
+        Raises Refused unless the text is one expression.
+        """
         if len(text) > _LENGTH:
             raise Refused(f"an expression of {len(text)} characters")
         if text != text.strip(" ") or _TOKEN.sub("", text):
@@ -75,7 +79,7 @@ class Language(ABC, Generic[Meaning]):
         return value
 
     def _read(self, tokens: list[str], binding: int = 0, depth: int = 0) -> Meaning:
-        """Parse operators that bind tighter than `binding`, with their operands."""
+        """Parse and evaluate a chain of operators with a precedence above `binding`."""
         value = self._operand(tokens, depth)
         while _BINDS.get(tokens[-1], 0) > binding:
             operator = tokens.pop()
@@ -119,32 +123,35 @@ class Forms(Language[Form]):
     """Parser of expressions into trees of tuples."""
 
     def number(self, number: int) -> Form:
-        """Return the number itself."""
+        """Return a number, which is its own syntax tree."""
         return number
 
     def name(self, name: str) -> Form:
-        """Return the name itself."""
+        """Return a name, which is its own syntax tree."""
         return name
 
     def call(self, function: str, arguments: list[Form]) -> Form:
-        """Return the tree of a function call."""
+        """Return the syntax tree of a function call."""
         return ("call", function, *arguments)
 
     def combine(self, operator: str, left: Form, right: Form) -> Form:
-        """Return the tree of a binary operation."""
+        """Return the syntax tree of a binary operation."""
         return operator, left, right
 
     def negative(self, operand: Form) -> Form:
-        """Return the tree of a negation."""
+        """Return the syntax tree of a negation."""
         return "-", operand
 
     def power(self, base: Form, exponent: int) -> Form:
-        """Return the tree of a power."""
+        """Return the syntax tree of a power."""
         return "**", base, exponent
 
 
 def is_formula(text: str) -> bool:
-    """Return whether a text is an expression, whatever its names mean."""
+    """Return whether a text is an expression of the grammar.
+
+    Its names may have any meaning.
+    """
     try:
         Forms().read(text)
     except Refused:

@@ -1,4 +1,7 @@
-"""Records of a ledger file, which is JSON of one exact shape and spelling."""
+"""Parser of ledger files into records of contexts and facts.
+
+A ledger file is JSON of one exact shape and spelling.
+"""
 
 import json
 from dataclasses import dataclass, fields
@@ -9,12 +12,15 @@ KEYS = ["schema", "contexts", "facts", "published"]
 
 
 class Refused(ValueError):  # noqa: N818 (a verdict rather than an error)
-    """Refusal of a ledger; the message says in one line where it is wrong and why."""
+    """Error for a ledger that the checker refuses.
+
+    The message says in one line where the ledger is wrong and why.
+    """
 
 
 @dataclass(frozen=True, slots=True)
 class Hypotheses:
-    """A context as the ledger file records it."""
+    """Record of a context in a ledger file."""
 
     name: str
     generators: list[str]
@@ -31,7 +37,7 @@ class Hypotheses:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """A fact as the ledger file records it.
+    """Record of a fact in a ledger file.
 
     The rule decides what its certificate must hold.
     """
@@ -52,7 +58,7 @@ Record = TypeVar("Record", Hypotheses, Claim)
 
 
 def fits(value: object, kind: object) -> bool:
-    """Return whether a JSON value has the type of a record's field."""
+    """Return whether a JSON value has the type of a given record field."""
     if kind == list[str]:
         return isinstance(value, list) and all(isinstance(item, str) for item in value)
     if kind == dict[str, str]:
@@ -63,7 +69,10 @@ def fits(value: object, kind: object) -> bool:
 
 
 def fill(kind: type[Record], entry: object) -> Record:
-    """Return a JSON entry as a record; Refused unless its fields and types match exactly."""
+    """Convert a JSON entry to a record.
+
+    Raises Refused unless the fields and their types match exactly.
+    """
     if not isinstance(entry, dict) or [*entry] != [field.name for field in fields(kind)]:
         raise Refused("not the fields that the schema gives it")
     if wrong := [field.name for field in fields(kind) if not fits(entry[field.name], field.type)]:
@@ -72,7 +81,10 @@ def fill(kind: type[Record], entry: object) -> Record:
 
 
 def load(text: str) -> tuple[list[object], list[object], dict[str, Any]]:
-    """Return the unread contexts, the unread facts and the published index of a ledger file."""
+    """Load a ledger file and check its JSON format.
+
+    Returns the contexts and facts as JSON data, and the published index.
+    """
     data = json.loads(text, object_pairs_hook=_once)
     if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != SCHEMA:
         raise Refused(f"not a ledger of schema {SCHEMA}")

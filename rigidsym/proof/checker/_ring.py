@@ -1,5 +1,6 @@
-"""Differential rings over FLINT polynomials: fractions that are never cancelled.
+"""Differential rings of polynomial fractions, computed with FLINT.
 
+Fractions are never cancelled.
 A denominator is always a product of declared units, because `Ring.inverse` makes no other.
 Monomials are ordered lexicographically, later generators larger, as ledgers are written for.
 """
@@ -16,7 +17,7 @@ from rigidsym.proof.checker._records import Refused
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Quotient:
-    """A fraction above / below of two polynomials."""
+    """A fraction of two polynomials, above / below."""
 
     above: fmpq_mpoly
     below: fmpq_mpoly
@@ -45,7 +46,7 @@ class Quotient:
 
 
 class Ring(Language[Quotient]):
-    """Arithmetic of a context: its names, units, relations and time derivative."""
+    """Differential ring of a context, with its names, units and relations."""
 
     def __init__(self, generators: list[str], definitions: dict[str, str]) -> None:
         self.polynomials = fmpq_mpoly_ctx.get(generators[::-1], "lex")
@@ -57,7 +58,7 @@ class Ring(Language[Quotient]):
         self.rates: dict[str, Quotient | None] | None = None
 
     def over_one(self, polynomial: fmpq_mpoly) -> Quotient:
-        """Return a polynomial as a fraction."""
+        """Return a polynomial as a fraction with denominator 1."""
         return Quotient(polynomial, self.one)
 
     def number(self, number: int) -> Quotient:
@@ -65,19 +66,28 @@ class Ring(Language[Quotient]):
         return self.over_one(self.polynomials.constant(number))
 
     def call(self, function: str, arguments: list[Quotient]) -> Quotient:
-        """Return the time derivative for D(x); Refused for any other function."""
+        """Evaluate D(x), the time derivative of a fraction.
+
+        Raises Refused for any other function.
+        """
         if function != "D" or len(arguments) != 1:
             raise Refused(f"{function} of {len(arguments)} is no function here")
         return self.rate(arguments[0])
 
     def combine(self, operator: str, left: Quotient, right: Quotient) -> Quotient:
-        """Return the sum, difference, product or quotient; Refused if a divisor has no inverse."""
+        """Return the sum, difference, product or quotient of two fractions.
+
+        Raises Refused if a divisor has no inverse.
+        """
         if operator == "/":
             return left * self.inverse(right)
         return super().combine(operator, left, right)
 
     def name(self, name: str) -> Quotient:
-        """Return the value of a name; Refused inside its own definition."""
+        """Return the value of a name as a fraction.
+
+        Raises Refused for a name inside its own definition.
+        """
         if name not in self.values:
             if name not in self.unread:
                 raise Refused(f"{name!r} has no meaning here")
@@ -85,8 +95,9 @@ class Ring(Language[Quotient]):
         return self.values[name]
 
     def inverse(self, quotient: Quotient) -> Quotient:
-        """Return 1/quotient; Refused unless its numerator is a product of units.
+        """Return the reciprocal of a fraction.
 
+        Raises Refused unless the numerator is a product of units.
         The numerator may be reduced by the relations for that.
         """
         for above in (quotient.above, self.remainder(quotient.above)):
@@ -106,8 +117,9 @@ class Ring(Language[Quotient]):
         return polynomial.leading_coefficient() if constant else fmpq(0)
 
     def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
-        """Reduce a polynomial by the relations and other zeros until nothing changes.
+        """Reduce a polynomial modulo the relations and further zero polynomials.
 
+        The reduction is repeated until nothing changes.
         This ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
         The remainder depends on the order of the divisors, so both orders are used.
         """
@@ -116,7 +128,10 @@ class Ring(Language[Quotient]):
         return rest and _divided(_divided(polynomial, divisors[::-1]), divisors)
 
     def rate(self, quotient: Quotient) -> Quotient:
-        """Return the time derivative D(a/b), the sum of (a_x b - a b_x)/b**2 D(x) over x."""
+        """Return the time derivative of a fraction.
+
+        D(a/b) is the sum of (a_x b - a b_x)/b**2 D(x) over all generators x.
+        """
         if self.rates is None:
             raise Refused("this context has no time derivative")
         (above, below), total = (quotient.above, quotient.below), self.over_one(self.one * 0)

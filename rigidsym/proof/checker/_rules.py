@@ -23,19 +23,28 @@ Right = TypeVar("Right")
 
 @dataclass(slots=True)
 class Accepted:
-    """The accepted contexts and facts of a ledger, which alone a fact may rest on."""
+    """The contexts and facts that the checker has accepted so far.
+
+    A fact may rest on no others.
+    """
 
     theories: dict[str, Theory] = field(default_factory=dict)
     facts: dict[str, Claim] = field(default_factory=dict)
 
     def open(self, given: Hypotheses) -> None:
-        """Accept a context; Refused if its name is taken."""
+        """Check a context and accept it.
+
+        Raises Refused if the context is invalid or its name is taken.
+        """
         if given.name in self.theories:
             raise Refused("this name is taken")
         self.theories[given.name] = Theory(given)
 
     def accept(self, fact: Claim) -> None:
-        """Accept a fact; Refused unless its rule holds and gives the grade that it claims."""
+        """Check a fact and accept it.
+
+        Raises Refused unless its rule holds and gives the grade that the fact claims.
+        """
         if not all(map(is_name, fact.id.split("."))):
             raise Refused("this id is not made of names")
         if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
@@ -54,8 +63,9 @@ class Accepted:
 
 
 def identity(so_far: Accepted, fact: Claim) -> str:
-    """Check that the cofactors combine the relations to a unit multiple of lhs - rhs.
+    """Check an identity by the cofactors in its certificate.
 
+    They have to combine the relations to lhs - rhs times a product of units.
     For a root, lhs**2 replaces lhs, which has to be visibly nonnegative.  For a sign, the right
     sides have to be visibly nonnegative.
     """
@@ -74,7 +84,7 @@ def identity(so_far: Accepted, fact: Claim) -> str:
 
 
 def counterexample(so_far: Accepted, fact: Claim) -> str:
-    """Check that both sides differ at a rational point of the context."""
+    """Check that the sides of an equation differ at a rational point of the context."""
     values: Any = fact.certificate.get("point")
     if not fits(values, dict[str, str]):
         raise Refused("the certificate holds no point")
@@ -88,7 +98,10 @@ def counterexample(so_far: Accepted, fact: Claim) -> str:
 
 
 def model(so_far: Accepted, fact: Claim) -> str:
-    """Check that every hypothesis and rate of the context in rhs holds here, given the premises."""
+    """Check that a context satisfies all hypotheses of another one.
+
+    The other one is named in rhs.  Its rates have to hold, too.  Premises may be used.
+    """
     if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
         raise Refused("a model is of exactly one context")
     here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
@@ -109,7 +122,7 @@ def model(so_far: Accepted, fact: Claim) -> str:
 
 
 def transfer(so_far: Accepted, fact: Claim) -> str:
-    """Check that a statement repeats a fact of which this context is a model."""
+    """Check a fact that is restated from a context whose hypotheses hold here."""
     there, bridge = (so_far.facts[premise] for premise in fact.premises)
     if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
         raise Refused("the second premise does not make this context a model of the first's")
@@ -119,8 +132,9 @@ def transfer(so_far: Accepted, fact: Claim) -> str:
 
 
 def partition(so_far: Accepted, fact: Claim) -> str:
-    """Check that the cases are x = 0, x > 0 and, unless x >= 0 is visible, x < 0.
+    """Check that a context is split into all its cases by the sign of a name.
 
+    The cases are x = 0, x > 0 and, unless x >= 0 is visible, x < 0.
     A motion stays in its case: since x = 0 is closed under d/dt, D(x) is a multiple of x, and no
     motion crosses x = 0.  A premise may split a case further.
     """
@@ -140,7 +154,10 @@ def partition(so_far: Accepted, fact: Claim) -> str:
 
 
 def theta(so_far: Accepted, fact: Claim) -> str:
-    """Check that each lhs - rhs is, up to sign, a part of an identity of theta functions."""
+    """Check equations that follow from an identity of theta functions.
+
+    Each lhs - rhs has to be, up to sign, the real or imaginary part of the identity.
+    """
     theory = so_far.theories[fact.context]
     identity: Any = fact.certificate.get("identity")
     forms: Any = fact.certificate.get("forms")
@@ -154,8 +171,9 @@ def theta(so_far: Accepted, fact: Claim) -> str:
 
 
 def start(so_far: Accepted, fact: Claim) -> str:
-    """Check that lhs = rhs holds at the start and is preserved by d/dt.
+    """Check equations by their initial values and their time derivatives.
 
+    They have to hold at the start, and d/dt has to preserve them.
     The gaps f satisfy f' = A f, whose only solution with a zero is 0.
     """
     theory, gaps = so_far.theories[fact.context], _gaps(so_far, fact)
@@ -169,7 +187,7 @@ def start(so_far: Accepted, fact: Claim) -> str:
 
 
 def assumption(so_far: Accepted, fact: Claim) -> str:
-    """Check that a cited result has a reference, and that balls agree at its points."""
+    """Check that an unproved result has a reference and agrees with ball arithmetic."""
     reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
     if not isinstance(reference, str) or not reference:
         raise Refused("an assumption needs a reference")
@@ -200,20 +218,26 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
 
 
 def check_nontrivial(so_far: Accepted, fact: Claim) -> None:
-    """Refuse a fact with a component that is trivial or a definition of its context."""
+    """Raise Refused if a fact has equal sides or repeats a definition of its context."""
     for lhs, rhs in _pairs(fact.lhs, fact.rhs):
         if so_far.theories[fact.context].states(lhs, rhs):
             raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
 
 
 def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
-    """Return lhs - rhs, or lhs**2 - rhs for a root, of each component."""
+    """Return the difference lhs - rhs of each component of a fact.
+
+    For a square root it is lhs**2 - rhs.
+    """
     read, power = so_far.theories[fact.context].ring.read, 2 if fact.kind == "root" else 1
     return [read(lhs) ** power - read(rhs) for lhs, rhs in _pairs(fact.lhs, fact.rhs)]
 
 
 def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
-    """Return the sum of cofactor * relation; Refused for a cofactor with a denominator."""
+    """Return the linear combination of a ring's relations with given cofactors.
+
+    Raises Refused for a cofactor with a denominator.
+    """
     total = ring.one * 0
     for text, relation in _pairs(row, ring.relations):
         cofactor = ring.read(text)
@@ -224,8 +248,9 @@ def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
 
 
 def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
-    """Return whether the combination is the gap times a product of units.
+    """Return whether a combination of relations proves that a difference of sides vanishes.
 
+    It does if it is the difference (`gap`) times a product of units.
     Then the gap vanishes where the combination does.
     """
     if combination == gap.above or not combination or not gap.above:
@@ -235,7 +260,10 @@ def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
 
 
 def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
-    """Return the premises of a model; Refused unless they are equations of its context."""
+    """Return the premises of a model.
+
+    Raises Refused unless they are equations of its context.
+    """
     premises = [so_far.facts[premise] for premise in fact.premises]
     if any((p.kind, p.context) != ("equal", fact.context) for p in premises):
         raise Refused("a premise is not an equation of this context")
@@ -243,7 +271,10 @@ def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
 
 
 def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
-    """Return everything that another context's relations, definitions and rates set to zero."""
+    """Return the expressions that another context's hypotheses set to zero.
+
+    They follow from its relations, definitions and rates.
+    """
     read, name, rate = ring.read, ring.name, ring.rate
     zeros = [name(generator) - name(generator) for generator in there.generators]
     zeros += [*map(read, there.relations)]
@@ -255,8 +286,9 @@ def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
 
 
 def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
-    """Return whether a case adds only the sign of x to the whole context.
+    """Return whether a context is the case of another one with a given sign of x.
 
+    It may add only this sign.
     Its name and its witness may differ.
     """
     more = replace(whole, name=case.name, witness=case.witness)
@@ -267,7 +299,7 @@ def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
 
 
 def _leaves(cases: list[str], premises: list[Claim]) -> list[str]:
-    """Return the cases, with each that a premise splits replaced by its own cases."""
+    """Return the cases of a partition, with split cases replaced by their own cases."""
     finer = {premise.context: premise.rhs for premise in premises if premise.kind == "partition"}
     if len(finer) < len(premises) or not finer.keys() <= {*cases}:
         raise Refused("a premise is not a partition of a case, or not the only one")
@@ -284,12 +316,18 @@ WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
 
 
 def check(text: str, specification: str = "") -> int:
-    """Check a ledger and return its number of facts; Refused if anything is wrong."""
+    """Check a ledger and return its number of facts.
+
+    Raises Refused if anything is wrong.
+    """
     return sum(grades(text, specification).values())
 
 
 def grades(text: str, specification: str = "") -> dict[str, int]:
-    """Check a ledger and count its facts by grade; Refused if anything is wrong or missing."""
+    """Check a ledger and count its facts by grade.
+
+    Raises Refused if anything is wrong or missing.
+    """
     with _naming("ledger"):
         contexts, claims, published = load(text)
     accepted = Accepted()
@@ -308,7 +346,7 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
 
 @contextmanager
 def _naming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
-    """Convert any error in this block into a one-line Refused that names the entry."""
+    """Convert errors in a block to a one-line Refused that names the entry of the ledger."""
     try:
         yield
     except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:

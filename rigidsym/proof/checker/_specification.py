@@ -1,4 +1,4 @@
-"""Independent reader of the specification, and search for its theorems in a ledger.
+"""Independent check that a ledger proves every theorem of the specification.
 
 A line without indent opens a block, a line indented by four spaces is a clause, and a line
 indented further continues the clause before it; `` | `` also separates clauses.
@@ -29,11 +29,11 @@ class Block:
     cases: list[str] = field(default_factory=list)
 
     def assume(self, clause: str, items: list[str]) -> None:
-        """Add items to one clause: names, zeros, nonzeros or nonnegative expressions."""
+        """Add expressions to one clause, such as `zero` or `nonnegative`."""
         self.assumed.setdefault(clause, set()).update(map(read, items))
 
     def take(self, other: "Block") -> None:
-        """Add all clauses of another block."""
+        """Add all clauses of another block to this one."""
         for clause, forms in other.assumed.items():
             self.assumed.setdefault(clause, set()).update(forms)
         if other.rates is not None:
@@ -45,12 +45,18 @@ class Block:
 
 @cache
 def read(text: str) -> Form:
-    """Return the form of an expression from the cache, or parse it; "?" is kept."""
+    """Parse an expression, or return "?" unchanged.
+
+    Results are cached.
+    """
     return "?" if text.strip() == "?" else Forms().read(text.strip())
 
 
 def blocks(text: str) -> dict[str, tuple[bool, Block]]:
-    """Parse a specification into blocks by name, and whether each is a theorem."""
+    """Parse a specification into its named blocks.
+
+    Each block comes with whether it is a theorem.
+    """
     found: dict[str, tuple[bool, Block]] = {}
     block = Block()
     for line in _lines(text):
@@ -130,7 +136,7 @@ class Catalogue:
         self.best = [fact for fact in facts.values() if fact.grade == "PROVED"]
 
     def require(self, text: str) -> None:
-        """Refuse a ledger that lacks a theorem of a specification."""
+        """Raise Refused unless the ledger proves every theorem of a specification."""
         for name, (is_theorem, block) in blocks(text).items():
             if is_theorem:
                 self._theorem(name, block)
@@ -171,7 +177,10 @@ class Catalogue:
             raise Refused(f"theorem {name}: the cases are not proved")
 
     def _places(self, name: str) -> set[str]:
-        """Return a context's name and those of all contexts that it is a proved model of."""
+        """Return the names of all contexts whose facts hold in a context.
+
+        These are the context itself and all contexts that it is a proved model of.
+        """
         found, new = {name}, {name}
         while new:
             models = (f for f in self.best if f.kind == "model" and f.context in new)
@@ -203,14 +212,20 @@ class Catalogue:
 
 
 def _hypotheses(context: Hypotheses) -> list[Any]:
-    """Return a context's names, zeros, nonzeros, nonnegatives and rates."""
+    """Return the hypotheses of a context as sets of expressions.
+
+    The sets are names, zeros, nonzeros and nonnegative expressions; the rates follow.
+    """
     rates = None if context.rates is None else {k: read(text) for k, text in context.rates.items()}
     columns = (context.relations, context.units, context.nonnegative)
     return [{*context.generators}, *({*map(read, column)} for column in columns), rates]
 
 
 def _same_names(name: str, block: Block, context: Hypotheses, proved: set[str]) -> None:
-    """Refuse definitions that differ from the theorem's or that it does not mention."""
+    """Raise Refused unless a context's definitions are those of the theorem.
+
+    The context may define nothing that the theorem does not mention.
+    """
     defined = dict(_pairs(context.definitions))
     for word, form in block.named.items():
         if defined.get(word) != form:

@@ -1,4 +1,4 @@
-"""Contexts with their ring, checked to be closed under d/dt and inhabited."""
+"""Contexts, checked for consistent hypotheses that the time derivative preserves."""
 
 from flint import fmpq
 
@@ -36,7 +36,10 @@ class Theory:
             raise Refused("it does not start at its witness, or has no time to start at")
 
     def point(self, values: dict[str, str]) -> list[fmpq]:
-        """Return a rational point; Refused unless it satisfies every hypothesis."""
+        """Check that a rational point satisfies every hypothesis, and return it.
+
+        Raises Refused if it does not.
+        """
         if values.keys() != {*self.given.generators}:
             raise Refused("a point gives other names than the generators")
         at = [rational(values[name]) for name in self.ring.polynomials.names()]
@@ -53,7 +56,7 @@ class Theory:
         return at
 
     def shows_sign(self, text: str) -> bool:
-        """Return whether a text is visibly nonnegative.
+        """Return whether an expression is visibly nonnegative.
 
         Such are the declared nonnegative quantities, their sums, products and quotients, and all
         even powers, since names are real.
@@ -81,7 +84,7 @@ class Theory:
         return shown
 
     def states(self, lhs: str, rhs: str) -> bool:
-        """Return whether both sides are equal forms, or a definition or rate of the context."""
+        """Return whether an equation has equal sides or repeats a definition or rate."""
         left, right = map(Forms().read, (lhs, rhs))
         return left == right or self._has_for(left) == right or self._has_for(right) == left
 
@@ -95,7 +98,7 @@ class Theory:
         return None if text == "?" else Forms().read(text)
 
     def _check_closed(self) -> None:
-        """Refuse a relation whose derivative does not vanish.
+        """Raise Refused if a relation has a time derivative that does not vanish.
 
         It could hold at one instant only.
         """
@@ -106,7 +109,10 @@ class Theory:
 
 
 def _check_names(given: Hypotheses) -> None:
-    """Refuse invalid or ambiguous names, and rates of names that are no generators."""
+    """Raise Refused for names that are invalid or ambiguous.
+
+    Rates of names that are no generators are refused, too.
+    """
     names = [*given.generators, *given.definitions]
     if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
         raise Refused("a name is no name, or means two things")
@@ -115,5 +121,5 @@ def _check_names(given: Hypotheses) -> None:
 
 
 def rational(text: str) -> fmpq:
-    """Return the rational value of a text without names."""
+    """Evaluate an expression without names as a rational number."""
     return Ring([], {}).read(text).above.leading_coefficient()

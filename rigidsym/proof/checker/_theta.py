@@ -1,4 +1,4 @@
-"""Theta functions as generators, and identities between their products.
+"""Theta functions in a context, and proofs of identities between their products.
 
 theta_j(z, q) is the sum of chi(n) q**(n**2) exp(2 i n z) over whole n, or halves of odd n if j < 3;
 chi(n) is (-1)**n for j = 4, -i (-1)**(n - 1/2) for j = 1, else 1 (DLMF 20.2(i)), and 0 < q < 1.  A
@@ -25,7 +25,10 @@ Form: TypeAlias = tuple[tuple[str, bool, fmpq], ...]  # names, whether they have
 
 
 class Theta(NamedTuple):
-    """The z-derivative of this order of theta_index(form, nome**power)."""
+    """A Jacobi theta function or one of its z-derivatives, at a linear argument.
+
+    It is the derivative of this `order` of theta_index(form, nome**power).
+    """
 
     index: int
     order: int
@@ -47,7 +50,7 @@ class Sums(Language[Sum]):
     """Parser of expressions into sums of products of names and theta functions."""
 
     def number(self, number: int) -> Sum:
-        """Return a natural number as a sum."""
+        """Return a natural number as a sum of one term."""
         return {(): fmpq(number)} if number else {}
 
     def name(self, name: str) -> Sum:
@@ -66,7 +69,10 @@ class Sums(Language[Sum]):
         return {(value,): fmpq(1)}
 
     def combine(self, operator: str, left: Sum, right: Sum) -> Sum:
-        """Return the sum, difference, product or quotient; Refused for divisors with names."""
+        """Return the sum, difference, product or quotient of two sums.
+
+        Raises Refused for divisors with names.
+        """
         if operator in "+-":
             right = self.negative(right) if operator == "-" else right
             return _sum([*left.items(), *right.items()])
@@ -84,7 +90,10 @@ class Sums(Language[Sum]):
         return {leaves: -factor for leaves, factor in operand.items()}
 
     def power(self, base: Sum, exponent: int) -> Sum:
-        """Return a power of a sum; Refused unless the exponent is from 1 to 9."""
+        """Return a power of a sum.
+
+        Raises Refused unless the exponent is from 1 to 9.
+        """
         if not 1 <= exponent <= 9:
             raise Refused(f"a power {exponent}")
         total = base
@@ -101,7 +110,10 @@ def _sum(terms: list[tuple[tuple[Leaf, ...], fmpq]]) -> Sum:
 
 
 def form(terms: Sum) -> Form:
-    """Return a sum as a linear form; Refused unless it is linear, with I at most once a term."""
+    """Convert a sum to a linear form in names.
+
+    Raises Refused unless it is linear, with I at most once a term.
+    """
     found = []
     for leaves, factor in terms.items():
         names = [leaf for leaf in leaves if leaf != "I"]
@@ -113,7 +125,9 @@ def form(terms: Sum) -> Form:
 
 @lru_cache(maxsize=64)
 def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
-    """Return the terms of an identity; Refused unless it holds for all values of its names.
+    """Check an identity between products of theta functions, and return its terms.
+
+    Raises Refused unless the identity holds for all values of its names.
 
     With z = F x, and F invertible, a product is the sum over n, or over a = F^T n, of its factor
     times chi(n_1) (2 i n_1)**d_1 ... q**(a.E a) exp(2 i a.x).  Where two products have one E, terms
@@ -151,7 +165,10 @@ def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
 
 
 def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
-    """Return the matrix F of a product's arguments z = F x, and its inverse."""
+    """Return the matrix of the arguments in a product of theta functions, and its inverse.
+
+    The arguments are z = F x with the matrix F.
+    """
     tables = [{name: factor for name, _, factor in theta.form} for theta in leaves]
     size = len(names)
     if len(leaves) != size or not 1 <= size <= 6:
@@ -163,7 +180,10 @@ def _matrix(leaves: list[Theta], names: list[str]) -> tuple[fmpq_mat, fmpq_mat]:
 
 
 def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
-    """Return the quadratic form E = F^-1 diag(powers) F^-T of a product's exponents."""
+    """Return the quadratic form of the nome's exponents in a product of theta functions.
+
+    It is E = F^-1 diag(powers) F^-T.
+    """
     size = len(leaves)
     powers = fmpq_mat(size, size, [fmpq(0)] * size**2)
     for k, theta in enumerate(leaves):
@@ -172,8 +192,9 @@ def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
 
 
 def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmpq_mpoly, bool]:
-    """Return the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a.
+    """Return the polynomial factor of the Fourier coefficients of a theta product.
 
+    It is the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a.
     The second value says whether a factor i is left out.
     """
     polynomials = fmpq_mpoly_ctx.get(names, "lex")
@@ -190,8 +211,9 @@ def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmp
 def _classes(
     leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int, unit: int
 ) -> Iterator[tuple[tuple[object, ...], int]]:
-    """Yield each class of exponents modulo the period once, as a*unit with its sign.
+    """Yield one representative of each class of exponents modulo the period.
 
+    It is a*unit, with its sign.
     The a, but for a first one, are the lattice of the rows of F.  In a triangular basis of it (the
     Hermite normal form) the diagonal h divides the period, and the coefficients from 0 to period/h
     are one for each class.
@@ -215,7 +237,7 @@ def _classes(
 
 
 class Functions:
-    """The theta functions that names of a context are declared to be."""
+    """The names of a context that are declared to be values of theta functions."""
 
     def __init__(self, ring: Ring, declared: dict[str, str]) -> None:
         self.ring = ring
@@ -233,7 +255,10 @@ class Functions:
             self._parts[text[:2], least] = ring.name(name) * self._number(signs[text[:2] == "im"])
 
     def check(self, generators: list[str], rates: dict[str, str] | None) -> None:
-        """Refuse undeclared generators, a moving nome, and wrong time derivatives."""
+        """Check the declared theta functions against the rest of the context.
+
+        Raises Refused for undeclared generators, a moving nome, and wrong time derivatives.
+        """
         ring = self.ring
         for name, part, theta in self._declared:
             if not {name, theta.nome} <= {*generators}:
@@ -255,7 +280,10 @@ class Functions:
                 raise Refused(f"{name} does not move as it is declared")
 
     def values(self, identity: str, forms: dict[str, str]) -> list[fmpq_mpoly]:
-        """Return Re and Im of an identity with forms substituted for its names; both vanish."""
+        """Substitute linear forms into an identity of theta functions.
+
+        Returns its real and imaginary part, which both vanish.
+        """
         places = {name: form(Sums().read(text)) for name, text in forms.items()}
         total = [self._number(0), self._number(0)]
         for leaves, factor in zero(identity):
@@ -277,8 +305,9 @@ class Functions:
         return sum(parts, self._number(0))
 
     def _part(self, part: str, theta: Theta) -> Quotient:
-        """Return Re or Im of a theta function's value in the context's names.
+        """Return the real or imaginary part of a theta function's value.
 
+        It is expressed in the context's names.
         The value is real for real z; at z = i y it is real if the function is even, else imaginary.
         """
         kinds = {imaginary for _, imaginary, _ in theta.form}
@@ -293,8 +322,9 @@ class Functions:
 
 
 def _least(theta: Theta) -> tuple[Theta, int, int]:
-    """Replace z by the least of z, -z and their conjugates; return the function and two signs.
+    """Replace the argument of a theta function by the least of z, -z and their conjugates.
 
+    Returns the function, and the signs of its real and imaginary part.
     f(-z) is f(z) or -f(z), and f at the conjugate of z is the conjugate of f(z).
     """
     odd = -1 if theta.odd else 1
@@ -308,7 +338,7 @@ def _least(theta: Theta) -> tuple[Theta, int, int]:
 
 
 def _placed(terms: Form, places: dict[str, Form]) -> Form:
-    """Return a linear form with forms substituted for its names."""
+    """Substitute linear forms for the names in a linear form."""
     found: dict[tuple[str, bool], fmpq] = {}
     for name, _, factor in terms:
         for inner, imaginary, k in places[name]:

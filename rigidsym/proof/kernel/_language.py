@@ -27,17 +27,20 @@ Tree: TypeAlias = int | str | tuple[Any, ...]
 
 
 class KernelError(ValueError):
-    """Refusal of a text, context, fact or certificate that breaks a rule of the kernel."""
+    """Error for an expression, context, fact or certificate that the kernel refuses."""
 
 
 def is_name(text: str) -> bool:
-    """Return whether a text is a name."""
+    """Return whether a text is a valid name."""
     return text.isascii() and text.isidentifier() and not iskeyword(text)
 
 
 @cache
 def parse(text: str) -> Tree:
-    """Return the tree of an expression; KernelError for any other text."""
+    """Parse an expression into a syntax tree.
+
+    Raises KernelError for any other text.
+    """
     if not isinstance(text, str) or len(text) > LONGEST:
         raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
     if not _TEXT.fullmatch(text):
@@ -52,7 +55,7 @@ def parse(text: str) -> Tree:
 
 
 def _chain(tokens: list[str], binding: int, room: int) -> Tree:
-    """Parse operators that bind tighter than `binding`, with their operands."""
+    """Parse a chain of operators with a precedence above `binding`."""
     tree = _factor(tokens, room)
     while (binds := _BINDS.get(tokens[-1], 0)) > binding:
         begun = tree if isinstance(tree, tuple) and _BINDS.get(tree[1]) == binds else (tree,)

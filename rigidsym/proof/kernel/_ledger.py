@@ -19,12 +19,18 @@ _LISTS |= {"lhs", "rhs", "premises", "source"}
 
 @dataclass(slots=True)
 class Ledger(Admitted):
-    """All admitted contexts and facts; `published` is an index that proves nothing."""
+    """The contexts and facts that the kernel has admitted, in order.
+
+    `published` is an index that proves nothing.
+    """
 
     published: dict[str, Any] = field(default_factory=dict)
 
     def open(self, context: Context) -> Ring:
-        """Admit a context; KernelError unless it is closed under d/dt, inhabited and new."""
+        """Check a context and add it to the ledger.
+
+        Raises KernelError unless it is closed under d/dt, inhabited and new.
+        """
         if context.name in self.contexts:
             raise KernelError(f"context {context.name} is already there")
         self.rings[context.name] = context.open()
@@ -32,7 +38,10 @@ class Ledger(Admitted):
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
-        """Admit a fact; KernelError unless its rule accepts it with the grade it claims."""
+        """Check a fact and add it to the ledger.
+
+        Raises KernelError unless the fact's rule accepts it with the grade it claims.
+        """
         if not all(map(is_name, fact.id.split("."))) or fact.id in self.facts:
             raise KernelError(f"fact {fact.id!a:.80}: this is no name, or there already")
         try:
@@ -68,7 +77,10 @@ class Ledger(Admitted):
 
 
 def replay(text: str, encloses: Encloses | None = None) -> Ledger:
-    """Check a written ledger fact by fact; KernelError at the first invalid entry."""
+    """Check a written ledger fact by fact.
+
+    Raises KernelError at the first invalid entry.
+    """
     try:
         data, ledger = json.loads(text), Ledger(encloses)
         if data["schema"] != SCHEMA:

@@ -19,13 +19,19 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
-    """Return a polynomial's value at a rational point, in the order of the generators."""
+    """Evaluate a polynomial at a rational point.
+
+    The coordinates are in the order of the polynomial ring's generators.
+    """
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
-    """A fraction numerator / below; `below` counts how often each unit is a factor."""
+    """A polynomial fraction whose denominator is a product of units.
+
+    `below` counts how often each unit is a factor of the denominator.
+    """
 
     numerator: PolyElement
     below: Counter[PolyElement] = field(default_factory=Counter)
@@ -61,8 +67,9 @@ class Element:
 
 
 class Ring:
-    """Q[generators] localised at the units, with definitions and the time derivative D.
+    """Differential ring of a context, with its names, units and relations.
 
+    It is Q[generators] localised at the units, with definitions and the time derivative D.
     Later generators are larger (lexicographic order): a relation that introduces a root or a
     function value leads with it, and division by the relations is the normal form.
     """
@@ -77,7 +84,10 @@ class Ring:
         self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
 
     def inverse(self, element: Element) -> Element:
-        """Return 1/element; KernelError unless its numerator is a number times units."""
+        """Return the reciprocal of an element.
+
+        Raises KernelError unless the numerator is a number times units.
+        """
         below, rest = self._factors(element.numerator)
         if not rest.is_ground:
             below, rest = self._factors(self.remainder(element.numerator))
@@ -86,7 +96,10 @@ class Ring:
         return Element(Element(self.poly(1 / rest.LC)).over(element.below), below)
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
-        """Divide a polynomial by units; return how often each divides it, and the rest."""
+        """Divide a polynomial by the units as often as possible.
+
+        Returns how often each unit divides it, and the rest.
+        """
         found, leading = Counter[PolyElement](), polynomial.LM
         for unit in self.units:
             while not unit.is_ground and monomial_divides(unit.LM, leading):
@@ -97,11 +110,17 @@ class Ring:
         return found, polynomial
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
-        """Divide by the relations and given zeros; a remainder 0 proves that it vanishes."""
+        """Reduce a polynomial modulo the relations and further zero polynomials.
+
+        A remainder 0 proves that the polynomial vanishes.
+        """
         return polynomial.rem([*given, *self.relations])
 
     def rate(self, element: Element) -> Element:
-        """Return D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k."""
+        """Return the time derivative of an element.
+
+        D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k.
+        """
         if self.rates is None:
             raise KernelError(f"D({element.numerator}): this context has no time derivative")
         total = Element(self.poly(0))
@@ -115,11 +134,17 @@ class Ring:
         return total * Element(self.poly(1), element.below)
 
     def read(self, text: str) -> Element:
-        """Parse a text and return its element; KernelError for unknown names or divisors."""
+        """Parse an expression and return its ring element.
+
+        Raises KernelError for unknown names or divisors.
+        """
         return self.value(parse(text))
 
     def value(self, tree: Tree) -> Element:
-        """Return the element of a tree from the cache, or compute it."""
+        """Return the ring element of a syntax tree.
+
+        Results are cached.
+        """
         if (known := self.values.get(tree)) is None:
             known = self.values[tree] = self._value(tree)
         return known

@@ -19,7 +19,10 @@ Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
 
 @dataclass(slots=True)
 class Admitted:
-    """The admitted contexts and facts, which alone a rule may use."""
+    """The contexts and facts that the kernel has admitted so far.
+
+    A rule may use no others.
+    """
 
     encloses: Encloses | None = None
     contexts: dict[str, Context] = field(default_factory=dict)
@@ -51,7 +54,7 @@ def identity(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def counterexample(admitted: Admitted, fact: Fact) -> Grade:
-    """Check that two sides differ at a rational point.
+    """Check that the sides of an equation differ at a rational point.
     a rational point of Gamma at which lhs differs from rhs
     -------------------------------------------------------
     Gamma |- lhs != rhs at some point
@@ -94,7 +97,7 @@ def model(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def transfer(admitted: Admitted, fact: Fact) -> Grade:
-    """Check that a fact of another context is restated in a model of it.
+    """Check a fact that is restated from a context whose hypotheses hold here.
     Gamma |- statement        Delta |- model of Gamma
     -------------------------------------------------
     Delta |- statement
@@ -108,7 +111,7 @@ def transfer(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def partition(admitted: Admitted, fact: Fact) -> Grade:
-    """Check that contexts are the cases of another one by the sign of a name.
+    """Check that a context is split into all its cases by the sign of a name.
     Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
     -----------------------------------------------------------------------------------
     Gamma |- exactly one of these contexts, or of those that premises split them into
@@ -147,7 +150,7 @@ def theta(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def start(admitted: Admitted, fact: Fact) -> Grade:
-    """Check equations that hold at an instant and are preserved by d/dt.
+    """Check equations by their initial values and their time derivatives.
     Gamma |- lhs = rhs at the start        Gamma, lhs = rhs |- D(lhs - rhs) = 0
     ---------------------------------------------------------------------------
     Gamma |- lhs = rhs
@@ -166,7 +169,7 @@ def start(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def assumption(admitted: Admitted, fact: Fact) -> Grade:
-    """Check that a cited result has a reference, and that balls confirm it at its points.
+    """Check that an unproved result has a reference and agrees with ball arithmetic.
     a reference that states it, and points where balls, if there are points, do not exclude it
     ------------------------------------------------------------------------------------------
     Gamma, read as its `reading` says |- statement        (grade ASSUMED, with points ENCLOSED)
@@ -195,14 +198,17 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """Return the numerators of lhs - rhs, or of lhs**2 - rhs for a root."""
+    """Return the numerator of lhs - rhs for each component of a fact.
+
+    For a square root it is the numerator of lhs**2 - rhs.
+    """
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
 
 
 def check_nontrivial(admitted: Admitted, fact: Fact) -> None:
-    """Refuse a fact whose sides are equal trees or equal by the context's definitions."""
+    """Raise KernelError if a fact has equal sides or repeats a definition."""
     same = [(parse(a), parse(b)) for a, b in said(admitted.contexts[fact.context]).items()]
     for sides in zip(fact.lhs, fact.rhs, strict=True):
         lhs, rhs = map(parse, sides)
@@ -211,7 +217,7 @@ def check_nontrivial(admitted: Admitted, fact: Fact) -> None:
 
 
 def said(context: Context) -> dict[str, str]:
-    """Return the texts of a context's definitions and of its known rates."""
+    """Return the definitions and known time derivatives of a context as expressions."""
     if context.rates is None:
         return {**context.definitions}
     rates = {**dict.fromkeys(context.generators, "0"), **context.rates}.items()
@@ -219,7 +225,10 @@ def said(context: Context) -> dict[str, str]:
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:
-    """Refuse texts that are not visibly nonnegative, by +, *, / or even powers."""
+    """Raise KernelError unless all expressions are visibly nonnegative.
+
+    They are made of nonnegative names by +, *, / or even powers.
+    """
     waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
     while waiting:
         if (tree := waiting.pop()) in seen or isinstance(tree, int):

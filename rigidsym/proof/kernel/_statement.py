@@ -18,8 +18,9 @@ _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """A context: generators, relations = 0, units != 0, nonnegative names >= 0.
+    """Named quantities with hypotheses about them, which define a differential ring.
 
+    The hypotheses are relations = 0, units != 0 and nonnegative names >= 0.
     One may divide by units.  `witness` is a rational point, `definitions` abbreviate expressions,
     `reading` says what names stand for.  `rates` maps generators to rates: others are constant,
     "?" is unknown, None an instant.  `start` is zero at one instant; `thetas` are theta functions.
@@ -38,7 +39,10 @@ class Context:
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
-        """Return the context's ring; KernelError unless it is closed under d/dt and inhabited."""
+        """Check the context and return its ring.
+
+        Raises KernelError unless it is closed under d/dt and inhabited.
+        """
         names = [*self.generators, *self.definitions]
         if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
             raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
@@ -62,7 +66,10 @@ class Context:
         return ring
 
     def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
-        """Return a point's rational values; KernelError unless it satisfies every hypothesis."""
+        """Check that a point satisfies all hypotheses, and return its coordinates.
+
+        Raises KernelError if it does not.
+        """
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
         point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
@@ -78,7 +85,10 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """Return this context for a zero, a positive and a negative name; the witness is kept."""
+        """Return the cases of this context in which a name is zero, positive or negative.
+
+        The witness is kept.
+        """
         zero = replace(self, relations=(*self.relations, name))
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
@@ -87,7 +97,10 @@ class Context:
 
 
 class Grade(StrEnum):
-    """Grade of a fact, from worst to best: assumed, enclosed by balls, proved."""
+    """Grade of a fact: assumed, confirmed by ball arithmetic, or proved.
+
+    The grades are ordered from worst to best.
+    """
 
     ASSUMED = "ASSUMED"
     ENCLOSED = "ENCLOSED"
@@ -101,8 +114,9 @@ def weakest(grades: Iterable[Grade]) -> Grade:
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A statement in a context; it counts only once `Ledger.add` has admitted it.
+    """A statement in a context, with the rule and the certificate that prove it.
 
+    It counts only once `Ledger.add` has admitted it.
     By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context
     is a model of that in rhs; "partition", each of its points is in exactly one of those in rhs.

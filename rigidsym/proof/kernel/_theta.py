@@ -1,4 +1,4 @@
-"""Theta functions as generators, and identities between their products.
+"""Theta functions in a context, and proofs of identities between their products.
 
     theta_j(z, q) = sum of chi_j(n) q**(n**2) exp(2 i n z),   n in Z, or in Z + 1/2 where j < 3
     chi_1(n) = -i (-1)**(n - 1/2),   chi_2(n) = chi_3(n) = 1,   chi_4(n) = (-1)**n,   0 < q < 1
@@ -30,7 +30,10 @@ MOST = 10_000  # classes of exponents of a product, so that no identity takes lo
 
 
 class Theta(NamedTuple):
-    """The z-derivative of this order of theta_index(form, nome**power)."""
+    """A Jacobi theta function or one of its z-derivatives, at a linear argument.
+
+    It is the derivative of this `order` of theta_index(form, nome**power).
+    """
 
     index: int
     order: int
@@ -41,7 +44,7 @@ class Theta(NamedTuple):
 
 @cache
 def linear(text: str) -> Form:
-    """Parse a linear form in names, with I as the imaginary unit."""
+    """Parse a linear form in names, where I is the imaginary unit."""
     ring, form = Ring(tuple(sorted({*re.findall(_NAME, text)})), {}), []
     for powers, number in ring.read(text).numerator.terms():
         names = [str(x) for x, power in zip(ring.poly.gens, powers, strict=True) if power]
@@ -62,7 +65,9 @@ def theta(text: str) -> Theta:
 
 @lru_cache(maxsize=64)
 def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
-    """Return the terms of a sum of theta products; KernelError unless it vanishes identically.
+    """Check that a sum of products of theta functions vanishes, and return its terms.
+
+    Raises KernelError unless it vanishes identically.
 
     A product of r functions of independent forms z = F x is the sum over a = F^T n, n = F^-T a, of
     f(a) q**Q(a) exp(2 i a.x) with Q(a) = sum of p_k n_k**2, f(a) = prod of chi(n_k) (2 i n_k)**d_k.
@@ -102,7 +107,7 @@ def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
 
 
 class Series:
-    """The Fourier series of a product of theta functions times a number."""
+    """The Fourier series of a product of theta functions and a number."""
 
     def __init__(self, number: Number, factors: list[Theta], names: list[str]) -> None:
         size, self.factors = len(names), factors
@@ -124,7 +129,10 @@ class Series:
         self.weight = prod(map(pow, n, orders), start=a[0] ** 0) * number * sign * 2 ** sum(orders)
 
     def classes(self, period: int, unit: int) -> Iterable[tuple[tuple[int, ...], int]]:
-        """Return each class of exponents a, times `unit`, with the sign of `weight` there."""
+        """Return one representative of each class of exponents modulo the period.
+
+        It is the exponent a times `unit`, with the sign of `weight` there.
+        """
         steps = [[int(x * unit) for x in row] for row in self.rows]
         flips = [factor.index in (1, 4) for factor in self.factors]
         halves = [row for row, factor in zip(steps, self.factors, strict=True) if factor.index < 3]
@@ -148,7 +156,7 @@ def _denominator(rows: list[list[Number]]) -> int:
 
 
 class Thetas:
-    """The theta functions that generators of a context are declared to be."""
+    """The names of a context that are declared to be values of theta functions."""
 
     def __init__(self, ring: Ring, declared: Mapping[str, str]) -> None:
         self.ring, self.zero = ring, ring.read("0")
@@ -159,8 +167,9 @@ class Thetas:
             self.names[found[1], theta(found[2])] = name
 
     def check(self, rates: Mapping[str, str] | None) -> None:
-        """Refuse undeclared generators, a moving nome, and wrong time derivatives.
+        """Check the declared theta functions against the rest of the context.
 
+        Raises KernelError for undeclared generators, a moving nome, and wrong time derivatives.
         D(f(z)) = f'(z) D(z)
         """
         generators = {*map(str, self.ring.poly.gens)}
@@ -179,7 +188,10 @@ class Thetas:
                     raise KernelError(f"D({name}) is not that of a theta function")
 
     def at(self, identity: str, forms: Mapping[str, str]) -> Complex:
-        """Return an identity, which is 0, with linear forms substituted for its names."""
+        """Substitute linear forms into an identity of theta functions.
+
+        Returns its real and imaginary part, which both vanish.
+        """
         places = {name: linear(text) for name, text in forms.items()}
         total = self.zero, self.zero
         for number, factors in vanishing(identity):
@@ -197,12 +209,18 @@ class Thetas:
         return parts[0], parts[1]
 
     def _times(self, of: Theta, other: Complex) -> Complex:
-        """Return f times a complex value; f need not be declared if the value is 0."""
+        """Return the product of a theta function and a complex value.
+
+        The function need not be declared if the value is 0.
+        """
         (a, b), (c, d) = ([self._part(part, of, x) for x in other] for part in ("re", "im"))
         return a - d, b + c
 
     def _part(self, part: str, of: Theta, factor: Element) -> Element:
-        """Return Re or Im of f(z) times a factor, by f(-z) = +-f(z) and f(conj z) = conj f(z)."""
+        """Return the real or imaginary part of f(z), times a factor.
+
+        It uses f(-z) = +-f(z) and f(conj z) = conj f(z).
+        """
         if not factor.numerator:
             return self.zero
         odd, conjugate = (-1) ** (of.order + (of.index == 1)), -1 if part == "im" else 1
@@ -220,7 +238,7 @@ class Thetas:
 
 
 def _placed(of: Theta, places: Mapping[str, Form]) -> Theta:
-    """Return a theta function with forms substituted for the names in its argument."""
+    """Substitute linear forms for the names in a theta function's argument."""
     total: dict[tuple[str, bool], Number] = {}
     for inner, _, factor in of.form:
         for name, imaginary, number in places[inner]:

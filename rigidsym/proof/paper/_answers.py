@@ -1,4 +1,4 @@
-"""Printed lines as questions to the ledger, and the facts that answer them.
+"""Search for the facts of the ledger that decide the paper's printed lines.
 
 A question consists of definitions and equations in a context.  The fact with the same texts
 answers it.
@@ -22,7 +22,10 @@ parse_text = lru_cache(maxsize=4096)(_expression.parse)
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Equations to decide in a context, with the definitions that the print gives there."""
+    """Equations of a printed line, to be decided by a fact of the ledger.
+
+    `definitions` are the definitions that the print gives in the context.
+    """
 
     context: str
     definitions: Texts
@@ -31,8 +34,9 @@ class Question:
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
-    """Translate a printed line to a question in the context of a sense.
+    """Translate a printed line to equations and definitions in a context.
 
+    `sense` says how.
     Raises PrintError if the vocabulary lacks a word, or if the line states nothing.
     """
     line = printed[sense.of].latex if sense.of else latex
@@ -77,7 +81,7 @@ def without_trivial(whole: Question, definitions: Texts, rates: Texts) -> Questi
 
 
 def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
-    """Return the statements of a display that define something."""
+    """Return the statements of a displayed formula that define something."""
     return tuple(
         piece
         for piece in display
@@ -86,7 +90,10 @@ def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
 
 
 def asked(equation: Equation) -> Iterator[tuple[str, Sense]]:
-    """Yield everything to decide about an equation, as pairs of LaTeX and sense."""
+    """Yield all translations of a printed equation that the ledger has to decide.
+
+    Each is a pair of LaTeX and sense.
+    """
     yield from ((equation.latex, sense) for sense in equation.senses)
     for reading in equation.readings:
         yield from ((equation.latex, sense) for sense in reading.senses)
@@ -102,19 +109,25 @@ Data = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """A question with the fact of a ledger that decides it, None if there is none."""
+    """A question with the fact of a ledger that decides it.
+
+    The fact is None if the question is open.
+    """
 
     question: Question
     fact: Data | None
 
     @property
     def holds(self) -> bool | None:
-        """Whether the equations hold; None if that is open."""
+        """Whether the equations hold, or None if they are undecided."""
         return None if self.fact is None else self.fact["kind"] == "equal"
 
 
 class Answers:
-    """The proved equations and counterexamples of a ledger, indexed by context and sides."""
+    """Index of a ledger's proved equations and counterexamples.
+
+    The keys are context and sides.
+    """
 
     def __init__(self, ledger: Data, equations: Iterable[Equation]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
@@ -128,11 +141,14 @@ class Answers:
         }
 
     def citing(self, number: str) -> list[str]:
-        """Return the ids of the facts that cite an equation as their source."""
+        """Return the ids of the facts that cite a printed equation as their source."""
         return [fact["id"] for fact in self._all if number in fact["source"]]
 
     def to(self, latex: str, sense: Sense) -> Answer:
-        """Return the answer to a printed line in one sense."""
+        """Return the ledger's answer to a printed line.
+
+        `sense` says how to translate the line.
+        """
         asked = question(latex, sense, self.printed)
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
@@ -142,12 +158,12 @@ class Answers:
 
 
 def all_hold(answers: Iterable[Answer]) -> bool | None:
-    """Return whether all answers hold; None if one is open."""
+    """Return whether all equations hold, or None if one is undecided."""
     held = [answer.holds for answer in answers]
     return None if None in held else all(held)
 
 
 def ids(answers: Iterable[Answer], kind: str) -> tuple[str, ...]:
-    """Return the ids of the facts of one kind behind some answers, without repetition."""
+    """Return the distinct ids of the facts of one kind in some answers."""
     facts = [answer.fact for answer in answers if answer.fact is not None]
     return tuple(dict.fromkeys(fact["id"] for fact in facts if fact["kind"] == kind))

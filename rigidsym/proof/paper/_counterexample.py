@@ -1,4 +1,4 @@
-"""Counterexamples of printed lines: a point, both sides' values and the motion there."""
+"""Counterexamples to printed equations, with the motions in which they occur."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -49,8 +49,9 @@ BY_AMPLITUDES = {
 
 
 def motion_at(context: str, values: "Instant") -> Motion | None:
-    """Return the motion at a point of a context; None if the context names no motion.
+    """Return the rigid-body motion at a point of a context.
 
+    Returns None if the context names no motion.
     If it names only the momentum, the body has the moments 2, 3, 5/2.
     """
     if context in BY_AMPLITUDES:
@@ -86,7 +87,7 @@ class Counterexample:
 
     @property
     def sides(self) -> tuple[str, str]:
-        """Both sides with their values.
+        """Both sides of the equation with their values, as text.
 
         "left side" and "right side" stand for long expressions.
         """
@@ -108,7 +109,10 @@ class Counterexample:
 
 
 def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexample | None:
-    """Return a counterexample for the first component that fails; None if all hold."""
+    """Return the counterexample to an equation, or None if the equation holds.
+
+    It is for the first component that fails.
+    """
     if answer.fact is None or answer.holds:
         return None
     point = answer.fact["certificate"]["point"]
@@ -122,7 +126,10 @@ def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexamp
 
 
 class Instant:
-    """Exact values of a context's texts, and of their derivatives, at one of its points."""
+    """Exact evaluation of a context's expressions at one of its points.
+
+    Time derivatives are evaluated, too.
+    """
 
     def __init__(self, context: Data, point: Mapping[str, str]) -> None:
         self.context, self.point = context, point
@@ -130,18 +137,18 @@ class Instant:
 
     @cached_property
     def names(self) -> set[str]:
-        """The names that have a value at the point."""
+        """The names of quantities that have a value at the point."""
         return {*self.point, *self.context["definitions"]}
 
     def of(self, name: str) -> Fraction:
-        """Return the value of a name."""
+        """Return the value of a name at the point."""
         if name not in self._known:
             text = self.point[name] if name in self.point else self.context["definitions"][name]
             self._known[name] = self.value(parse(text))
         return self._known[name]
 
     def value(self, tree: Expression) -> Fraction:
-        """Return the value of an expression."""
+        """Return the value of an expression at the point."""
         match tree:
             case Number(value):
                 return Fraction(value)
@@ -159,7 +166,7 @@ class Instant:
         raise ValueError(f"{tree} has no value")
 
     def rate(self, tree: Expression) -> Expression:
-        """Return the time derivative of an expression as an expression."""
+        """Differentiate an expression with respect to time."""
         match tree:
             case Number():
                 return Number(0)

@@ -1,4 +1,4 @@
-"""Printed equations as values: LaTeX, senses, readings, conditions, flaws and repairs.
+"""Data types for printed equations, with their translations, flaws and repairs.
 
 A sense translates a line into a context; a reading is one way to understand the print.  Nothing
 here states what is true: `rigidsym.proof.paper._verdicts` finds that in the ledger.
@@ -13,7 +13,10 @@ from rigidsym.view._proofs import equation_html
 
 
 class Flaw(StrEnum):
-    """Kinds of flaws in print; a flawed line may still be true."""
+    """Kinds of flaws in a printed line.
+
+    A flawed line may still be true.
+    """
 
     VARIABLE = "roots of another variable"
     MODULUS = "parameter read as modulus"
@@ -34,7 +37,7 @@ class Flaw(StrEnum):
 
 
 class Root(StrEnum):
-    """Independent slips of the paper, from which all misprints follow."""
+    """The paper's independent errors, which explain all its misprints."""
 
     SCALE = "(14) and (10) to (12) take the roots in different variables"
     HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"
@@ -44,8 +47,9 @@ class Root(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Sense:
-    """A translation of a printed line into a context, where a fact decides it.
+    """A translation of a printed line into the language of a context.
 
+    A fact of this context decides the line.
     `defines` maps names that the line defines to the context's names; `says` are further equations
     from the paper's text.  `given` are other displays whose definitions are used as printed,
     `mended` those used as repaired.  The line `of` another number, or `latex`, replaces the line
@@ -68,8 +72,9 @@ class Sense:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition of a line, with the divisors that it covers and the proof that it is needed.
+    """A condition under which a printed line holds.
 
+    `units` are the divisors that it covers.
     The senses `needed_by` show that without it a denominator is zero, or the line fails.
     """
 
@@ -80,7 +85,10 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One possible meaning of the print, its consequences, and the senses that decide it."""
+    """One possible interpretation of an ambiguous printed line.
+
+    `implies` says what follows from it, and the senses decide it.
+    """
 
     text: str
     implies: str
@@ -89,8 +97,9 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """A printed equation: number, LaTeX, reading in words, and the senses that decide it.
+    """A printed equation of the paper, with its translations and its repair.
 
+    `reading` says it in words.  The `senses` decide it.
     `repair` is the mended line, with the senses `mended`; `roots` are the slips that it comes from,
     and `with_mended` are the senses where another line is repaired and this one is not.
     """

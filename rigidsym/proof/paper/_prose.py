@@ -1,4 +1,4 @@
-"""Claims that the paper makes in words, with the facts or measurements that decide them.
+"""Claims that the paper makes in words, with our verdicts on them.
 
 Such a verdict is called a judgement.  It rests on facts of the ledger, or on numbers that a command
 prints.
@@ -20,7 +20,7 @@ COMPARE = "rigidsym compare"
 
 @dataclass(frozen=True, slots=True)
 class Prose:
-    """A claim of the paper in words, its place, our judgement and the reason.
+    """A claim that the paper makes in words, with our judgement and its reason.
 
     `senses` pairs numbers of lines with senses that facts decide; `commands` measure the rest.
     """
@@ -35,7 +35,10 @@ class Prose:
 
 @dataclass(frozen=True, slots=True)
 class Judged:
-    """A claim in words with the facts that decide it; open if one is missing."""
+    """A claim in words, together with the facts that decide it.
+
+    It is open if a fact is missing.
+    """
 
     prose: Prose
     facts: tuple[str, ...]
@@ -109,7 +112,10 @@ PROSE = (
 
 
 def judged(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Judged]:
-    """Judge every claim in words by a ledger as JSON data."""
+    """Judge all claims in words by the facts of a ledger.
+
+    The ledger is JSON data.
+    """
     answers = Answers(ledger, equations)
     ruled = []
     for prose in PROSE:

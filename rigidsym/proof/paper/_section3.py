@@ -1,4 +1,4 @@
-"""Equations of Section III, Lemma 1 to (17): angular velocities."""
+"""Equations of Section III on angular velocities, from Lemma 1 to (17)."""
 
 from dataclasses import replace
 
@@ -32,7 +32,7 @@ QUARTIC_AS_PRINTED = {name: f"{name}_printed" for name in ("alpha", "beta", "chi
 
 
 def exchanged(words: Words) -> Words:
-    """Exchange the texts of the first two names."""
+    """Return a mapping with the values of its first two keys exchanged."""
     first, second, *_ = words
     return {**words, first: words[second], second: words[first]}
 
@@ -53,12 +53,18 @@ UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
 
 
 def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVIDED) -> Sense:
-    """Return a line's sense where s_i and s_j are roots of (14) as printed."""
+    """Return the translation of a line that takes equation (14) as printed.
+
+    s_i and s_j are roots of (14).
+    """
     return Sense(context, vocabulary, of=number, only=only)
 
 
 def _mended(sense: Sense, amplitude: int) -> Sense:
-    """Return a sense with (14) repaired: roots in (c_i Omega_i)^2, amplitude times c_i."""
+    """Return the translation of a line that takes equation (14) as repaired.
+
+    The roots are in (c_i Omega_i)^2, and the amplitude is multiplied by c_i.
+    """
     words = sense.vocabulary.words
     small = words["s_i"] == IN_RATE["s_i"]
     mended = {**words, **(IN_MOMENTUM if small else exchanged(IN_MOMENTUM))}

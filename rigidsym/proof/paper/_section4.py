@@ -1,4 +1,4 @@
-"""Equations of Section IV, Theorem 1 to footnote 3: the attitude."""
+"""Equations of Section IV on the attitude, from Theorem 1 to footnote 3."""
 
 from dataclasses import replace
 
@@ -169,7 +169,10 @@ SIGNS_MENDED = tuple(
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
-    """Return the quaternion (18) of cos(phi1/2), sin(phi1/2) and F1 to F4."""
+    """Return the components of the quaternion in equation (18).
+
+    The arguments are cos(phi1/2), sin(phi1/2) and F1 to F4.
+    """
     return (
         f"{F1}*({c}*{F3} - {s}*{F4})",
         f"{F1}*({s}*{F3} + {c}*{F4})",

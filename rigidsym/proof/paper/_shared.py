@@ -9,23 +9,26 @@ Words = Mapping[str, str]
 
 
 def same(text: str) -> Words:
-    """Map printed names such as c_1 to a context's names without "_", such as c1."""
+    """Map printed names to names without underscores, such as c_1 to c1."""
     return {name: name.replace("_", "") for name in text.split()}
 
 
 def plain(text: str) -> Words:
-    """Map printed names to equal names of a context."""
+    """Map printed names to themselves."""
     return {name: name for name in text.split()}
 
 
 def su2(a: str, b: str, c: str, d: str) -> str:
-    """Return the SU(2) matrix (1) of the quaternion a + b i + c j + d k."""
+    """Return the SU(2) matrix of the quaternion a + b i + c j + d k as text.
+
+    This is equation (1).
+    """
     first, second = f"{a} + imaginary*({b})", f"{c} + imaginary*({d})"
     return f"matrix({first}, {second}, -({c}) + imaginary*({d}), {a} - imaginary*({b}))"
 
 
 def algebra(x: str, y: str, z: str) -> str:
-    """Return the su(2) matrix x A_1 + y A_2 + z A_3."""
+    """Return the su(2) matrix x A_1 + y A_2 + z A_3 as text."""
     return su2("0", f"{x}/2", f"{y}/2", f"{z}/2")
 
 
@@ -47,12 +50,12 @@ THREE_TURNS = {**BASIS, "Rbar": "Rbar"}
 
 
 def stated(context: str, texts: Mapping[str, str]) -> Sense:
-    """Return a sense made of equations in a context that are no line of the paper."""
+    """Return a `Sense` that states given equations instead of a printed line."""
     return Sense(context, latex="", texts=texts)
 
 
 def vanishing(context: str, *texts: str) -> Sense:
-    """Return a sense which states that quantities of a context are zero."""
+    """Return a `Sense` which states that given expressions are zero."""
     return stated(context, dict.fromkeys(texts, "0"))
 
 

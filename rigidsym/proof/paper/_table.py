@@ -1,4 +1,4 @@
-"""Verdicts as text: rows of an overview, and details of one verdict."""
+"""Display of verdicts as text, in an overview and one by one."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
@@ -19,14 +19,14 @@ _COUNTED = {
 
 
 def counted(ruled: Sequence[Verdict]) -> str:
-    """Return in words how many verdicts have each ruling."""
+    """Return a phrase that counts the verdicts of each kind."""
     counts = Counter(verdict.ruling for verdict in ruled)
     said = (form.format(counts[ruling]) for ruling, form in _COUNTED.items() if counts[ruling])
     return ", ".join(said)
 
 
 def row(verdict: Verdict) -> tuple[str, str, str, str]:
-    """Return the columns of a verdict's row in the overview."""
+    """Return the row of a verdict in the overview table."""
     point, misprint = verdict.counterexample, verdict.ruling == Ruling.MISPRINT
     shown = in_unicode(verdict.equation.repair) if misprint else verdict.equation.reading
     fails = "" if point is None else str(point.motion) if point.motion else _values(point)
@@ -34,7 +34,7 @@ def row(verdict: Verdict) -> tuple[str, str, str, str]:
 
 
 def details(verdict: Verdict) -> Iterator[tuple[str, str]]:
-    """Yield label and text of each detail of a verdict."""
+    """Yield each detail of a verdict as a label and a text."""
     equation = verdict.equation
     yield "printed", in_unicode(equation.latex)
     yield "verdict", _ruling(verdict)

@@ -24,7 +24,7 @@ NEVER_ZERO = {"nu", "K + sigma*c_a*Omega_a", "side", "1 + side*(cos_half**2 - si
 
 
 class Ruling(StrEnum):
-    """Kinds of verdicts."""
+    """Kinds of verdicts on a printed equation."""
 
     HOLDS = "holds"
     CONDITIONAL = "holds if"
@@ -35,7 +35,10 @@ class Ruling(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Read:
-    """A reading, whether the print holds with it, and the facts that decide that."""
+    """The verdict on one interpretation of an ambiguous equation.
+
+    `holds` says whether the print holds with this reading.
+    """
 
     reading: Reading
     holds: bool | None
@@ -57,7 +60,7 @@ class Read:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The ruling on one equation with the facts that it rests on.
+    """The verdict on one printed equation, with the facts that support it.
 
     `conditions` are those of the equation, or of its repair if it is a misprint; `readings` are
     decided one by one; `right_with` are other lines whose repair makes this one right as printed;
@@ -80,7 +83,7 @@ class Verdict:
 
     @property
     def roots(self) -> tuple[Root, ...]:
-        """The independent slips behind the misprint."""
+        """The paper's independent errors that explain the misprint."""
         return self.equation.roots
 
     def to_json(self) -> dict[str, Any]:
@@ -107,7 +110,10 @@ class Verdict:
         }
 
     def facts(self) -> tuple[str, ...]:
-        """Return all facts that the verdict rests on, without repetition."""
+        """Return the ids of all facts that the verdict rests on.
+
+        No id is repeated.
+        """
         found = [*self.proved_by, *self.refuted_by, *self.repaired_by]
         for read in self.readings:
             found += [*read.proved_by, *read.refuted_by]
@@ -128,8 +134,9 @@ class Verdict:
 
 
 def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Verdict]:
-    """Return the verdict on every printed equation, from a ledger as JSON data.
+    """Return the verdicts on all printed equations.
 
+    The ledger is JSON data.
     Raises PrintError for a print that cannot be read.
     """
     answers = Answers(ledger, equations)
@@ -137,7 +144,7 @@ def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Ve
 
 
 def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
-    """Return the verdict on one equation.
+    """Decide one printed equation by the facts of a ledger.
 
     It is open unless everything about the line is decided and its repair, if any, holds.
     """
@@ -201,7 +208,7 @@ def ruling_of(
     readings: Sequence[bool | None],
     conditions: Sequence[str],
 ) -> Ruling:
-    """Return the ruling that follows from what holds.
+    """Return the kind of verdict that follows from decided equations.
 
     A refuted line with a repair is a misprint; readings that differ are ambiguous.
     `holds` says whether the line holds as it is printed, `mended` whether it has a repair that
@@ -219,7 +226,7 @@ def ruling_of(
 
 
 def needed_units(proofs: Iterable[Answer], answers: Answers) -> list[str]:
-    """Return the divisors of proofs, except those that never vanish."""
+    """Return the quantities that proofs divide by and that may vanish."""
     named = {
         answer.question.context: None
         for answer in proofs

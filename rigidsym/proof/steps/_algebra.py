@@ -26,8 +26,9 @@ def coordinates(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find the coefficients x_k of expression = sum x_k B_k in an orthogonal basis.
+    """Find the coordinates of a matrix expression in an orthogonal basis.
 
+    They are the coefficients x_k of expression = sum x_k B_k.
     They are computed by traces.  The kernel expands the expression and decides the equation entry
     by entry.  Raises StepError if the expression is not in the span.
     """
@@ -41,12 +42,18 @@ def coordinates(
 
 
 def _coordinate(value: ImmutableMatrix, direction: ImmutableMatrix) -> sympy.Expr:
-    """Return the coordinate tr(B* X) / tr(B* B), real in the real span of the basis."""
+    """Return the coordinate of a matrix in the direction of a basis matrix.
+
+    It is tr(B* X) / tr(B* B), which is real in the real span of the basis.
+    """
     return sympy.expand((direction.H * value).trace() / (direction.H * direction).trace())
 
 
 def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
-    """Rewrite an expression in whole angles if possible, reduced and with factors collected."""
+    """Simplify an expression, with functions of whole angles in place of half angles.
+
+    It is reduced by the relations, and its factors are collected.
+    """
     if not expression.is_real and expression.has(sympy.I):
         real = sympy.expand(expression)
         if real.coeff(sympy.I) != 0:
@@ -78,7 +85,7 @@ def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
 
 
 def _pairs(scope: Scope) -> list[tuple[sympy.Symbol, ...]]:
-    """Return cos and sin of each angle, with the names of those of the doubled angle."""
+    """Return the names of cos and sin of each angle and of the doubled angle."""
     names = scope.dictionary.names
     found = []
     for function, cosine in names.items():
@@ -97,7 +104,10 @@ def multiply(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Prove left = right for expressions in named matrices, multiplied out by the kernel."""
+    """Prove an equation between expressions in named matrices by multiplying them out.
+
+    The kernel multiplies.
+    """
     fact = scope.decide_matrices(fact_id, left, right, source)
     return scope.note("multiply", why, right, [(left, right)], fact)
 
@@ -105,7 +115,10 @@ def multiply(
 def determinant(
     scope: Scope, fact_id: str, name: MatrixSymbol, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Compute the determinant of a named matrix as a real expression."""
+    """Compute the determinant of a named matrix.
+
+    It has to be real.
+    """
     value = tidy(scope, scope.explicit(name).det(method="berkowitz"))
     real, imaginary = scope.determinant(name)
     parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]

@@ -1,4 +1,4 @@
-"""Derivation steps on one expression: rates, integrals, elimination, roots."""
+"""Derivation steps on scalar expressions: derivatives, integrals, elimination, roots."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -16,7 +16,10 @@ from rigidsym.proof.steps._scope import Scope
 def differentiate(
     scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Differentiate an expression by time with the rates of the context."""
+    """Differentiate an expression with respect to time.
+
+    The context gives the time derivatives of its names.
+    """
     value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
     fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source)
     return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
@@ -37,7 +40,10 @@ def rewrite(
     source: Sequence[str] = (),
     verb: str = "rewrite",
 ) -> Step:
-    """Prove expression = value for a value that an earlier step or SymPy found."""
+    """Prove that an expression equals another form of it.
+
+    An earlier step or SymPy found the other form, `value`.
+    """
     conditions = scope.divisors(expression, value)
     there = scope.at(fact_id, *conditions)
     fact = there.decide(fact_id, [(expression, value)], source)
@@ -54,8 +60,9 @@ def eliminate(
     source: Sequence[str] = (),
     name: Expr | None = None,
 ) -> Step:
-    """Eliminate unknowns by equations = 0 that are linear in them.
+    """Eliminate unknowns from an expression by equations that are linear in them.
 
+    The equations are expressions that vanish.
     Unknowns are symbols or powers of symbols, such as Omega2**2.  The result is stated as the value
     of `name` if that is given, else of the expression.  Raises StepError if the equations do not
     determine the unknowns.
@@ -79,7 +86,7 @@ def eliminate(
 
 
 def apart(expression: Expr, variable: Expr) -> Expr:
-    """Return partial fractions in a variable, each of the form c/(1 - n x).
+    """Expand an expression in partial fractions of the form c/(1 - n x).
 
     The variable may be a power.
     """
@@ -92,7 +99,10 @@ def apart(expression: Expr, variable: Expr) -> Expr:
 
 
 def _normalised(term: Expr, variable: Symbol) -> Expr:
-    """Rewrite c/(a + b x) as (c/a)/(1 - (-b/a) x), the form used by tables of integrals."""
+    """Rewrite c/(a + b x) as (c/a)/(1 - (-b/a) x).
+
+    Tables of integrals use this form.
+    """
     above, below = sympy.fraction(sympy.together(term))
     if not below.has(variable):
         return collected(term)
@@ -109,8 +119,9 @@ def integrate(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Integrate a sum of constants times entries of a table of derivatives.
+    """Integrate an expression with respect to time by a table of derivatives.
 
+    The expression is a sum of constants times entries of the table.
     Raises StepError for a term that is not in the table.
     """
     total = sympy.S.Zero
@@ -134,7 +145,7 @@ def integrate(
 def nonnegative(
     scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Prove that an expression is nonnegative by a form that shows it.
+    """Prove that an expression is nonnegative by rewriting it in a form that shows it.
 
     Such a form is a sum or product of nonnegative parts and even powers.
     """
@@ -153,7 +164,10 @@ def roots(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find all roots of a polynomial that factors into linear factors."""
+    """Find all roots of a polynomial by factoring it into linear factors.
+
+    Raises StepError if a factor is not linear.
+    """
     stand_in = sympy.Dummy()
     plain = sympy.expand(polynomial).subs(variable, stand_in)
     leading, factors = sympy.factor_list(sympy.numer(sympy.together(plain)), stand_in)
@@ -172,7 +186,10 @@ def roots(
 
 
 def coefficients(expression: Expr, variable: Expr) -> tuple[Expr, ...]:
-    """Return the coefficients of a polynomial, highest power first, each collected."""
+    """Return the coefficients of a polynomial, highest power first.
+
+    Each coefficient is one fraction of collected factors.
+    """
     stand_in = sympy.Dummy()
     plain = sympy.expand(expression).subs(variable, stand_in)
     return tuple(map(collected, sympy.Poly(plain, stand_in).all_coeffs()))
@@ -188,8 +205,9 @@ def match(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Find unknowns for which two polynomials in a variable have equal coefficients.
+    """Solve for unknowns so that two polynomials have equal coefficients.
 
+    The polynomials are in `variable`.
     The kernel decides that each solution makes them agree.  Raises StepError where none does.
     """
     stand_in = sympy.Dummy()

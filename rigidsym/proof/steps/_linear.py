@@ -21,8 +21,9 @@ def solve(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Solve linear equations left = right that have exactly one solution.
+    """Solve linear equations that have exactly one solution.
 
+    An equation is a pair of sides (left, right).
     With e = left - right, the kernel decides that each unknown minus its value is a combination of
     the e, so that there is no other solution, and that each e is a combination of these
     differences, so that it is a solution.  Raises StepError if there is none, or more than one.
@@ -63,7 +64,10 @@ def _system(
 def _inverse(
     scope: Scope, fact_id: str, system: Any, unknowns: Sequence[Any]
 ) -> tuple[Any, list[int]]:
-    """Return rows that determine the unknowns, preceded by the inverse of their matrix."""
+    """Select equations that determine the unknowns, and invert their matrix.
+
+    Returns the inverse and the indices of the selected equations.
+    """
     rows = list(_pivots(system.T))
     if len(rows) < len(unknowns):
         pivots = _pivots(system)
@@ -78,7 +82,10 @@ def _inverse(
 
 
 def _pivots(system: Any) -> tuple[int, ...]:
-    """Return the pivot columns over the field of fractions of the entries."""
+    """Return the pivot columns of a matrix.
+
+    The elimination is over the field of fractions of the entries.
+    """
     return DomainMatrix.from_Matrix(system).to_field().rref()[1]
 
 
@@ -100,7 +107,7 @@ def solve_family(
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
-    """Solve linear equations that leave one direction free.
+    """Solve linear equations that have a one-parameter family of solutions.
 
     The solutions are particular + parameter * direction.
     The particular solution is the one without a denominator.  The kernel decides that the whole
@@ -127,7 +134,10 @@ def solve_family(
 def _regular(
     system: Matrix, constants: Matrix, direction: Matrix, unknowns: Sequence[sympy.Symbol]
 ) -> Matrix:
-    """Return a particular solution without denominators, by choosing the free unknown."""
+    """Return a particular solution without denominators.
+
+    It is found by choosing the value of the free unknown.
+    """
     (solution,) = sympy.linsolve((system, constants), *unknowns)
     free = next(x for x, value in zip(unknowns, solution, strict=True) if x == value)
     below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
@@ -149,7 +159,10 @@ def _parallel(
     particular: Matrix,
     direction: Matrix,
 ) -> list[tuple[str, str]]:
-    """Return the minors of (difference, direction) as combinations of the equations."""
+    """Express that every solution differs from a particular one by a multiple of a direction.
+
+    Returns the minors of (difference, direction) as combinations of the equations.
+    """
     size = len(unknowns)
     lefts = [f"({scope.text(x)}) - ({scope.text(y)})" for x, y in equations]
     found = []
@@ -164,7 +177,10 @@ def _parallel(
 
 
 def _factors(system: Any, row: Any) -> Any:
-    """Return coefficients that combine the system's rows to a given row, from one if possible."""
+    """Express a row vector as a linear combination of the rows of a matrix.
+
+    One row is used if it suffices.
+    """
     for k in range(system.rows):
         pairs = list(zip(row, system.row(k), strict=True))
         ratios = {sympy.cancel(x / y) for x, y in pairs if y != 0}

@@ -1,4 +1,4 @@
-"""Complex two-by-two matrices with names, as entrywise texts for the kernel.
+"""Complex two-by-two matrices whose entries have names in a context.
 
 A matrix R has up to eight definitions in its context, R_11_re to R_22_im; parts that are zero have
 none.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
@@ -55,19 +55,25 @@ class Rate(MatrixExpr):
 
 
 def matrix(name: str) -> MatrixSymbol:
-    """Return the two-by-two matrix symbol of a name."""
+    """Return a two-by-two matrix symbol with the given name."""
     return MatrixSymbol(name, 2, 2)
 
 
 def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-    """Return real and imaginary part of a polynomial in i with real symbols."""
+    """Split a polynomial in i into its real and imaginary parts.
+
+    All symbols are real.
+    """
     expanded = sympy.expand(value)
     imaginary = expanded.coeff(sympy.I)
     return expanded - sympy.expand(sympy.I * imaginary), imaginary
 
 
 def part_name(name: str, index: tuple[int, int], part: int) -> str:
-    """Return the name of an entry's part: R_12_im is Im of the upper right entry of R."""
+    """Return the name of the real or imaginary part of a matrix entry.
+
+    R_12_im is the imaginary part of the upper right entry of R.
+    """
     return f"{name}_{index[0]}{index[1]}_{('re', 'im')[part]}"
 
 
@@ -112,8 +118,9 @@ def entries(
     values: Mapping[str, ImmutableMatrix],
     scalar: Callable[[sympy.Expr], Expression],
 ) -> Entries:
-    """Return the entries of a matrix expression as trees, products not multiplied out.
+    """Return the real and imaginary parts of a matrix expression's entries as syntax trees.
 
+    Products are not multiplied out.
     `scalar` converts scalar factors.
     """
 
@@ -145,7 +152,7 @@ def entries(
 
 
 def determinant(entry: Entries) -> Number:
-    """Return real and imaginary part of the determinant a d - b c."""
+    """Return the real and imaginary part of the determinant a d - b c."""
     (a, b), (c, d) = ((entry[i, 1], entry[i, 2]) for i in (1, 2))
     first, second = _complex_product(a, d), _complex_product(b, c)
     return _minus(first[0], second[0]), _minus(first[1], second[1])
@@ -208,7 +215,10 @@ def _added(left: Entries, right: Entries) -> Entries:
 def _scaled(
     factor: sympy.Expr, scalar: Callable[[sympy.Expr], Expression], whole: Entries
 ) -> Entries:
-    """Multiply a matrix by a scalar factor of any sign."""
+    """Multiply a matrix by a scalar expression.
+
+    A minus sign of the factor is taken out.
+    """
     negative = factor.could_extract_minus_sign()
     tree = scalar(-factor if negative else factor)
     by = _negative(tree) if negative else tree

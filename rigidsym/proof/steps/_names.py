@@ -20,22 +20,28 @@ from rigidsym.proof.steps._record import StepError
 
 
 def symbol(name: str) -> sympy.Symbol:
-    """Return the real symbol of a name."""
+    """Return SymPy's real symbol for a name."""
     return sympy.Symbol(name, real=True)
 
 
 def symbols(text: str) -> tuple[sympy.Symbol, ...]:
-    """Return the real symbols of several names: `symbols("c1 c2 c3")`."""
+    """Return SymPy's real symbols for several names.
+
+    For example: `symbols("c1 c2 c3")`.
+    """
     return tuple(map(symbol, text.split()))
 
 
 def read(text: str) -> sympy.Expr:
-    """Convert a ledger text, or a name's reading, to an expression in real symbols."""
+    """Convert an expression of the ledger to SymPy.
+
+    All symbols are real.  The text may also be a name's reading.
+    """
     return sympified(parse(text), symbol, BY_PARAMETER)
 
 
 class Dictionary:
-    """Names of a context paired with the functions that they stand for."""
+    """Mapping between the names of a context and the functions that they stand for."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
@@ -67,7 +73,10 @@ class Dictionary:
         return expression.xreplace(dict(self.functions))
 
     def text(self, expression: sympy.Expr | int) -> str:
-        """Return the kernel's text of an expression; StepError if a part has no name."""
+        """Convert a SymPy expression to text that the kernel can parse.
+
+        Raises StepError if a part has no name.
+        """
         named = self.named(sympy.sympify(expression))
         strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
         if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
@@ -89,7 +98,10 @@ class _Printer(StrPrinter):
 
 
 def collected(expression: Expr) -> Expr:
-    """Return an expression as one fraction of factors, each in its shorter form and sign."""
+    """Rewrite an expression as one fraction of factors.
+
+    Each factor has its shorter form and sign.
+    """
     above, below = sympy.fraction(sympy.factor(expression))
     sign_above, above = _side(above)
     sign_below, below = _side(below)
@@ -97,12 +109,15 @@ def collected(expression: Expr) -> Expr:
 
 
 def positive(expression: Expr) -> Expr:
-    """Return the expression or its negative, whichever begins with a plus."""
+    """Return an expression or its negative, whichever begins with a plus."""
     return -expression if str(expression).startswith("-") else expression
 
 
 def _side(side: Expr) -> tuple[int, Expr]:
-    """Return a product's sign and its shortest form, whose factors begin with a plus."""
+    """Return the sign of a product, and its shortest form.
+
+    The factors of this form begin with a plus.
+    """
     sign, factors = 1, []
     for factor in Mul.make_args(side):
         base, power = factor.as_base_exp()

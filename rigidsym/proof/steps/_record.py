@@ -9,13 +9,17 @@ from rigidsym.proof.kernel import Fact
 
 
 class StepError(ValueError):
-    """Failure of a derivation step; the message names it and gives the reason in one line."""
+    """Error for a derivation step that fails.
+
+    The message names the step and gives the reason in one line.
+    """
 
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Step:
-    """One line of a derivation: verb, reason, value, and the fact that proves it.
+    """One line of a derivation, with the fact that proves it.
 
+    `verb` names the step, `why` is the reason for it, and `value` is its result.
     `shown` are the equations of the line as unevaluated `Eq` of SymPy, with matrices as symbols.
     `conditions` must not be zero; `choice` tells in words what was chosen.
     """
@@ -34,7 +38,10 @@ class Step:
         return self.fact.source
 
     def __getitem__(self, key: Any) -> Any:
-        """Return an entry of the value: `step[Omega1]`, `step[0, 1]`."""
+        """Return an entry of the step's value.
+
+        For example: `step[Omega1]` or `step[0, 1]`.
+        """
         return self.value[key]
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""A context as SymPy sees it: names, named matrices and time derivative."""
+"""SymPy's representation of a context: names, named matrices and time derivative."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
@@ -29,7 +29,7 @@ STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
 
 class Scope:
-    """A context of a ledger with its named matrices and SymPy's expressions for its names."""
+    """A context of a ledger, with SymPy expressions for its names and its matrices."""
 
     def __init__(
         self, builder: LedgerBuilder, context: Context, matrices: Mapping[str, ImmutableMatrix]
@@ -46,7 +46,7 @@ class Scope:
         matrices: Mapping[str, ImmutableMatrix | MatrixExpr] | None = None,
         static: bool = False,
     ) -> "Scope":
-        """Open a context of parts and of named matrices.
+        """Create a context from parts and named matrices, and add it to the ledger.
 
         A matrix is explicit, or an expression in those before it.
         """
@@ -76,7 +76,10 @@ class Scope:
         self.matrices[name] = known
 
     def where(self, name: str, *nonzero: sympy.Expr) -> "Scope":
-        """Open a copy of the context under another name, in which some quantities are nonzero."""
+        """Return a copy of the context in which further quantities are nonzero.
+
+        It is added to the ledger under another name.
+        """
         units = tuple(map(self.text, nonzero))
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
         self.builder.open(narrower)
@@ -93,15 +96,18 @@ class Scope:
         return self.builder.ledger.rings[self.name]
 
     def text(self, expression: sympy.Expr | int | str) -> str:
-        """Return the kernel's text of an expression; texts are returned unchanged."""
+        """Convert a SymPy expression to text that the kernel can parse.
+
+        Texts are returned unchanged.
+        """
         return expression if isinstance(expression, str) else self.dictionary.text(expression)
 
     def read(self, text: str) -> sympy.Expr:
-        """Convert a text to SymPy's expression, with functions in place of their names."""
+        """Convert an expression of the ledger to SymPy, with names replaced by functions."""
         return self.dictionary.meant(read(text))
 
     def entries(self, expression: MatrixExpr) -> dict[tuple[int, int], tuple[str | None, ...]]:
-        """Return real and imaginary parts of a matrix expression's entries as texts.
+        """Return the real and imaginary parts of a matrix expression's entries as texts.
 
         Products are not multiplied out.
         """
@@ -109,7 +115,7 @@ class Scope:
         return {index: tuple(map(_printed, parts)) for index, parts in trees.items()}
 
     def determinant(self, expression: MatrixExpr) -> tuple[str, str | None]:
-        """Return real and imaginary part of a matrix expression's determinant as texts."""
+        """Return the real and imaginary part of a determinant as texts."""
         trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
         real, imaginary = determinant(trees)
         return _printed(real) or "0", _printed(imaginary)
@@ -126,7 +132,10 @@ class Scope:
         return {symbol(name): read(text) for name, text in rates.items() if text != "?"}
 
     def rate(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return the time derivative of an expression by the rates of the context."""
+        """Return the time derivative of an expression.
+
+        The context gives the time derivatives of its names.
+        """
         named = self.dictionary.named(sympy.sympify(expression))
         return sympy.expand(self.dictionary.meant(self._named_rate(named)))
 
@@ -146,7 +155,10 @@ class Scope:
         return sympy.S.Zero
 
     def rates(self, expression: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-        """Return the time derivative twice: by names, and with definitions expanded."""
+        """Return the time derivative of an expression in two forms.
+
+        The first uses names, the second has their definitions expanded.
+        """
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
@@ -157,7 +169,10 @@ class Scope:
         return rate, sympy.expand(written)
 
     def reduced(self, expression: sympy.Expr) -> sympy.Expr:
-        """Reduce numerator and denominator modulo the relations, and collect the quotient."""
+        """Simplify an expression modulo the relations of the context.
+
+        Numerator and denominator are reduced, and the quotient is collected.
+        """
         named = self.dictionary.named(expression)
         parts = sympy.fraction(sympy.together(named))
         if self.context.relations and {*map(str, named.free_symbols)} <= {*self.context.generators}:
@@ -165,13 +180,16 @@ class Scope:
         return collected(self.dictionary.meant(sympy.cancel(parts[0] / parts[1])))
 
     def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
-        """Reduce a polynomial modulo the relations, unless that makes it longer."""
+        """Reduce a polynomial modulo the relations of the context.
+
+        It is returned unchanged if that makes it longer.
+        """
         numerator = self.ring.read(self.text(sympy.expand(polynomial))).numerator
         rest = read(str(self.ring.remainder(numerator)))
         return min(polynomial, rest, key=lambda x: sympy.count_ops(sympy.expand(x)))
 
     def divisors(self, *expressions: sympy.Expr) -> tuple[sympy.Expr, ...]:
-        """Return the distinct factors of all denominators in some expressions.
+        """Return the distinct factors in the denominators of expressions.
 
         Quantities that never vanish, such as a moment of inertia, are left out.
         """
@@ -192,7 +210,10 @@ class Scope:
         pairs: Iterable[tuple[sympy.Expr | str, sympy.Expr | str]],
         source: Sequence[str],
     ) -> Fact:
-        """Prove equations with the kernel; StepError if it cannot decide them."""
+        """Prove equations with the kernel.
+
+        Raises StepError if the kernel cannot decide them.
+        """
         texts = [(self.text(left), self.text(right)) for left, right in pairs]
         try:
             return self.builder.claim(fact_id, texts, source)
@@ -202,7 +223,7 @@ class Scope:
     def decide_matrices(
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
-        """Prove left = right for matrices with the kernel, entry by entry.
+        """Prove an equation of matrices with the kernel, entry by entry.
 
         Raises StepError where both are the same, or an inverted matrix is not unitary.
         """
@@ -217,7 +238,10 @@ class Scope:
         return self.decide(fact_id, pairs, source)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
-        """Return pairs of corresponding entries of two matrices, without equal ones."""
+        """Return the equations between corresponding entries of two matrices.
+
+        Equal entries are left out.
+        """
         x, y = self.entries(left), self.entries(right)
         return [
             (a or "0", b or "0")
@@ -227,7 +251,7 @@ class Scope:
         ]
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Scope":
-        """Return the scope of a fact's context, opened here if it does not exist.
+        """Return the scope of a fact's context, which is created if it does not exist.
 
         In a new context the given quantities are nonzero.
         """

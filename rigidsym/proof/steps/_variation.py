@@ -18,7 +18,7 @@ Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """Result of a variation: momenta, and moments with M' = moments."""
+    """Equations of motion that a variation yields: momenta M and moments M'."""
 
     momenta: tuple[sympy.Expr, ...]
     moments: tuple[sympy.Expr, ...]
@@ -27,7 +27,10 @@ class Variation:
 
     @property
     def equations(self) -> list[tuple[Any, Any]]:
-        """The equations M' = moment, whose unknowns are the rates' derivatives."""
+        """The equations of motion M' = moment.
+
+        Their unknowns are the time derivatives of the body rates.
+        """
         known: Any = dict(zip(MOMENTA, self.momenta, strict=True))
         pairs = zip(self.momenta, self.moments, strict=True)
         return [(self.scope.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
@@ -70,7 +73,10 @@ def vary(
 
 
 def _turned(constants: Constants, etas: Sequence[sympy.Symbol]) -> list[sympy.Expr]:
-    """Return the varied rates delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j."""
+    """Return the variations of the body rates.
+
+    They are delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j.
+    """
     triple = range(3)
     return [
         symbol(f"{etas[k]}_rate")
@@ -85,7 +91,10 @@ def _free_motion(
     momenta: Sequence[sympy.Expr],
     moments: Sequence[sympy.Expr],
 ) -> Part:
-    """Return the part of an arbitrary motion and its variation; second rates are unknown."""
+    """Return the part that introduces an arbitrary motion and its variation.
+
+    Second time derivatives are unknown.
+    """
     names = [f"{name}{k}" for name in ("Omega", "eta") for k in (1, 2, 3)]
     numbered = list(enumerate(zip(momenta, moments, strict=True), 1))
     return Part(

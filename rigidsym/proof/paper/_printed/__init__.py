@@ -1,4 +1,4 @@
-"""Parser of printed LaTeX formulas, and their translation into the names of a context.
+"""Parser and translator of the LaTeX formulas that the paper prints.
 
 The project has its own parser because SymPy's `parse_latex` evaluates while it reads, and supports
 neither Lie brackets nor functions of time, conditions or lists of equations.

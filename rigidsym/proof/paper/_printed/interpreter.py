@@ -40,7 +40,7 @@ class Second(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
-    """Translation of printed names to names and texts of a context.
+    """Translation table from printed symbols to the names of a context.
 
     `words` maps printed names or expressions to texts; `roots` names the printed square roots in
     order, `jacobi` the sn, cn and dn of the printed elliptic functions in order, and `arguments`
@@ -70,7 +70,7 @@ _BINARY: dict[str, Callable[[Value, Value], Value]] = {
 
 
 class Interpreter:
-    """Evaluator of printed formulas in one vocabulary.
+    """Evaluator of printed formulas for a given translation table.
 
     `asked` collects the equations that the results rely on.
     """
@@ -83,7 +83,10 @@ class Interpreter:
         self._triples: dict[str, Triple] = {}
 
     def value(self, tree: Expression) -> Value:
-        """Return the value of a formula; PrintError if the vocabulary lacks a word for it."""
+        """Return the value of a formula.
+
+        Raises PrintError if the vocabulary lacks a word for it.
+        """
         known = self.meant.get(to_text(tree))
         if known is not None:
             return known
@@ -103,14 +106,20 @@ class Interpreter:
         raise PrintError(f"{to_text(tree)}: the vocabulary has no word for it")
 
     def number(self, tree: Expression) -> Complex:
-        """Return the value of a formula; PrintError if it is a matrix."""
+        """Return the value of a formula as a complex number.
+
+        Raises PrintError if it is a matrix.
+        """
         found = self.value(tree)
         if isinstance(found, Matrix):
             raise PrintError(f"{to_text(tree)}: a matrix, where a number is due")
         return found
 
     def power(self, base: Value, exponent: Expression) -> Value:
-        """Return an integer power; a negative power of a matrix requires determinant one."""
+        """Return an integer power of a number or matrix.
+
+        A negative power of a matrix requires determinant one.
+        """
         match exponent:
             case Name("dagger") if isinstance(base, Matrix):
                 return base.dagger()
@@ -123,7 +132,7 @@ class Interpreter:
         raise PrintError(f"{to_text(exponent)}: no whole exponent")
 
     def call(self, function: str, arguments: tuple[Expression, ...]) -> Value:
-        """Return the value of a function call."""
+        """Return the value of a printed function call."""
         match function, arguments:
             case "neg", (inner,):
                 return self.value(inner).each(negative)
@@ -159,7 +168,10 @@ class Interpreter:
         raise PrintError(f"{to_text(Call(function, arguments))}: the vocabulary has no word for it")
 
     def exponential(self, angle: Expression, generator: Expression) -> Value:
-        """Return exp(phi A) as cos(phi/2) + 2 sin(phi/2) A, requiring A^2 = -1/4."""
+        """Return the matrix exponential exp(phi A).
+
+        It is cos(phi/2) + 2 sin(phi/2) A.  This requires that A^2 = -1/4.
+        """
         half = Operation("/", angle, Number(2))
         cosine, sine = (self.number(Call(name, (half,))) for name in ("cos", "sin"))
         matrix = self.value(generator)
@@ -168,7 +180,10 @@ class Interpreter:
         return add(cosine, multiply(multiply(Complex(Number(2)), sine), matrix))
 
     def root(self, radicand: Expression) -> Complex:
-        """Return the name of a square root, requiring that its square is the radicand."""
+        """Return the context's name for a printed square root.
+
+        This requires that its square is the radicand.
+        """
         text = to_text(radicand)
         if text not in self._roots:
             if len(self._roots) == len(self.vocabulary.roots):
@@ -178,7 +193,10 @@ class Interpreter:
         return self._roots[text]
 
     def triple(self, argument: Expression, parameter: Expression) -> Triple:
-        """Return the names of sn, cn and dn, requiring their algebraic relations and rates."""
+        """Return the context's names for sn, cn and dn of an argument.
+
+        This requires their algebraic relations and time derivatives.
+        """
         text = f"{to_text(argument)} | {to_text(parameter)}"
         if text not in self._triples:
             if len(self._triples) == len(self.vocabulary.jacobi):
@@ -196,21 +214,27 @@ class Interpreter:
         return self._triples[text]
 
     def complement(self, s: Complex, d: Complex, second: Expression) -> None:
-        """Require dn^2 = 1 - m sn^2 for the printed m."""
+        """Add the requirement dn^2 = 1 - m sn^2 for the printed parameter m."""
         m = self.number(second)
         if self.vocabulary.second == Second.MODULUS:
             m = squared(m)
         self.ask(squared(d) + m * squared(s), Complex(ONE))
 
     def amplitude(self, argument: Expression, parameter: Expression) -> Complex:
-        """Return the amplitude theta, requiring that its rate is dn times the argument's."""
+        """Return the context's name for the Jacobi amplitude, theta.
+
+        This requires that its time derivative is dn times that of the argument.
+        """
         _, _, d = self.triple(argument, parameter)
         angle = Complex(Name("theta"))
         self.ask(angle.each(rate), self.number(argument).each(rate) * d)
         return angle
 
     def third_kind(self, n: Expression, angle: Expression, parameter: Expression) -> Complex:
-        """Return the name of Pi, requiring the rate of the integral of 1/((1 - n sn^2) dn)."""
+        """Return the context's name for the elliptic integral of the third kind, Pi.
+
+        This requires the time derivative of the integral of 1/((1 - n sn^2) dn).
+        """
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.complement(s, d, parameter)
         integral = Complex(Name("Pi"))
@@ -219,21 +243,30 @@ class Interpreter:
         return integral
 
     def inverse(self, value: Expression, parameter: Expression) -> Value:
-        """Return the inverse of sn, requiring that sn has the printed value and parameter."""
+        """Return the context's name for the inverse of sn.
+
+        This requires that sn has the printed value and parameter.
+        """
         s, _, d = map(_number, self.vocabulary.jacobi[0])
         self.ask(s, self.number(value))
         self.complement(s, d, parameter)
         return self.meant["C_i"]
 
     def condition(self, left: Expression, relation: str, right: Expression) -> None:
-        """Require that an inequality is about the vocabulary's quantity `when`."""
+        """Require that a printed inequality is about the quantity `when`.
+
+        The vocabulary names this quantity.  It is the larger side minus the smaller one.
+        """
         if self.vocabulary.when:
             x, y = map(self._size, (left, right))
             over = x - y if relation in (">", ">=") else y - x
             self.ask(over, _number(self.vocabulary.when))
 
     def _size(self, tree: Expression) -> Complex:
-        """Return a side of an inequality; absolute values and plain numbers are squared."""
+        """Return one side of an inequality as a number.
+
+        Absolute values and plain numbers are squared.
+        """
         match tree:
             case Call("abs", (inner,)):
                 return Complex(self.number(inner).square())
@@ -247,7 +280,10 @@ class Interpreter:
 
 
 def rate(expression: Expression) -> Expression:
-    """Return the time derivative of an expression as D(...), or 0 for a number."""
+    """Return the unevaluated time derivative D(...) of an expression.
+
+    That of a number is 0.
+    """
     return ZERO if isinstance(expression, Number) else Call("D", (expression,))
 
 
@@ -259,7 +295,7 @@ def squared(number: Complex) -> Complex:
 
 
 class _Plain(Interpreter):
-    """Interpreter that takes every name as the context's own."""
+    """Interpreter of formulas that already use a context's own names."""
 
     def value(self, tree: Expression) -> Value:
         if isinstance(tree, Name) and tree.name != "imaginary":
@@ -269,7 +305,7 @@ class _Plain(Interpreter):
 
 @lru_cache(maxsize=1024)
 def in_names(text: str) -> Value:
-    """Return the value of a text that uses a context's own names."""
+    """Evaluate a formula that uses a context's own names."""
     return _Plain(PLAIN).value(parse(text))
 
 
@@ -283,7 +319,10 @@ ORDERS = ("<", "<=", ">", ">=")
 
 @dataclass(frozen=True, slots=True)
 class Translation:
-    """Definitions as texts of a context, and equations as pairs of texts."""
+    """Definitions and equations that result from translating printed formulas.
+
+    The definitions are expressions by name, the equations are pairs of expressions.
+    """
 
     definitions: Mapping[str, str]
     equations: tuple[tuple[str, str], ...]
@@ -296,7 +335,7 @@ def translate(
     *,
     differentiated: bool = False,
 ) -> Translation:
-    """Translate displays to definitions and equations in a vocabulary.
+    """Translate printed formulas to definitions and equations of a context.
 
     `defines` maps printed names that the displays define to the context's names; a matrix is
     substituted where it is used.  All other equations are stated, with `differentiated` for the
@@ -333,7 +372,10 @@ def translate(
 
 
 def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
-    """Yield both sides of every equation in a display; a = b = c gives two."""
+    """Yield both sides of every equation in a displayed formula.
+
+    a = b = c is two equations.
+    """
     for piece in display:
         if isinstance(piece, Statement):
             neighbours = zip(piece.sides, piece.relations, piece.sides[1:], strict=False)
@@ -341,7 +383,7 @@ def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
 
 
 def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> None:
-    """Refuse displays that leave a name undefined or define it twice."""
+    """Raise PrintError for a name that is undefined or defined twice in a display."""
     found = [[defined(left) for left, _ in _equations(display)] for display in displays]
     for name in defines:
         times = [names.count(name) for names in found]
@@ -350,7 +392,10 @@ def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> N
 
 
 def defined(left: Expression) -> str:
-    """Return the name on a left side, without its argument (t)."""
+    """Return the name on the left side of a definition.
+
+    Its argument (t) is left out.
+    """
     match left:
         case Call("at", (inner, Name("t"))):
             return to_text(inner)
@@ -358,8 +403,9 @@ def defined(left: Expression) -> str:
 
 
 def derivative(interpreter: Interpreter, tree: Expression) -> Value:
-    """Return the time derivative of a formula; that of an integral is its integrand.
+    """Return the time derivative of a formula.
 
+    That of an integral is its integrand.
     A factor before an integral is required to be constant.
     """
     known = interpreter.meant.get(to_text(Call("D", (tree,))))

@@ -26,12 +26,15 @@ from rigidsym.language._expression import Call, Expression, Name, Number, Operat
 
 
 class PrintError(ValueError):
-    """A display that cannot be parsed, or that has no meaning in a context."""
+    """Error for a printed formula that cannot be parsed or translated."""
 
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """Sides with relations between them: `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` or `:`."""
+    """Expressions joined by relations such as = or <=.
+
+    The relations are `=`, `<=`, `>=`, `<`, `>`, `!=`, `<->` and `:`.
+    """
 
     sides: tuple[Expression, ...]
     relations: tuple[str, ...] = ()
@@ -39,7 +42,7 @@ class Statement:
 
 @dataclass(frozen=True, slots=True)
 class Words:
-    """Text between formulas."""
+    """Words that are printed between formulas."""
 
     text: str
 
@@ -55,7 +58,10 @@ _ROOM = {r"\ ", r"\,", r"\;", r"\:", r"\!", r"\left", r"\right"}
 
 
 def tokens(latex: str) -> Iterator[str]:
-    """Yield the tokens of a LaTeX formula; PrintError for anything else."""
+    """Yield the tokens of a LaTeX formula.
+
+    Raises PrintError for anything else.
+    """
     place = 0
     while place < len(latex):
         if latex[place].isspace():
@@ -100,13 +106,16 @@ BRACKETS = {
 
 @lru_cache
 def parse(latex: str) -> Display:
-    """Parse a display into statements and words; PrintError for anything else."""
+    """Parse a displayed formula into statements and words.
+
+    Raises PrintError for anything else.
+    """
     reader = _Reader(latex)
     return _cases(reader.display())
 
 
 def _cases(found: list[Statement | Words]) -> Display:
-    """Give the last of several cases the left side of the earlier ones."""
+    """Add the missing left side to the last case of a definition by cases."""
     for k, (piece, after) in enumerate(zip(found, [*found[1:], None], strict=False)):
         otherwise = isinstance(after, Words) and after.text == "otherwise"
         if otherwise and isinstance(piece, Statement) and not piece.relations:
@@ -117,7 +126,7 @@ def _cases(found: list[Statement | Words]) -> Display:
 
 
 class _Reader:
-    """Parser of one display, token by token."""
+    """Recursive-descent parser of one displayed formula."""
 
     def __init__(self, latex: str) -> None:
         self.latex, self.tokens, self.place = latex, [*tokens(latex), ""], 0
@@ -128,7 +137,10 @@ class _Reader:
         return self.tokens[self.place]
 
     def take(self, due: str = "") -> str:
-        """Return the next token and advance; PrintError if another one is due."""
+        """Return the next token and advance.
+
+        Raises PrintError if another token is due.
+        """
         if (due and self.next != due) or not self.next:
             raise PrintError(
                 f"{self.latex!r}: {self.next or 'the end'!r} stands where {due or 'more'!r} is due"
@@ -137,7 +149,7 @@ class _Reader:
         return self.tokens[self.place - 1]
 
     def display(self) -> list[Statement | Words]:
-        """Parse the whole display."""
+        """Parse the whole displayed formula."""
         found: list[Statement | Words] = []
         while self.next:
             if self.next in ",;":
@@ -151,7 +163,7 @@ class _Reader:
         return found
 
     def statement(self) -> Statement:
-        """Parse sides and the relations between them."""
+        """Parse a statement, which is expressions joined by relations."""
         sides, relations = [self.sum()], []
         while self.next in RELATIONS:
             relations.append(RELATIONS[self.take()])
@@ -159,7 +171,7 @@ class _Reader:
         return Statement(tuple(sides), tuple(relations))
 
     def sum(self) -> Expression:
-        """Parse terms with their signs."""
+        """Parse a sum of signed terms."""
         total: Expression | None = None
         while total is None or self.next in SIGNS:
             sign = SIGNS[self.take()] if self.next in SIGNS else "+"
@@ -174,7 +186,7 @@ class _Reader:
         return total
 
     def product(self) -> Expression:
-        """Parse adjacent factors and quotients."""
+        """Parse a product of adjacent factors and quotients."""
         total = self.factor()
         while self.next == "/" or self.begins():
             operator = "/" if self.next == "/" else "*"
@@ -195,7 +207,7 @@ class _Reader:
         )
 
     def factor(self) -> Expression:
-        """Parse a quantity and its exponent."""
+        """Parse a quantity with an optional exponent."""
         return self.power(self.quantity())
 
     def power(self, base: Expression) -> Expression:
@@ -206,7 +218,10 @@ class _Reader:
         return Operation("**", base, self.argument())
 
     def argument(self) -> Expression:
-        """Parse an argument of a LaTeX command: a group in braces, or one token."""
+        """Parse one argument of a LaTeX command.
+
+        It is a group in braces, or one token.
+        """
         if self.next != "{":
             return self.letter() if not self.next.isdigit() else Number(int(self.take()))
         self.take()
@@ -215,7 +230,7 @@ class _Reader:
         return found
 
     def quantity(self) -> Expression:
-        """Parse a quantity, which has operators only inside brackets."""
+        """Parse a number, a symbol, a function call or a bracketed expression."""
         token = self.next
         if token in BRACKETS:
             return self.enclosed()
@@ -242,7 +257,10 @@ class _Reader:
         return Number(int(digits))
 
     def enclosed(self) -> Expression:
-        """Parse a form in brackets: a sum, an absolute value, a Lie bracket or a matrix."""
+        """Parse an expression in brackets.
+
+        It is a sum, an absolute value, a Lie bracket or a matrix.
+        """
         name, due = BRACKETS[self.take()]
         parts = []
         for token in due:
@@ -258,7 +276,10 @@ class _Reader:
         return name if known or (token == r"\Pi" and self.tokens[self.place + 1] == "(") else ""
 
     def applied(self, name: str) -> Expression:
-        """Parse a function's exponent and arguments; sn^2 u is (sn u)^2."""
+        """Parse the exponent and the arguments of a function.
+
+        sn^2 u is (sn u)^2.
+        """
         self.take()
         exponent = None
         if self.next == "^":
@@ -270,7 +291,10 @@ class _Reader:
         return found if inverse or exponent is None else Operation("**", found, exponent)
 
     def list(self) -> tuple[Expression, ...]:
-        """Parse arguments in brackets, separated by a comma, a semicolon or a bar."""
+        """Parse a list of arguments in brackets.
+
+        A comma, a semicolon or a bar separates them.
+        """
         self.take("(")
         found = [self.sum()]
         while self.next in (",", ";", "|"):
@@ -280,7 +304,7 @@ class _Reader:
         return tuple(found)
 
     def symbol(self) -> Expression:
-        """Parse a name with its indices, and its argument if it has one."""
+        """Parse a symbol with its indices and its argument, if it has one."""
         found = self.letter()
         bare = found.arguments[0] if isinstance(found, Call) and found.function == "D" else found
         if isinstance(bare, Name):
@@ -295,7 +319,10 @@ class _Reader:
         return self.list_of(found)
 
     def list_of(self, found: Expression) -> Expression:
-        """Parse a name applied to several arguments; one sum in brackets is left as a factor."""
+        """Parse a name that is applied to several arguments.
+
+        One sum in brackets is left as a factor.
+        """
         start = self.place
         arguments = self.list()
         if len(arguments) > 1 and isinstance(found, Name):
@@ -304,7 +331,7 @@ class _Reader:
         return found
 
     def letter(self) -> Expression:
-        """Parse a Latin or Greek letter, or one with a dot or a bar."""
+        """Parse a Latin or Greek letter, possibly with a dot or a bar."""
         token = self.take()
         if token in (r"\dot", r"\bar"):
             inner = self.group()
@@ -319,7 +346,7 @@ class _Reader:
         raise PrintError(f"{self.latex!r}: {token!r} stands where a quantity is due")
 
     def group(self) -> Expression:
-        """Parse a letter, in braces or not."""
+        """Parse a letter with or without braces."""
         if self.next != "{":
             return self.letter()
         self.take()
@@ -328,7 +355,7 @@ class _Reader:
         return found
 
     def below(self) -> str:
-        """Parse an index, if there is one."""
+        """Parse a subscript, if there is one."""
         if self.next != "_":
             return ""
         self.take()
@@ -342,7 +369,10 @@ class _Reader:
         return f"_{index}"
 
     def star(self) -> str:
-        """Parse a star in an exponent; the rest of the exponent is left."""
+        """Parse a star in an exponent, if there is one.
+
+        The rest of the exponent is left.
+        """
         ahead = self.tokens[self.place : self.place + 3]
         if ahead[:2] == ["^", r"\star"]:
             self.place += 2

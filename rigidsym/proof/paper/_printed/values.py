@@ -17,29 +17,29 @@ ZERO, ONE = Number(0), Number(1)
 
 
 def plus(x: Expression, y: Expression) -> Expression:
-    """Return x + y, without a zero."""
+    """Return the sum of two expressions, without a zero term."""
     return y if x == ZERO else x if y == ZERO else Operation("+", x, y)
 
 
 def minus(x: Expression, y: Expression) -> Expression:
-    """Return x - y, without a zero."""
+    """Return the difference of two expressions, without a zero term."""
     return x if y == ZERO else negative(y) if x == ZERO else Operation("-", x, y)
 
 
 def times(x: Expression, y: Expression) -> Expression:
-    """Return x y, without a one."""
+    """Return the product of two expressions, without a factor 1."""
     if ZERO in (x, y):
         return ZERO
     return y if x == ONE else x if y == ONE else Operation("*", x, y)
 
 
 def over(x: Expression, y: Expression) -> Expression:
-    """Return x/y, without a denominator one."""
+    """Return the quotient of two expressions, without a denominator 1."""
     return x if x == ZERO or y == ONE else Operation("/", x, y)
 
 
 def negative(x: Expression) -> Expression:
-    """Return -x, without a double sign."""
+    """Return the negative of an expression, without a double sign."""
     match x:
         case Number(0):
             return x
@@ -50,7 +50,7 @@ def negative(x: Expression) -> Expression:
 
 @dataclass(frozen=True, slots=True)
 class Complex:
-    """A complex number real + i imag."""
+    """A complex number whose real and imaginary parts are expressions."""
 
     real: Expression
     imag: Expression = ZERO
@@ -85,13 +85,16 @@ class Complex:
         return plus(*(times(x, x) for x in self))
 
     def each(self, change: Callable[[Expression], Expression]) -> "Complex":
-        """Apply a function to real and imaginary part."""
+        """Apply a function to the real and the imaginary part."""
         return Complex(change(self.real), change(self.imag))
 
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """A two-by-two matrix; iteration gives the real and imaginary parts of its entries."""
+    """A two-by-two matrix of complex numbers.
+
+    Iteration gives the real and imaginary parts of its entries.
+    """
 
     entries: tuple[Complex, Complex, Complex, Complex]
 
@@ -114,17 +117,20 @@ class Matrix:
         return matrix(factor * entry for entry in self.entries)
 
     def determinant(self) -> Complex:
-        """Return the determinant."""
+        """Return the determinant of the matrix."""
         a, b, c, d = self.entries
         return a * d - b * c
 
     def adjugate(self) -> "Matrix":
-        """Return the adjugate, the inverse for determinant 1."""
+        """Return the adjugate of the matrix.
+
+        It is the inverse of a matrix with determinant 1.
+        """
         a, b, c, d = self.entries
         return Matrix((d, Complex(ZERO) - b, Complex(ZERO) - c, a))
 
     def dagger(self) -> "Matrix":
-        """Return the conjugate transpose."""
+        """Return the conjugate transpose of the matrix."""
         a, b, c, d = (entry.conjugate() for entry in self.entries)
         return Matrix((a, c, b, d))
 
@@ -137,7 +143,7 @@ Value: TypeAlias = Complex | Matrix
 
 
 def matrix(entries: Iterator[Complex]) -> Matrix:
-    """Return the matrix of four entries, row by row."""
+    """Build a two-by-two matrix from its four entries, row by row."""
     a, b, c, d = entries
     return Matrix((a, b, c, d))
 
@@ -146,19 +152,25 @@ IDENTITY = Matrix((Complex(ONE), Complex(ZERO), Complex(ZERO), Complex(ONE)))
 
 
 def add(x: Value, y: Value) -> Value:
-    """Return x + y; a number added to a matrix is a multiple of the identity."""
+    """Return the sum of two numbers or matrices.
+
+    A number added to a matrix is a multiple of the identity.
+    """
     a, b = alike(x, y)
     return a + b  # ty: ignore[unsupported-operator]
 
 
 def subtract(x: Value, y: Value) -> Value:
-    """Return x - y; a number beside a matrix is a multiple of the identity."""
+    """Return the difference of two numbers or matrices.
+
+    A number beside a matrix is a multiple of the identity.
+    """
     a, b = alike(x, y)
     return a - b  # ty: ignore[unsupported-operator]
 
 
 def multiply(x: Value, y: Value) -> Value:
-    """Return the product x y of numbers or matrices."""
+    """Return the product of two numbers or matrices."""
     match x, y:
         case Complex(), Complex():
             return x * y
@@ -172,14 +184,14 @@ def multiply(x: Value, y: Value) -> Value:
 
 
 def divide(x: Value, y: Value) -> Value:
-    """Return x/y for a number y."""
+    """Divide a number or a matrix by a number."""
     if isinstance(y, Matrix):
         raise PrintError("a matrix stands below a line")
     return x.scaled(Complex(ONE) / y) if isinstance(x, Matrix) else x / y
 
 
 def power(x: Value, exponent: int) -> Value:
-    """Return an integer power."""
+    """Return an integer power of a number or matrix."""
     if isinstance(x, Complex) and x.imag == ZERO and exponent > 0:
         return x if exponent == 1 else Complex(Operation("**", x.real, Number(exponent)))
     if exponent < 1:
@@ -189,7 +201,10 @@ def power(x: Value, exponent: int) -> Value:
 
 
 def alike(x: Value, y: Value) -> tuple[Value, Value]:
-    """Return two values as two numbers or as two matrices."""
+    """Convert two values to two numbers or to two matrices.
+
+    A number beside a matrix becomes a multiple of the identity.
+    """
     if isinstance(x, Matrix) and isinstance(y, Complex):
         return x, IDENTITY.scaled(y)
     if isinstance(y, Matrix) and isinstance(x, Complex):
