@@ -1,1 +1,1 @@
-"""Pages, cards, texts for terminals, and pictures of what the package computes."""
+"""Presentation of results as HTML pages, notebook cards, terminal text and pictures."""

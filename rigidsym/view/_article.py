@@ -1,4 +1,4 @@
-"""A derivation as an article in plain text, Markdown, LaTeX or HTML.
+"""Conversion of derivations to articles in plain text, Markdown, LaTeX or HTML.
 
 A line has a sentence on the step, its equations with the paper's numbers, the conditions under
 which it holds, and the name of its fact.  `line_html`, `line_latex` and `line_text` return one
@@ -61,9 +61,10 @@ _DOT = "\N{COMBINING DOT ABOVE}"
 
 
 def article(chapters: Iterable["Chapter"], form: str) -> str:
-    """Return chapters in one of `FORMATS`, without chapters that have no steps.
+    """Format the chapters of a derivation as an article.
 
-    Raises ImportError for HTML if latex2mathml is not installed.
+    form: one of `FORMATS`.  Chapters without steps are left out.  Raises ImportError for HTML if
+    latex2mathml is not installed.
     """
     tools = (aligned, display, escaped, formulas, latex, line_text, mathml, numbers, prose)
     named = {tool.__name__: tool for tool in (*tools, provided, sentence)}
@@ -72,24 +73,30 @@ def article(chapters: Iterable["Chapter"], form: str) -> str:
 
 
 def mathml(text: str, kind: str) -> str:
-    """Return LaTeX as MathML, which is `inline` or a `block`."""
+    """Convert LaTeX to MathML.
+
+    kind: `inline` or `block`.
+    """
     from latex2mathml.converter import convert
 
     return convert(text, display=kind)
 
 
 def numbers(line: "Step") -> str:
-    """Return the equations of the paper that a line cites: (31), (32)."""
+    """Return the numbers of the paper's equations that a line of a derivation cites.
+
+    They are text such as "(31), (32)".
+    """
     return ", ".join(f"({n})" if n[0].isdigit() else n for n in line.source)
 
 
 def provided(line: "Step") -> Iterator[sympy.Basic]:
-    """Return the conditions of a step as inequalities."""
+    """Return the conditions under which a derivation step holds, as inequalities."""
     return (sympy.Ne(condition, 0, evaluate=False) for condition in line.conditions)
 
 
 def line_text(line: "Step") -> str:
-    """Return a line of a derivation for a terminal."""
+    """Format a line of a derivation for a terminal."""
     where = ["where " + pretty(condition) for condition in provided(line)]
     below = [*map(pretty, line.shown), *where, f"[{line.fact.id}]"]
     rows = [f"    {row}".rstrip() for text in below for row in text.split("\n")]
@@ -97,7 +104,7 @@ def line_text(line: "Step") -> str:
 
 
 def sentence(line: "Step") -> str:
-    """Return the sentence that explains a step and its choice."""
+    """Return the sentence that explains a derivation step and the choice it makes."""
     formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
     words = line.why if formula else line.why[:1].upper() + line.why[1:]
     whole = f"{words}; {line.choice}" if line.choice else words
@@ -105,13 +112,13 @@ def sentence(line: "Step") -> str:
 
 
 def prose(chapter: "Chapter") -> str:
-    """Return the introduction of a chapter without its formulas."""
+    """Return the introductory text of a chapter without its formulas."""
     parts = chapter.opening.strip().split("\n\n")
     return "\n\n".join(" ".join(part.split()) for part in parts if not part.startswith("    "))
 
 
 def formulas(text: str) -> str:
-    """Return prose with the names of quantities in LaTeX."""
+    """Replace the names of quantities in a text by LaTeX formulas."""
 
     def name(found: re.Match[str]) -> str:
         text = language.symbol(found["name"]).latex
@@ -122,7 +129,7 @@ def formulas(text: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return prose in LaTeX, with symbols for quantities and special characters escaped."""
+    """Convert a text to LaTeX, with symbols for quantities and special characters escaped."""
     parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
     special = {**{mark: f"\\{mark}" for mark in "_#%&"}, "^": r"\^{}", "|": r"$\mid$"}
     escapes = str.maketrans(special)
@@ -130,7 +137,7 @@ def escaped(text: str) -> str:
 
 
 def display(line: "Step", fit: str = "") -> str:
-    """Return the equations of a line in LaTeX, tagged with the paper's numbers.
+    """Return a derivation line's equations in LaTeX, tagged with the paper's numbers.
 
     fit: a macro around the equations."""
     shown = f"{fit}{{{aligned(line)}}}" if fit else aligned(line)
@@ -139,7 +146,7 @@ def display(line: "Step", fit: str = "") -> str:
 
 
 def aligned(line: "Step") -> str:
-    """Return the equations of a line in LaTeX, one below the other."""
+    """Return a derivation line's equations in LaTeX, one below the other."""
     rows = [row for equation in line.shown for row in _rows(equation)]
     if len(rows) == 1:
         return rows[0].replace("&", "")
@@ -148,7 +155,10 @@ def aligned(line: "Step") -> str:
 
 
 def _rows(equation: sympy.Basic) -> list[str]:
-    """Return an equation as aligned rows, one for each term or side if it is long."""
+    """Format an equation as aligned rows of LaTeX.
+
+    A long equation has a row for each term or side.
+    """
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
     if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
@@ -161,7 +171,10 @@ def _rows(equation: sympy.Basic) -> list[str]:
 
 
 def line_html(line: "Step") -> str:
-    """Return a card with the sentence, fact, equations and conditions of a line."""
+    """Return a notebook card that shows a line of a derivation.
+
+    It has the sentence, the fact, the equations and the conditions of the line.
+    """
     parts = re.split(r"(\$[^$]*\$)", formulas(sentence(line)))
     said = tag("span", *(math(x.strip("$")) if x.startswith("$") else x for x in parts))
     head = tag("div", said, muted(code(line.fact.id)), style=f"{_ROW};padding-top:.4em")
@@ -173,12 +186,12 @@ def line_html(line: "Step") -> str:
 
 
 def line_latex(line: "Step") -> str:
-    """Return the equations of a line as one display with the paper's numbers."""
+    """Return a derivation line's equations as one LaTeX display with the paper's numbers."""
     return f"$${display(line)}$$"
 
 
 def latex(expression: Any) -> str:
-    """Return an expression, matrix, equation or inequality of SymPy in LaTeX."""
+    """Convert a SymPy expression, matrix, equation or inequality to LaTeX."""
     if isinstance(expression, sympy.Rel):
         sign = {"==": "=", **language.SIGNS}[expression.rel_op]
         return f"{latex(expression.lhs)} {sign} {latex(expression.rhs)}"
@@ -189,7 +202,10 @@ def latex(expression: Any) -> str:
 
 
 def _tree(expression: Any) -> Expression:
-    """Convert an expression of SymPy to a tree; parts that trees lack become names in LaTeX."""
+    """Convert a SymPy expression to a tree of the formula language.
+
+    Parts that this language lacks become names in LaTeX.
+    """
     arguments = expression.args
     match expression:
         case sympy.Integer():
@@ -230,12 +246,12 @@ def _tree(expression: Any) -> Expression:
 
 
 def _folded(operator: str, parts: Iterable[Any]) -> Expression:
-    """Return the tree of a sum or product of several parts."""
+    """Return the expression tree of a sum or product of several SymPy expressions."""
     return reduce(lambda left, right: Operation(operator, left, right), map(_tree, parts))
 
 
 def _quotient(expression: sympy.Expr) -> Expression:
-    """Convert a product, a fraction or a negative power to a tree, with its sign in front."""
+    """Convert a SymPy product, fraction or negative power to a tree with the sign in front."""
     above, below = sympy.fraction(expression, exact=True)
     negative = above.as_coeff_Mul()[0].is_negative
     if negative:
@@ -247,7 +263,7 @@ def _quotient(expression: sympy.Expr) -> Expression:
 
 
 def _matrix_product(expression: sympy.MatMul) -> Expression:
-    """Convert a product of matrices to a tree, with its sign in front."""
+    """Convert a SymPy product of matrices to a tree with the sign in front."""
     first, *rest = map(_tree, expression.args)
     sign, bare = language.signed(first)
     factors = (*([] if bare == Number(1) else [bare]), *rest)
@@ -256,7 +272,10 @@ def _matrix_product(expression: sympy.MatMul) -> Expression:
 
 
 def _rank(factor: Expression) -> tuple[int, str]:
-    """Return a sort key that puts numbers first, then constants, variables and functions."""
+    """Return a sort key that puts factors in the usual order of a formula.
+
+    Numbers come first, then constants, variables and functions.
+    """
     text = to_text(factor)
     if isinstance(factor, Number):
         return 0, text
@@ -275,7 +294,7 @@ _PRINTER = language.Printer(_rank, most=None)
 
 
 def pretty(expression: sympy.Basic, width: int = 100) -> str:
-    """Return an expression drawn in Unicode characters, for a terminal."""
+    """Format a SymPy expression in Unicode characters for a terminal."""
     settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
     before = pretty_use_unicode(True)
     try:
@@ -309,7 +328,7 @@ class _Pretty(PrettyPrinter):
         return self._print_Rate(e)
 
     def _print_Rate(self, e: Any) -> prettyForm:
-        """Print a rate: a dot above a letter, d/dt before anything longer."""
+        """Print a time derivative, as a dot above a letter or as d/dt before an expression."""
         inner = e.args[0]
         if isinstance(inner, sympy.MatrixSymbol) or (inner.is_Symbol and "_" not in inner.name):
             return self._print_Symbol(sympy.Symbol(f"{inner.name}_rate"))

@@ -1,4 +1,4 @@
-"""Parts of the cards that values show in notebooks: badges, formulas, tables, lists.
+"""HTML parts of notebook cards, such as badges, formulas, tables and lists.
 
 Text is escaped unless it is `Markup`.  Colours are those of the page, except for tints of badges
 that are visible on light and on dark.
@@ -26,12 +26,14 @@ _ENTRY = "margin:0;padding:0;float:none;width:auto;font-weight:normal;overflow-w
 
 
 def join(*parts: object) -> Markup:
-    """Concatenate parts of a card."""
+    """Concatenate HTML parts of a card."""
     return Markup("".join(map(escape, parts)))
 
 
 def tag(name: str, /, *children: object, **attributes: str) -> Markup:
-    """Return an HTML element; the argument `class_` is the attribute class.
+    """Return an HTML element with given children and attributes.
+
+    The argument `class_` is the attribute class.
 
     >>> tag("p", "1 < 2 ", tag("b", "&"), class_="note")
     Markup('<p class="note">1 &lt; 2 <b>&amp;</b></p>')
@@ -41,30 +43,36 @@ def tag(name: str, /, *children: object, **attributes: str) -> Markup:
 
 
 def card(*children: object) -> str:
-    """Return a whole card."""
+    """Return the HTML of a notebook card with given content."""
     return str(tag("div", *children, class_=_CLASSES, style="line-height:1.5;max-width:72em"))
 
 
 def badge(text: str) -> Markup:
-    """Return a word in a frame with its tint."""
+    """Return a word in a frame with the colour of its meaning."""
     tint = TINTS.get(text, OPEN)
     style = f"border:1px solid {tint};border-radius:1em;padding:0 .6em;background:{tint}2e"
     return tag("span", text, style=f"{style};font-size:.85em;white-space:nowrap")
 
 
 def math(latex: str) -> Markup:
-    """Return a formula in a line of text."""
+    """Return the HTML of an inline LaTeX formula."""
     return tag("span", rf"\({latex}\)")
 
 
 def formula(latex: str) -> Markup:
-    """Return a formula on a line of its own, which scrolls where it is too wide."""
+    """Return the HTML of a LaTeX formula on a line of its own.
+
+    The line scrolls if the formula is too wide.
+    """
     style = f"{_SCROLL};max-width:58em;padding:.15em 0"
     return tag("div", rf"\(\displaystyle {latex}\)", style=style)
 
 
 def formulas(parts: Sequence[str]) -> Markup:
-    """Return formulas separated by commas; lines break between them."""
+    """Return the HTML of several LaTeX formulas, separated by commas.
+
+    Lines break between formulas.
+    """
     ends = [","] * (len(parts) - 1) + [""]
     shown = (math(rf"\displaystyle {one}{end}") for one, end in zip(parts, ends, strict=True))
     style = "display:flex;flex-wrap:wrap;gap:.3em .9em;align-items:center;padding:.15em 0"
@@ -72,22 +80,25 @@ def formulas(parts: Sequence[str]) -> Markup:
 
 
 def head(title: object, *others: object) -> Markup:
-    """Return the first line of a card: a title in bold, then badges and remarks."""
+    """Return the heading of a card, which is a bold title followed by badges and remarks."""
     return tag("div", tag("strong", title), *(join(" ", other) for other in others))
 
 
 def muted(*children: object) -> Markup:
-    """Return text in a lighter colour."""
+    """Return HTML text in a lighter colour."""
     return tag("span", *children, style="opacity:.7")
 
 
 def code(text: str) -> Markup:
-    """Return text in the font of code."""
+    """Return HTML text in a monospaced font."""
     return tag("code", text)
 
 
 def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Markup:
-    """Return a left-aligned table; without `columns` it has no head."""
+    """Return a left-aligned HTML table.
+
+    Without `columns` it has no head.
+    """
     heads = tag("thead", tag("tr", *(tag("th", name, style=_CELL) for name in columns)))
     body = [tag("tr", *(tag("td", cell, style=_CELL) for cell in row)) for row in rows]
     whole = tag("table", heads if columns else "", tag("tbody", *body), style="margin:.3em 0")
@@ -95,7 +106,7 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Markup:
 
 
 def entries(rows: Iterable[tuple[object, object]]) -> Markup:
-    """Return a list of names with their descriptions."""
+    """Return an HTML list of names with their descriptions."""
     parts = (
         tag(name, part, style=_ENTRY)
         for row in rows
@@ -105,15 +116,15 @@ def entries(rows: Iterable[tuple[object, object]]) -> Markup:
 
 
 def folded(summary: object, *children: object) -> Markup:
-    """Return a collapsible section."""
+    """Return a collapsible HTML section."""
     return tag("details", tag("summary", summary), *children, style="margin:.2em 0")
 
 
 def bullets(items: Iterable[object]) -> Markup:
-    """Return a list with bullets."""
+    """Return an HTML list with bullets."""
     return tag("ul", *(tag("li", item) for item in items), style="margin:.2em 0")
 
 
 def counted(count: int, thing: str) -> str:
-    """Return a count with its noun, in the plural unless the count is one."""
+    """Return a count followed by its noun in the singular or plural."""
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

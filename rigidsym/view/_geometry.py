@@ -1,4 +1,7 @@
-"""Times, curves (N, 3) and circles that several pictures of a motion use."""
+"""Times, polhodes and circles that the pictures of a motion share.
+
+Curves have the shape (N, 3).
+"""
 
 import math
 from collections.abc import Iterable, Iterator
@@ -45,7 +48,7 @@ AT_REST = 10.0
 
 
 def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
-    """Return the first and last time of one pass through the whole polhode, s."""
+    """Return an interval of time in which the body rates trace the polhode once, s."""
     period = motion.period or 0.0
     if math.isfinite(period):
         return 0.0, period
@@ -58,7 +61,7 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
 
 
 def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.ndarray:
-    """Return the user's times as doubles, or `count` default times, s.
+    """Return the times to draw, which are the user's or default ones, s.
 
     Default times begin at zero and cover two periods or a few turns at the initial rate.  Raises
     InputError for fewer than two times.
@@ -82,19 +85,19 @@ def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.nd
 
 
 def moments(motion: "TorqueFreeMotion") -> np.ndarray:
-    """Return the principal moments (3,), kg m^2."""
+    """Return the principal moments of a motion's body as floats, kg m^2."""
     return np.array([float(x) for x in motion.exact["inertia"]])
 
 
 def momentum(motion: "TorqueFreeMotion") -> np.ndarray:
-    """Return the angular momentum at t = 0 in body axes (3,), kg m^2/s."""
+    """Return the angular momentum at t = 0 in body axes, kg m^2/s."""
     return moments(motion) * [float(x) for x in motion.exact["omega0"]]
 
 
 def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
-    """Return body rates (count, 3) along the whole polhode, rad/s.
+    """Return points along the whole polhode, which are body rates in rad/s.
 
-    There is one row where the rates are constant.
+    Their shape is (count, 3).  There is one row where the rates are constant.
     """
     if motion.regime.steady:
         return motion([0.0])[1]
@@ -105,7 +108,7 @@ def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
 
 
 def upright(vector: np.ndarray) -> np.ndarray:
-    """Return the shortest rotation from a vector to the third axis, as a quaternion."""
+    """Return the quaternion of the shortest rotation that takes a vector to the third axis."""
     x, y, z = vector / np.linalg.norm(vector)
     if z < -1 + 1e-12:
         return np.array([0.0, 1.0, 0.0, 0.0])
@@ -114,17 +117,18 @@ def upright(vector: np.ndarray) -> np.ndarray:
 
 
 def great_circles(size: float) -> list[np.ndarray]:
-    """Return three circles around a sphere, one about each axis."""
+    """Return three great circles of a sphere, one about each axis."""
     angle = np.linspace(0, 2 * math.pi, CIRCLE)
     flat = size * np.stack([0 * angle, np.cos(angle), np.sin(angle)], axis=1)
     return [np.roll(flat, k, axis=1) for k in range(3)]
 
 
 def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
-    """Return the separatrix on the sphere |M| = K: two circles through the middle axis b.
+    """Return the separatrix on the momentum sphere, which consists of two circles.
 
-    There K^2 = 2H c_b, that is, M_a^2 (c_a - c_b)/c_a = M_d^2 (c_b - c_d)/c_d.  Symmetric bodies
-    have one circle, of steady spins about transverse axes; a sphere has none.
+    The sphere is |M| = K, and the circles go through the middle axis b.  There K^2 = 2H c_b, that
+    is, M_a^2 (c_a - c_b)/c_a = M_d^2 (c_b - c_d)/c_d.  Symmetric bodies have one circle, of steady
+    spins about transverse axes; a sphere has none.
     """
     given = list(inertia)
     d, b, a = sorted(range(3), key=given.__getitem__)
@@ -146,9 +150,10 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
 
 
 def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["TorqueFreeMotion"]:
-    """Yield motions of the same body with the same |M|, `count` around each end of two axes.
+    """Yield motions of the same body whose angular momentum has the same magnitude.
 
-    They start between axis and separatrix, in the plane of the axes of largest and least inertia.
+    There are `count` around each end of two axes.  They start between axis and separatrix, in the
+    plane of the axes of largest and least inertia.
     """
     inertia = motion.exact["inertia"]
     d, _, a = sorted(range(3), key=inertia.__getitem__)
@@ -167,7 +172,10 @@ def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["To
 
 
 def rounded(values: np.ndarray) -> np.ndarray:
-    """Round to eleven digits of the largest value, so that every machine draws the same."""
+    """Round coordinates to eleven digits, so that pictures are the same on every machine.
+
+    Digits are those of the largest value.
+    """
     size = float(np.nanmax(np.abs(values), initial=0.0))
     if not size:
         return np.asarray(values, dtype=float)

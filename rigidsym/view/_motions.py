@@ -1,4 +1,4 @@
-"""Motions, cases, manoeuvres, plans and flights as terminals and notebooks show them."""
+"""Terminal text and notebook cards of motions, cases, manoeuvres, plans and flights."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
@@ -34,7 +34,7 @@ _GIVEN, _COMPUTED = 6, 4
 
 
 def number(value: Number) -> str:
-    """Return a number as the user writes it in a call, with quotes unless it is a double.
+    """Format a number as Python source, in quotes unless it is a double.
 
     >>> number(Fraction(0.0109)), number(Fraction("0.0109")), number(Fraction(1, 3))
     ('0.0109', "'0.0109'", "'1/3'")
@@ -50,12 +50,12 @@ def number(value: Number) -> str:
 
 
 def _vector(values: Iterable[Number]) -> str:
-    """Return a vector as the user writes it in a call."""
+    """Format a vector as Python source."""
     return f"({', '.join(map(number, values))})"
 
 
 def motion_text(motion: "TorqueFreeMotion") -> str:
-    """Return a line with the inputs of a motion, and its regime."""
+    """Return one line of text with the inputs of a motion and its regime."""
     given = f"inertia={_vector(motion.inertia)}, omega0={_vector(motion.omega0)}"
     if tuple(motion.attitude0) != _IDENTITY:
         given += f", attitude0={_vector(motion.attitude0)}"
@@ -63,21 +63,21 @@ def motion_text(motion: "TorqueFreeMotion") -> str:
 
 
 def case_text(case: "Case") -> str:
-    """Return a line with the motion of a case, and the number and range of its times."""
+    """Return one line of text with the motion and the times of a case."""
     times = case.times
     ends = f" from {number(times[0])} to {number(times[-1])} s" if times else ""
     return f"<Case of {len(times)} times{ends}: {motion_text(case.motion)}>"
 
 
 def manoeuvre_text(asked: "Manoeuvre") -> str:
-    """Return a line with the attitudes of a manoeuvre, and its duration."""
+    """Return one line of text with the attitudes and the duration of a manoeuvre."""
     duration = "" if asked.duration is None else f" in {number(asked.duration)} s"
     ends = f"from {_vector(asked.start)} to {_vector(asked.target)}"
     return f"<Manoeuvre {ends}{duration}, inertia={_vector(asked.inertia)}>"
 
 
 def transfer_text(one: "Transfer") -> str:
-    """Return a line with the initial rates of a transfer, its cost, and its errors."""
+    """Return one line of text with the initial rates, cost and errors of a transfer."""
     rates = ", ".join(f"{x:.6g}" for x in _without_rounding(one.omega0))
     return (
         f"<Transfer omega0=({rates}) rad/s, cost {one.cost:.6g} N m s, "
@@ -87,20 +87,20 @@ def transfer_text(one: "Transfer") -> str:
 
 
 def plan_text(plan: "Plan") -> str:
-    """Return a table of the transfers of a plan, the cheapest first."""
+    """Return a text table of the transfers of a plan, the cheapest first."""
     names, rows = plan.table()
     told = [(*row, one.motion.regime) for row, one in zip(rows, plan.transfers, strict=True)]
     return columns(f"Plan: {plan.title.partition(': ')[2]}", (*names, "regime"), told)
 
 
 def motion_html(motion: "TorqueFreeMotion") -> str:
-    """Return a card with the inputs of a motion and its regime."""
+    """Return a notebook card with the inputs of a motion and its regime."""
     title = head("Torque-free motion", muted(*_regime(motion)))
     return card(title, cards.table((), _inputs(motion)))
 
 
 def motion_latex(motion: "TorqueFreeMotion") -> str:
-    """Return the inputs of a motion in one line of LaTeX."""
+    """Return the inputs of a motion as one line of LaTeX."""
     parts = (
         rf"{name} = {vector(values)}\,{unit}".removesuffix(r"\,")
         for _, name, values, unit in _fields(motion)
@@ -109,7 +109,7 @@ def motion_latex(motion: "TorqueFreeMotion") -> str:
 
 
 def case_html(case: "Case") -> str:
-    """Return a card with the motion of a case, and the number and range of its times."""
+    """Return a notebook card with the motion and the times of a case."""
     times = case.times
     ends = f", {decimal(times[0])} s to {decimal(times[-1])} s" if times else ""
     said = f"{counted(len(times), 'time')}{ends}"
@@ -123,14 +123,14 @@ def _inputs(motion: "TorqueFreeMotion") -> Iterator[tuple[Markup, ...]]:
 
 
 def _fields(motion: "TorqueFreeMotion") -> Iterator[tuple[str, str, Sequence[Number], str]]:
-    """Yield the field, symbol, values and unit of each input."""
+    """Yield the name, symbol, values and unit of each input of a motion."""
     yield "inertia", "(c_1, c_2, c_3)", motion.inertia, _INERTIA
     yield "omega0", r"\Omega(0)", motion.omega0, _RATE
     yield "attitude0", "R(0)", motion.attitude0, ""
 
 
 def _regime(motion: "TorqueFreeMotion") -> tuple[str, str]:
-    """Return the regime of a motion and, if it is not certain, the reason."""
+    """Return the name of a motion's regime, and the reason if it is not certain."""
     try:
         return str(motion.regime), ""
     except InputError as error:
@@ -138,7 +138,10 @@ def _regime(motion: "TorqueFreeMotion") -> tuple[str, str]:
 
 
 def plan_html(plan: "Plan") -> str:
-    """Return a card with the problem of a plan, then its transfers, the cheapest first."""
+    """Return a notebook card with the transfers of a plan and the manoeuvre they solve.
+
+    The cheapest transfer comes first.
+    """
     asked = plan.manoeuvre
     title = head("Plan", muted(f"{counted(len(plan.transfers), 'transfer')}, {_duration(asked)}"))
     rows = (
@@ -157,7 +160,7 @@ def plan_html(plan: "Plan") -> str:
 
 
 def transfer_html(transfer: "Transfer") -> str:
-    """Return a card with the motion of a transfer, its two bursts, their cost, and its errors."""
+    """Return a notebook card with the motion, bursts, cost and errors of a transfer."""
     title = head("Transfer", muted(transfer.motion.regime), muted(_duration(transfer.manoeuvre)))
     rows = [
         _quantity("omega0", rf"\Omega(0) = {_computed(transfer.omega0)}", _RATE),
@@ -173,7 +176,7 @@ def transfer_html(transfer: "Transfer") -> str:
 
 
 def _problem(asked: "Manoeuvre") -> Iterator[tuple[Markup, ...]]:
-    """Yield the table rows of a manoeuvre's inputs."""
+    """Yield table rows with the inputs of a manoeuvre."""
     yield _quantity("inertia", f"(c_1, c_2, c_3) = {vector(asked.inertia)}", _INERTIA)
     yield _quantity("start", f"R(0) = {vector(asked.start)}", "")
     yield _quantity("target", f"R(T) = {vector(asked.target)}", "")
@@ -188,13 +191,13 @@ def _problem(asked: "Manoeuvre") -> Iterator[tuple[Markup, ...]]:
 
 
 def run_html(run: "Run", rows: Sequence[tuple[str, str]]) -> str:
-    """Return a card with the measured quantities of a flight."""
+    """Return a notebook card with the measured quantities of a flight."""
     said = muted(f"{run.t[-1]:g} s, {counted(len(run.t), 'sample')}")
     return card(head("Flight", said), cards.entries((muted(name), text) for name, text in rows))
 
 
 def tracked_html(tracked: "Tracked", rows: Sequence[tuple[str, str]]) -> str:
-    """Return a card with the verdict on a flight, its regime, and its measured quantities."""
+    """Return a notebook card with the verdict, regime and measured quantities of a flight."""
     run = tracked.run
     flown = "missed" if tracked.missed else "settled"
     verdict = cards.badge("under way" if run.t[-1] < run.arrival else flown)
@@ -203,7 +206,7 @@ def tracked_html(tracked: "Tracked", rows: Sequence[tuple[str, str]]) -> str:
 
 
 def decimal(value: Number | float, digits: int = _GIVEN) -> str:
-    """Return a number to some digits in LaTeX."""
+    """Format a number to a given number of digits in LaTeX."""
     if isinstance(value, Uncertain):
         return rf"{decimal(value.middle)} \pm {decimal(value.radius)}"
     number, _, exponent = inputs.decimal(Fraction(value), digits).lower().partition("e")
@@ -213,28 +216,28 @@ def decimal(value: Number | float, digits: int = _GIVEN) -> str:
 
 
 def vector(values: Iterable[Number | float], digits: int = _GIVEN) -> str:
-    """Return the components of a vector in LaTeX."""
+    """Format the components of a vector in LaTeX."""
     inside = r",\ ".join(decimal(value, digits) for value in values)
     return f"({inside})"
 
 
 def _computed(values: np.ndarray) -> str:
-    """Return a computed vector in LaTeX, without rounding errors."""
+    """Format a computed vector in LaTeX, with zero for components that are rounding errors."""
     return vector(_without_rounding(values).tolist(), _COMPUTED)
 
 
 def _without_rounding(values: np.ndarray) -> np.ndarray:
-    """Replace the components of a vector that are rounding errors by zero."""
+    """Set the components of a vector to zero that are rounding errors."""
     return np.where(np.abs(values) > _ROUNDING * np.max(np.abs(values)), values, 0.0)
 
 
 def _quantity(field: str, latex: str, unit: str) -> tuple[Markup, Markup, Markup]:
-    """Return a table row with the name, value and unit of a quantity."""
+    """Return a table row with the name, the value and the unit of a quantity."""
     return muted(field), math(latex), math(unit or r"\,")
 
 
 def _miss(miss: str) -> str:
-    """Return a number such as `2.3e-10`, or a bound such as `< 1e-14`, in LaTeX."""
+    """Format an error such as `2.3e-10`, or a bound such as `< 1e-14`, in LaTeX."""
     mantissa, _, exponent = miss.partition("e")
     return rf"{mantissa} \cdot 10^{{{int(exponent)}}}".replace(r"< 1 \cdot", "<")
 

@@ -1,4 +1,7 @@
-"""Pages in HTML and Markdown by Jinja's templates; HTML pages load no other files."""
+"""HTML and Markdown pages, rendered from Jinja templates.
+
+HTML pages load no other files.
+"""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
@@ -17,7 +20,10 @@ Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 
 
 def render(template: str, **values: object) -> str:
-    """Render a template; in HTML, text is escaped unless it is `Markup`."""
+    """Render a Jinja template.
+
+    In HTML, text is escaped unless it is `Markup`.
+    """
     found = _environment().get_template(template)
     return found.render(values, series=SERIES, series_on_dark=SERIES_ON_DARK)
 
@@ -37,27 +43,33 @@ def _environment() -> "Environment":
 
 
 def scaled(svg: str) -> Markup:
-    """Return the SVG element of a document, not wider than the page."""
+    """Extract the SVG element of a document, and limit its width to that of the page."""
     _, begin, rest = svg.partition("<svg ")
     return Markup(f'{begin}style="max-width:100%;height:auto" {rest}')
 
 
 def fit_page(title: str, tables: Iterable[Table], pictures: Iterable[tuple[str, str]]) -> str:
-    """Return the page of a fit, with pictures as pairs of a caption and an SVG document."""
+    """Return the HTML page of a fit.
+
+    pictures: pairs of a caption and an SVG document.
+    """
     name, _, said = title.partition(": ")
     drawn = [(caption, scaled(svg)) for caption, svg in pictures]
     return render("fit.html", name=name, said=said, tables=tables, pictures=drawn)
 
 
 def fit_card(title: str, tables: Sequence[Table]) -> str:
-    """Return a card with some tables of a fit."""
+    """Return a notebook card with tables of a fit."""
     name, _, said = title.partition(": ")
     shown = (cards.table(columns, rows) for _, columns, rows in tables)
     return cards.card(cards.head(name, cards.muted(said)), *shown)
 
 
 def report_markdown(results: Mapping[str, Any]) -> str:
-    """Return the report of `rigidsym reproduce` in Markdown; see `report_page` for its data."""
+    """Return the report of `rigidsym reproduce` in Markdown.
+
+    results: the data that `report_page` describes.
+    """
     return render("report.md", table=_tables.table, **results)
 
 
@@ -78,7 +90,7 @@ def report_page(results: Mapping[str, Any]) -> str:
 
 
 def errata_page(counted: str, printed: Iterable[tuple[str, str, Sequence[tuple[str, str]]]]) -> str:
-    """Return the page of all printed equations, with their verdicts and remarks.
+    """Return the HTML page with the verdicts on all equations of the paper.
 
     counted: the number of each verdict, in words.  printed: the number of an equation, its verdict,
     and remarks by their kind.

@@ -1,4 +1,4 @@
-"""Cards of derivations, printed equations and verdicts for notebooks."""
+"""Notebook cards of derivations, equations of the paper, and verdicts on them."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 def derivation_html(derivation: "Derivation") -> str:
-    """Return a card with the chapters that ran, and the number and grades of their facts."""
+    """Return a notebook card with the chapters of a derivation and their facts.
+
+    It has the number and the grades of the facts.
+    """
     rows = [(code(c.name), c.title, len(c.facts), _grades(c)) for c in derivation.chapters]
     total = sum(len(chapter.facts) for chapter in derivation.chapters)
     title = head(f"{counted(total, 'fact')} in {counted(len(derivation.chapters), 'chapter')}")
@@ -23,7 +26,10 @@ def derivation_html(derivation: "Derivation") -> str:
 
 
 def chapter_html(chapter: "Chapter", facts: str) -> str:
-    """Return a card with a chapter's title and grades, followed by the HTML of its facts."""
+    """Return a notebook card with a chapter's title and grades, followed by its facts.
+
+    facts: their HTML.
+    """
     return join(Markup(card(head(chapter.title, _grades(chapter)))), Markup(facts))
 
 
@@ -33,12 +39,15 @@ def _grades(chapter: "Chapter") -> Markup:
 
 
 def equation_html(equation: "Equation") -> str:
-    """Return a card with an equation as printed, and its interpretation."""
+    """Return a notebook card with an equation as the paper prints it, and its interpretation."""
     return card(head(f"({equation.number})"), formula(equation.latex), muted(equation.reading))
 
 
 def verdict_html(verdict: "Verdict") -> str:
-    """Return a card with a verdict, the printed equation, its repairs, and where it fails."""
+    """Return a notebook card with the verdict on an equation of the paper.
+
+    It shows the equation as printed, its repairs, and where it fails.
+    """
     title = head(f"({verdict.equation.number})", badge(str(verdict.ruling)))
     return card(title, cards.entries((muted(name), said) for name, said in _rows(verdict)))
 

@@ -1,7 +1,7 @@
-"""Schema rigidsym.validation/3 of validation reports, and formats of their figures.
+"""Data schema of validation reports, and functions that format their numbers.
 
-A figure is a number, or "inf" or "nan", for which JSON has no number.  Errors and bounds are in
-units of 2^-53.  A report has the keys
+The schema is rigidsym.validation/3.  A figure is a number, or "inf" or "nan", for which JSON has no
+number.  Errors and bounds are in units of 2^-53.  A report has the keys
 
 * schema, command, passed, complaints, unit; run, what the campaign ran on; campaign, its options;
 * bounds and meanings, by measure; agreement, the tolerance of the oracles;
@@ -36,13 +36,13 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def number(figure: Figure) -> float:
-    """Return a figure as a float, with infinity for NaN."""
+    """Convert a number of a report to a float, with infinity for NaN."""
     value = float(figure)
     return math.inf if math.isnan(value) else value
 
 
 def units(figure: Figure, digits: int = 3) -> str:
-    """Return a figure to three digits, or "no number" if it is infinite.
+    """Format a number of a report to three digits, or as "no number" if it is infinite.
 
     >>> units(9.9), units(18.0), units(4.2e12), units(0.0), units("inf")
     ('9.90', '18.0', '4.20e12', '0', 'no number')
@@ -54,7 +54,7 @@ def units(figure: Figure, digits: int = 3) -> str:
 
 
 def brief(figure: Figure) -> str:
-    """Return a figure to three digits, or "< 0.01".
+    """Format a number of a report to three digits, or as "< 0.01" if it is small.
 
     >>> brief(3.91e-36), brief(0.0), brief(4.46)
     ('< 0.01', '0', '4.46')
@@ -63,7 +63,7 @@ def brief(figure: Figure) -> str:
 
 
 def condition(figure: Figure) -> str:
-    """Return a condition number to two digits, or "" if it is 1.
+    """Format a condition number to two digits, or as "" if it is 1.
 
     >>> condition(4.88e5), condition(1.0)
     ('κ 4.9e5', '')
@@ -73,7 +73,7 @@ def condition(figure: Figure) -> str:
 
 
 def plain(figure: Figure, form: str = ".2g") -> str:
-    """Return a figure, given in units of 2^-53, as a plain number.
+    """Format an error that is given in units of 2^-53 as a plain number.
 
     >>> plain(18.0), plain(4.5, ".2e")
     ('2e-15', '5.00e-16')
@@ -83,7 +83,7 @@ def plain(figure: Figure, form: str = ".2g") -> str:
 
 
 def share(figure: Figure) -> str:
-    """Return a part of a bound as a percentage or, beyond the bound, as a multiple.
+    """Format the ratio of an error to its bound as a percentage or, above 1, as a multiple.
 
     >>> share(0.554), share(37.2) == f"37.2 {TIMES}", share("inf")
     ('55 %', True, 'no number')
@@ -95,12 +95,14 @@ def share(figure: Figure) -> str:
 
 
 def counted(*given: Figure) -> str:
-    """Return one figure or a range of two, with their unit 2^-53."""
+    """Format an error, or a range between two errors, in units of 2^-53."""
     return f"{' to '.join(map(units, given))} {TIMES} {UNIT}"
 
 
 def decimal(written: str) -> str:
-    """Return a hexadecimal double or a fraction as the decimal of a double.
+    """Convert the text of a hexadecimal double or of a fraction to a decimal.
+
+    It is the decimal of the nearest double.
 
     >>> decimal("-0x1.8p+1"), decimal("1/8")
     ('-3.0', '0.125')
@@ -109,7 +111,7 @@ def decimal(written: str) -> str:
 
 
 def seconds(written: str) -> str:
-    """Return a hexadecimal time to six digits.
+    """Format a time, given as a hexadecimal double, to six digits in seconds.
 
     >>> seconds("0x1.8p+1")
     '3 s'
@@ -118,7 +120,7 @@ def seconds(written: str) -> str:
 
 
 def power(base: int, exponent: float) -> str:
-    """Return a power with a superscript.
+    """Format a power with a superscript.
 
     >>> power(10, -15), power(10, 0)
     ('10⁻¹⁵', '1')
@@ -127,7 +129,7 @@ def power(base: int, exponent: float) -> str:
 
 
 def exponent(part: str) -> float:
-    """Return the exponent of a decade or half octave.
+    """Parse the exponent from the name of a decade or half octave, such as "1e-15".
 
     >>> exponent("1e-15"), exponent("2^-1.5"), exponent("0"), exponent("inf")
     (-15.0, -1.5, -inf, inf)
@@ -136,13 +138,13 @@ def exponent(part: str) -> float:
 
 
 def place(cell: Data) -> str:
-    """Return the case, time and condition number of a cell."""
+    """Format the case, the time and the condition number at which an error occurred."""
     known = condition(cell["condition"])
     return f"{cell['case']} at t = {seconds(cell['t'])}{known and ', '}{known}"
 
 
 def _tidy(written: str) -> str:
-    """Shorten a number with an exponent: 1.e+06 becomes 1e6."""
+    """Shorten the text of a number with an exponent, such as 1.e+06 to 1e6."""
     mantissa, mark, power_of_ten = written.partition("e")
     mantissa = mantissa.removesuffix(".")
     return f"{mantissa}e{int(power_of_ten)}" if mark else mantissa

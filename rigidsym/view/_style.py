@@ -1,4 +1,4 @@
-"""Colours and labels of everything that is drawn.
+"""Colours and labels of all plots and pictures.
 
 Colours of data are visible on light and on dark ground, and distinct for colour-blind readers
 (after Okabe and Ito).  Labels use the paper's letters, with units.

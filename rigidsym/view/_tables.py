@@ -1,10 +1,10 @@
-"""Tables in Markdown and in plain text."""
+"""Functions that format tables in Markdown and in plain text."""
 
 from collections.abc import Iterable, Sequence
 
 
 def row(cells: Iterable[str]) -> str:
-    r"""Return a table row in Markdown, with bars in cells escaped.
+    r"""Format a row of a Markdown table, with vertical bars in cells escaped.
 
     >>> row(["size", "|omega|"])
     '| size | \\|omega\\| |'
@@ -13,12 +13,12 @@ def row(cells: Iterable[str]) -> str:
 
 
 def table(columns: Sequence[str], rows: Iterable[Iterable[str]]) -> list[str]:
-    """Return the lines of a table in Markdown."""
+    """Format a table in Markdown, and return its lines."""
     return [row(columns), "|---" * len(columns) + "|", *map(row, rows)]
 
 
 def columns(title: str, names: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table as text with aligned columns.
+    """Format a table as plain text with aligned columns.
 
     >>> print(columns("planets", ("", "moons"), [("Mars", "2"), ("Jupiter", "101")]))
     planets

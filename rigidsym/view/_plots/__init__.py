@@ -1,1 +1,1 @@
-"""Plots in two dimensions, by matplotlib."""
+"""Two-dimensional plots, drawn by matplotlib."""

@@ -1,4 +1,4 @@
-"""Charts of results: lines, residuals, and distributions over cases."""
+"""Line charts, residual plots, and plots of distributions over cases."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """Plot of several lines over the same abscissae.
+    """Line chart of several series over the same abscissae.
 
     A line leaves out values that are None.  With `log`, both axes are logarithmic.  `colours`
     repeat where there are more lines.  With `marked`, each value is a dot.
@@ -34,7 +34,7 @@ class Panel:
 
 @defaults()
 def panels_svg(panels: Sequence[Panel]) -> str:
-    """Draw panels below each other, and return them as one SVG document."""
+    """Draw line charts below each other, and return them as one SVG document."""
     figure = blank("drawing", 10.0, 3.2 * len(panels))
     for axes, panel in zip(figure.subplots(len(panels), squeeze=False)[:, 0], panels, strict=True):
         for k, (name, values) in enumerate(panel.lines.items()):
@@ -58,7 +58,7 @@ def panels_svg(panels: Sequence[Panel]) -> str:
 
 @defaults()
 def residuals(panels: Sequence[tuple[str, np.ndarray, np.ndarray, Sequence[int]]]) -> "Figure":
-    """Draw a panel for each set of observations, with a dot for each residual.
+    """Plot the residuals of a fit, with a panel for each set of observations.
 
     A panel is a title, times (N,), residuals (N, k) in units of their errors, and the indices of
     outliers, which get a ring around the largest residual.
@@ -80,7 +80,7 @@ def residuals(panels: Sequence[tuple[str, np.ndarray, np.ndarray, Sequence[int]]
 
 
 class Spread(NamedTuple):
-    """Values of each case in named rows.
+    """Distribution of a quantity over cases, in named rows.
 
     With `ratio`, the axis is logarithmic and has a line at 1."""
 
@@ -92,10 +92,10 @@ class Spread(NamedTuple):
 
 @defaults()
 def spreads(panels: Sequence[Spread], case: str, one: str) -> "Figure":
-    """Draw a dot for each case and a bar at the median, with a legend below.
+    """Plot distributions as a dot for each case and a bar at the median.
 
-    The legend explains a dot by `case`, and the line at a ratio of 1 by `one`.  A panel with the
-    same rows as the one before it repeats no names.
+    A legend is below.  The legend explains a dot by `case`, and the line at a ratio of 1 by `one`.
+    A panel with the same rows as the one before it repeats no names.
     """
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
@@ -130,7 +130,10 @@ def spreads(panels: Sequence[Spread], case: str, one: str) -> "Figure":
 
 
 def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
-    """Draw a row of dots with its median for each name, the first row on top."""
+    """Draw a row of dots and their median for each name.
+
+    The first row is on top.
+    """
     for place, values in enumerate(rows.values()):
         offsets = 0.5 * (np.arange(len(values)) + 0.5) / len(values) - 0.25
         axes.plot(values, place + offsets, "o", color=BLUE, markersize=3, alpha=0.7)

@@ -1,4 +1,4 @@
-"""Matplotlib figures without pyplot: new figures, axes over time, lines and files.
+"""Functions that create, style and save matplotlib figures without pyplot.
 
 Functions that make figures are decorated by `defaults()`, so that the user's matplotlibrc has no
 effect.  `rendered` and `svg` write the same bytes on each run and on each processor.
@@ -26,10 +26,10 @@ DECIMALS = 2
 
 @contextmanager
 def defaults(settings: Mapping["RcKeyType", object] | None = None) -> Generator[None]:
-    """Draw with matplotlib's default settings and these, without the user's matplotlibrc.
+    """Draw with matplotlib's default settings instead of the user's matplotlibrc.
 
-    Artists read some settings when they are made and others when they are drawn, so figures have
-    to be made and saved inside.
+    settings: changes of the defaults.  Artists read some settings when they are made and others
+    when they are drawn, so figures have to be made and saved inside.
     """
     import matplotlib
 
@@ -40,14 +40,14 @@ def defaults(settings: Mapping["RcKeyType", object] | None = None) -> Generator[
 
 
 def blank(user: str, width: float, height: float) -> "Figure":
-    """Return an empty figure of a size in inches.
+    """Return an empty figure with a given size in inches.
 
     Raises ImportError in the name of `user` without matplotlib.
     """
     base = package("matplotlib.figure", user).Figure
 
     class Picture(base):
-        """A figure that shows itself as PNG."""
+        """Matplotlib figure that a notebook displays as PNG."""
 
         def _repr_png_(self) -> bytes:
             buffer = io.BytesIO()
@@ -61,7 +61,10 @@ def blank(user: str, width: float, height: float) -> "Figure":
 
 @defaults()
 def history(label: str) -> tuple["Figure", "Axes"]:
-    """Return an empty figure and its axes over time; `label` is that of the values."""
+    """Return an empty figure and its axes for a plot over time.
+
+    label: that of the axis of values.
+    """
     figure = blank("drawing", 8.0, 4.2)
     axes = figure.add_subplot()
     axes.set_xlabel(TIME_AXIS)
@@ -74,7 +77,7 @@ def history(label: str) -> tuple["Figure", "Axes"]:
 
 
 def tidy(axes: "Axes") -> None:
-    """Give axes a faint grid, and no frame above and on the right."""
+    """Add a faint grid to axes, and remove the frame above and on the right."""
     axes.grid(alpha=0.25)
     axes.spines[["top", "right"]].set_visible(False)
 
@@ -88,18 +91,21 @@ def lines(
     linewidth: float = 1.4,
     **style: Any,
 ) -> None:
-    """Draw a line for each column of values (N, k); lines with no label are not in the legend."""
+    """Plot each column of an array as a line over time.
+
+    The shape of values is (N, k).  Lines with no label are not in the legend.
+    """
     for column, label, colour in zip(values.T, labels, colours, strict=True):
         axes.plot(t, column, color=colour, label=label or None, linewidth=linewidth, **style)
 
 
 def legend(axes: "Axes") -> None:
-    """Add a legend beside the plot, where it hides nothing."""
+    """Add a legend to the right of the plot."""
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
 
 def rendered(figure: "Figure") -> dict[str, bytes]:
-    """Return a figure as SVG and PNG files, by suffix."""
+    """Return the contents of a figure's SVG and PNG files, by suffix."""
     buffer = io.BytesIO()
     with defaults():
         figure.savefig(buffer, format="png", dpi=150, metadata={"Software": None})
@@ -107,7 +113,7 @@ def rendered(figure: "Figure") -> dict[str, bytes]:
 
 
 def files(figures: Mapping[str, "Figure"]) -> dict[str, bytes]:
-    """Return the contents of SVG and PNG files of figures, by their names."""
+    """Return the contents of the SVG and PNG files of several figures, by file name."""
     return {
         f"{name}.{suffix}": data
         for name, figure in figures.items()
@@ -116,7 +122,7 @@ def files(figures: Mapping[str, "Figure"]) -> dict[str, bytes]:
 
 
 def svg(figure: "Figure", settings: Mapping["RcKeyType", object] | None = None) -> str:
-    """Return a figure as SVG that has the same bytes on every run and processor."""
+    """Convert a figure to SVG with the same bytes on every run and processor."""
     buffer = io.StringIO()
     with defaults({"svg.hashsalt": "rigidsym", **(settings or {})}):
         figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None})

@@ -1,4 +1,4 @@
-"""Pictures of motions, transfers and flights: states, momentum sphere, errors and torques."""
+"""Plots of motions, transfers and flights."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -37,7 +37,7 @@ _DASHED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
 
 def plot(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
-    """Draw omega(t), q(t), and the momentum on its sphere in body axes."""
+    """Plot the body rates, the attitude and the momentum sphere of a motion."""
     figure = flat.blank("plot", 10.5, 5.2)
     t = geometry.chosen(motion, times, SAMPLES)
     q, omega = motion(t)
@@ -60,7 +60,7 @@ def plot(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
 def _state(
     rates: "Axes", attitude: "Axes", t: np.ndarray, q: np.ndarray, omega: np.ndarray, margin: float
 ) -> None:
-    """Draw body rates and attitude over time."""
+    """Plot body rates and attitude over time."""
     flat.lines(rates, t, omega, RATES)
     flat.lines(attitude, t, q, style.ATTITUDE, _FOUR)
     for axes in (rates, attitude):
@@ -69,7 +69,7 @@ def _state(
 
 
 def _sphere(axes: "Axes3D", motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
-    """Draw the sphere |M| = K with its circles, the separatrix and the polhode.
+    """Draw the momentum sphere with the separatrix and the polhode of a motion.
 
     The polhode is thin, its part within the times thick, with a dot at the first time.  For a body
     at rest the axes are drawn alone, of unit length.
@@ -105,7 +105,10 @@ def _sphere(axes: "Axes3D", motion: "TorqueFreeMotion", omega: np.ndarray) -> No
 
 @flat.defaults()
 def transfers(several: Sequence["Transfer"]) -> "Figure":
-    """Draw body rates and attitude of the first `MOST` transfers, one row for each."""
+    """Plot body rates and attitude of several transfers, with a row for each.
+
+    Only the first `MOST` transfers are drawn.
+    """
     shown = several[:MOST]
     figure = flat.blank("drawing", 10.5, 0.9 + 2.1 * len(shown))
     grid = figure.subplots(len(shown), 2, sharex=True, sharey="col", squeeze=False)
@@ -124,7 +127,10 @@ def transfers(several: Sequence["Transfer"]) -> "Figure":
 
 @flat.defaults()
 def attitude(run: "Run") -> "Figure":
-    """Draw the quaternions of the natural motion (dashed) and of the flight."""
+    """Plot the attitude quaternions of a flight and of the natural motion that it follows.
+
+    Those of the natural motion are dashed.
+    """
     figure, axes = flat.history(style.ATTITUDE_AXIS)
     _both(axes, run.t, (run.q, run.track.q), style.ATTITUDE, "natural", _FOUR)
     axes.set_ylim(-1.05, 1.05)
@@ -133,7 +139,10 @@ def attitude(run: "Run") -> "Figure":
 
 @flat.defaults()
 def rates(run: "Run") -> "Figure":
-    """Draw the body rates of the reference (dashed) and of the flight."""
+    """Plot the body rates of a flight and of its reference.
+
+    Those of the reference are dashed.
+    """
     figure, axes = flat.history(style.RATES_AXIS)
     _both(axes, run.t, (run.omega, run.reference.omega), RATES, "wanted", AXES)
     return _finished(figure, axes, run)
@@ -147,7 +156,7 @@ def _both(
     other: str,
     colours: Sequence[str],
 ) -> None:
-    """Draw the values of the flight and, dashed, those of another motion."""
+    """Plot the values of a flight and, dashed, those of another motion."""
     flown, wanted = values
     flat.lines(axes, t, flown, [f"{x} flown" for x in names], colours, linewidth=2.0)
     flat.lines(axes, t, wanted, [f"{x} {other}" for x in names], colours, **_DASHED)
@@ -155,7 +164,7 @@ def _both(
 
 @flat.defaults()
 def error(run: "Run") -> "Figure":
-    """Draw the angle between the attitude flown and the reference."""
+    """Plot the angle between the attitude of a flight and its reference over time."""
     figure, axes = flat.history("tracking error (degrees)")
     # Zero, as the first angle is, has no place on a logarithmic scale.
     angle = np.degrees(np.where(run.error > 0, run.error, np.nan))
@@ -165,7 +174,10 @@ def error(run: "Run") -> "Figure":
 
 @flat.defaults()
 def torques(run: "Run") -> "Figure":
-    """Draw the torques of the wheels and of the thrusters (dashed) on the body."""
+    """Plot the torques of wheels and thrusters on the body during a flight.
+
+    Those of the thrusters are dashed.
+    """
     figure, axes = flat.history("control torques ($10^{-4}$ N m)")
     flat.lines(axes, run.t, 1e4 * run.torque, TORQUE)
     if run.burns:
@@ -182,7 +194,10 @@ def torques(run: "Run") -> "Figure":
 
 @flat.defaults()
 def wheels(run: "Run", rotor: float) -> "Figure":
-    """Draw the momentum of each wheel, and its speed for a rotor of this inertia, kg m^2."""
+    """Plot the angular momentum and the speed of each wheel during a flight.
+
+    rotor: the inertia of a wheel's rotor, kg m^2.
+    """
     figure, axes = flat.history("momentum of the wheels ($10^{-3}$ N m s)")
     flat.lines(axes, run.t, 1e3 * run.wheel_momentum, ("wheel 1", "wheel 2", "wheel 3"))
     turns = 1e-3 / rotor * 60 / (2 * np.pi)
@@ -196,7 +211,7 @@ def wheels(run: "Run", rotor: float) -> "Figure":
 
 @flat.defaults()
 def disturbances(run: "Run") -> "Figure":
-    """Draw the size of each disturbing torque."""
+    """Plot the magnitude of each disturbing torque during a flight."""
     figure, axes = flat.history("size of the disturbing torques (N m)")
     for name, torque in run.disturbances.items():
         size = np.linalg.norm(torque, axis=1)
@@ -207,7 +222,7 @@ def disturbances(run: "Run") -> "Figure":
 
 
 def _finished(figure: "Figure", axes: "Axes", run: "Run") -> "Figure":
-    """Mark the time of arrival in a picture, and add a legend."""
+    """Add the time of arrival and a legend to a plot of a flight."""
     if run.t[0] < run.arrival < run.t[-1]:
         axes.axvline(run.arrival, color="0.4", linewidth=1.0, linestyle=":")
         axes.annotate(

@@ -27,10 +27,11 @@ _EVERYWHERE = ("page", "card", "markdown", "terminal")
 
 
 class Column(NamedTuple):
-    """Column of the tables of strata, with its key in the data, its title and its value.
+    """Column of the report tables that have a row for each stratum.
 
-    `shown` formats the value, `bad` marks strata, and `tables` are those that have the column:
-    "page", "card", "markdown" and "terminal".  A new entry of `COLUMNS` needs no change elsewhere.
+    It has a key in the data, a title and a value.  `shown` formats the value, `bad` marks strata,
+    and `tables` are those that have the column: "page", "card", "markdown" and "terminal". A new
+    entry of `COLUMNS` needs no change elsewhere.
     """
 
     key: str
@@ -70,12 +71,15 @@ COLUMNS = (
 
 
 def columns_of(table: str) -> list[Column]:
-    """Return the columns on strata that a table has."""
+    """Return the columns of strata's properties that one of the report tables has."""
     return [column for column in COLUMNS if table in column.tables]
 
 
 def page(data: Data) -> str:
-    """Return the HTML page of a validation report, given by its `to_data()`."""
+    """Return the HTML page of a validation report.
+
+    data: the report's `to_data()`.
+    """
     everyone, bounds = data["implementations"], data["bounds"]
     judged = [one for one in everyone if not one["peer"]]
     strata = [stratum["name"] for stratum in data["strata"]]
@@ -112,7 +116,7 @@ def page(data: Data) -> str:
 
 
 def _rank(measure: str) -> tuple[int, str]:
-    """Return a sort key that keeps measures in the order of their definition."""
+    """Return a sort key that puts error measures in the order of their definition."""
     # `rigidsym.validate` imports this module when it is imported itself.
     from rigidsym.validate._bounds import MEASURES
 
@@ -122,7 +126,10 @@ def _rank(measure: str) -> tuple[int, str]:
 def _cells(
     implementations: Sequence[Data], view: str, measure: str
 ) -> Iterator[tuple[str, str, Data]]:
-    """Yield the cells of a measure in a view, with the implementation and the part."""
+    """Yield the implementation, the part and the cell of each error by one measure.
+
+    view: the data's key of parts, such as strata.
+    """
     for one in implementations:
         for part, found in sorted(one[view].items()):
             if measure in found:
@@ -132,13 +139,19 @@ def _cells(
 def _worst(
     implementations: Sequence[Data], view: str, measure: str
 ) -> tuple[str, str, Data] | None:
-    """Return the worst cell of a measure in a view, or None if nothing was measured."""
+    """Return the implementation, the part and the cell of the largest error by one measure.
+
+    view: the data's key of parts, such as strata.  Returns None if nothing was measured.
+    """
     listed = _cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
 
 
 def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
-    """Return the measure that used the largest part of its bound, and its cell."""
+    """Return the measure whose error is the largest part of its bound in a stratum.
+
+    Returns the measure's name and cell, or None if nothing was measured.
+    """
     shares = one["shares"].get(stratum, {})
     known = sorted(shares, key=_rank)
     name = max(known, key=lambda name: number(shares[name]["units"]), default=None)
@@ -146,7 +159,10 @@ def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
 
 
 def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
-    """Return the largest part of a bound used in a case, with the module and the measure."""
+    """Return the largest ratio of an error to its bound in a case.
+
+    The module and the measure follow it.
+    """
     shares = (
         (number(cell["share"]), name, measure)
         for name, errors in case["errors"].items()
@@ -157,7 +173,10 @@ def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
 
 
 def report_html(report: "ValidationReport") -> str:
-    """Return a card with the verdict, its reasons, and the worst errors of the strata."""
+    """Return a notebook card of a validation report.
+
+    It has the verdict, its reasons, and the worst errors of the strata.
+    """
     data = report.to_data()
     everyone, columns = data["implementations"], columns_of("card")
     verdict = cards.badge(PASSED if data["passed"] else BROKEN)
@@ -181,7 +200,10 @@ def report_html(report: "ValidationReport") -> str:
 
 
 def _card_cell(one: Data, stratum: str) -> cards.Markup:
-    """Return the worst angle of an implementation in a stratum, and the part of a bound used."""
+    """Format an implementation's worst error of the attitude in a stratum.
+
+    It is followed by the largest part of a bound used.
+    """
     found = one["strata"].get(stratum, {}).get("angle")
     largest = _largest(one, stratum)
     if found is None or largest is None:

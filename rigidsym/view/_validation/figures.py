@@ -44,9 +44,10 @@ _LINK = "{http://www.w3.org/1999/xlink}href"
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Scale of exponents from `low` to `high`, with slots for zero and infinity at the ends.
+    """Logarithmic axis with slots for zero and infinity at its ends.
 
-    Slots are `under` and `over` of the axis long, from 0 to 1; 0 where they are not needed.
+    low, high: the range of exponents.  Slots are `under` and `over` of the axis long, from 0 to 1;
+    0 where they are not needed.
     """
 
     low: float
@@ -56,7 +57,7 @@ class Axis:
 
     @property
     def knots(self) -> list[tuple[float, float]]:
-        """Exponents and their positions, between which the scale is linear."""
+        """Points of the piecewise linear scale, as pairs of exponent and position."""
         begin, end = self.under, 1 - self.over
         knots = [(self.low, begin), (self.high, end)]
         if self.low < KNEE < self.high:
@@ -65,12 +66,12 @@ class Axis:
 
     @property
     def edges(self) -> list[float]:
-        """The positions of lines between slots and between parts of different scale."""
+        """The positions of lines that separate slots and parts of different scale."""
         ends = [self.under] * bool(self.under) + [1 - self.over] * bool(self.over)
         return ends + [place for _, place in self.knots[1:-1]]
 
     def at(self, exponent: float) -> float:
-        """Return the position of an exponent, from 0 to 1."""
+        """Return the position of an exponent on the axis, from 0 to 1."""
         if exponent < self.low:
             return self.under / 2
         if exponent > self.high:
@@ -80,7 +81,10 @@ class Axis:
 
     @property
     def ticks(self) -> list[float]:
-        """Exponents of the ticks, fewer where the scale is compressed."""
+        """The exponents at the ticks of the axis.
+
+        There are fewer where the scale is compressed.
+        """
         from matplotlib.ticker import MaxNLocator
 
         def among(low: float, high: float, most: int) -> list[float]:
@@ -91,7 +95,10 @@ class Axis:
         return [x for end in far for x in among(end, low, 2) if x < low] + among(low, high, 6)
 
     def labels(self, room: float, zero: str, beyond: str, base: int) -> dict[float, str]:
-        """Return labels of slots and ticks by position, with ticks at least `room` from slots."""
+        """Return the labels of slots and ticks by their position.
+
+        Ticks nearer than `room` to a slot have no label.
+        """
         ends = {self.at(-math.inf): zero} if self.under else {}
         ends |= {self.at(math.inf): beyond} if self.over else {}
         numbers = base == 2 and self.high - self.low <= SHORT
@@ -101,7 +108,10 @@ class Axis:
 
 
 def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) -> Axis:
-    """Return the axis that shows all exponents, where those below `least` count as zero."""
+    """Return the axis that covers a set of exponents.
+
+    Exponents below `least` count as that of zero.
+    """
     known = list(exponents)
     inside = [x for x in known if x >= least and math.isfinite(x)] or [0.0]
     low, high = math.floor(min(inside)), math.ceil(max(inside))
@@ -111,12 +121,15 @@ def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) ->
 
 
 class Drawing:
-    """Matplotlib figure whose artists get CSS classes and titles."""
+    """Matplotlib figure whose SVG elements have CSS classes and tooltips."""
 
     def __init__(
         self, size: tuple[float, float], margins: tuple[float, float, float, float]
     ) -> None:
-        """Make a figure with axes; margins are left, bottom, right and top, all sizes in points."""
+        """Create a figure with axes of a given size and margins, in points.
+
+        Margins are left, bottom, right and top.
+        """
         from matplotlib.figure import Figure
 
         (width, height), (left, bottom, right, top) = size, margins
@@ -130,26 +143,26 @@ class Drawing:
         self._named: dict[str, tuple[str, Sequence[str]]] = {}
 
     def add(self, class_: str, artist: "Artist", titles: Sequence[str] = ()) -> None:
-        """Give an artist a CSS class, and each of its shapes a title."""
+        """Assign a CSS class to an artist, and a tooltip to each of its shapes."""
         name = f"drawn-{len(self._named)}"
         artist.set(gid=name, clip_on=False)
         self._named[name] = class_, titles
 
     def line(self, class_: str, x: Sequence[float], y: Sequence[float]) -> None:
-        """Draw a line with a CSS class."""
+        """Draw a line, and assign a CSS class to it."""
         (line,) = self.axes.plot(x, y)
         self.add(class_, line)
 
     def mark(
         self, kind: str, k: int, x: Sequence[float], y: Sequence[float], titles: Sequence[str]
     ) -> None:
-        """Draw marks in the shape of implementation k, with a title each."""
+        """Draw the marks of the k-th implementation, with a tooltip for each."""
         shape = MARKERS[k % len(MARKERS)]
         (marks,) = self.axes.plot(x, y, marker=shape, markersize=8, linestyle="none")
         self.add(f"{kind} {colour(k)}", marks, titles)
 
     def svg(self, label: str, class_: str = "plot") -> Markup:
-        """Return the drawing as an SVG element with CSS classes instead of styles."""
+        """Convert the drawing to an SVG element with CSS classes instead of styles."""
         root = ET.fromstring(svg(self.figure, {"svg.fonttype": "none"}))
         markers = {f"#{x.get('id')}": x.get("d") for x in root.iter(f"{_SVG}path")}
         shapes: list[dict[str, str | None]] = []
@@ -172,7 +185,10 @@ class Drawing:
 
 
 class View(NamedTuple):
-    """Property of cases with its key in the data, its label, and labels of zero and infinity."""
+    """Property of cases over which errors are plotted.
+
+    It has a key in the data, a label, and labels of zero and infinity.
+    """
 
     key: str
     label: str
@@ -194,7 +210,10 @@ VIEWS = (
 
 @defaults()
 def scatter(implementations: Sequence[Data], view: View, measure: str, bound: float) -> Markup:
-    """Draw the worst error in each decade of a property of cases; `bound` in units of 2^-53."""
+    """Plot the worst error in each decade of a property of cases.
+
+    bound: that of the errors, in units of 2^-53.
+    """
     label = Y_LABELS[measure]
     # The exponents of the decade and of the error of each cell.
     found = []
@@ -243,13 +262,16 @@ def scatter(implementations: Sequence[Data], view: View, measure: str, bound: fl
 
 
 def _exponent(cell: Data) -> float:
-    """Return the decimal logarithm of the error of a cell."""
+    """Return the decimal logarithm of the error in a cell of the report."""
     value = formats.number(cell["units"]) * ULP
     return math.log10(value) if value else -math.inf
 
 
 def _title(name: str, exponent: float, cell: Data) -> str:
-    """Return the tooltip of a mark, with its decade, number of states and worst error."""
+    """Return the tooltip of a mark in a scatter plot.
+
+    It has the decade, the number of states and the worst error.
+    """
     if math.isinf(exponent):
         decade = "beyond all" if exponent > 0 else "0"
     else:
@@ -264,7 +286,7 @@ def _title(name: str, exponent: float, cell: Data) -> str:
 def histograms(
     implementations: Sequence[Data], strata: Sequence[str], measure: str, bound: float
 ) -> list[tuple[str, Markup]]:
-    """Draw a histogram of the errors in each stratum, with a row of bars per implementation.
+    """Draw a histogram of the errors in each stratum, with a row for each implementation.
 
     All have one axis, so that they can be compared.  The highest bar of a row is as high as the
     row.  `bound` is in units of 2^-53.
@@ -309,7 +331,10 @@ def histograms(
 
 
 def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
-    """Return the left and right end of the bar of a half octave or a slot."""
+    """Return the left and right end of a histogram's bar.
+
+    The bar is that of a half octave, or in a slot of the axis.
+    """
     if math.isfinite(exponent):
         return axis.at(exponent), axis.at(exponent + STEP)
     middle, half = axis.at(exponent), abs(axis.at(axis.low + STEP) - axis.at(axis.low)) / 2
@@ -317,20 +342,20 @@ def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
 
 
 def _size(axis: Axis, exponent: float) -> str:
-    """Return the range of errors that a bar counts, as text."""
+    """Format the range of errors that a histogram's bar counts."""
     if math.isinf(exponent):
         return "no number" if exponent > 0 else f"less than {formats.counted(2**axis.low)}"
     return formats.counted(2**exponent, 2 ** (exponent + STEP))
 
 
 def colour(k: int) -> str:
-    """Return the CSS class that has the colour of implementation k."""
+    """Return the CSS class with the colour of the k-th implementation."""
     return f"c{k % len(SERIES)}"
 
 
 @defaults()
 def key(k: int) -> Markup:
-    """Draw the legend mark of implementation k."""
+    """Draw the legend's mark for the k-th implementation."""
     drawing = Drawing((12, 12), (0, 0, 0, 0))
     drawing.mark("key", k, [0.5], [0.5], [])
     return drawing.svg("", "")

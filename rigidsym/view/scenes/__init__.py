@@ -1,4 +1,4 @@
-"""Interactive pictures of motions in three dimensions, by plotly.
+"""Interactive three-dimensional pictures of motions, drawn by plotly.
 
 plotly belongs to the extra `lab`, and is imported when a picture is drawn.  All numbers come from
 calls of `TorqueFreeMotion`; lengths and times are in SI units.

@@ -1,4 +1,7 @@
-"""Momentum sphere, rolling ellipsoid and tumbling body of a motion, and directions of a plan."""
+"""Interactive pictures of a motion's momentum sphere, rolling ellipsoid and tumbling body.
+
+Another one has the momentum directions of a plan.
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -42,7 +45,7 @@ _TRIANGLES += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
 
 
 def momentum_sphere(motion: "TorqueFreeMotion", family: int = 5) -> "Figure":
-    """Draw the sphere |M| = K in body axes with polhodes coloured by regime.
+    """Draw the momentum sphere in body axes, with polhodes coloured by regime.
 
     Parameters
     ----------
@@ -91,9 +94,9 @@ def directions(
     transfers: Mapping[str, "Transfer"],
     title: str,
 ) -> "Figure":
-    """Draw momentum directions of transfers on the unit sphere, with a cone and the separatrix.
+    """Draw the momentum directions of transfers on the unit sphere.
 
-    cone: its name and curves.  transfers: by name.
+    A cone and the separatrix are drawn as well.  cone: its name and curves.  transfers: by name.
     """
     package(PLOTLY, "directions_of")
     traces = [*_globe(1.0), *_separatrix(inertia, 1.0, 2)]
@@ -106,7 +109,7 @@ def directions(
 
 
 def _transfer(transfer: "Transfer", name: str, colour: str) -> Iterator[Trace]:
-    """Yield the traces of a transfer: its polhode, the flown part, and the two ends."""
+    """Yield the plotly traces of a transfer's polhode, flown part and end points."""
     motion = transfer.motion
     size = float(np.linalg.norm(momentum(motion)))
     rates = motion(np.linspace(0, transfer.duration, ON_THE_WAY))[1]
@@ -122,13 +125,16 @@ def _transfer(transfer: "Transfer", name: str, colour: str) -> Iterator[Trace]:
 
 
 def _joined(parts: Sequence[np.ndarray]) -> np.ndarray:
-    """Join several curves into one, with gaps between them."""
+    """Join several curves into one curve with gaps between them."""
     gap = np.full((1, 3), np.nan)
     return np.concatenate([piece for part in parts for piece in (part, gap)][:-1])
 
 
 def _globe(radius: float) -> list[Trace]:
-    """Return a sphere slightly smaller than `radius`, and great circles of that radius."""
+    """Return the plotly traces of a sphere and its great circles.
+
+    The circles have the radius `radius`; the sphere is slightly smaller.
+    """
     circles = _joined(geometry.great_circles(radius))
     return [
         scene.skin(0.985 * radius * scene.ball(19, 37), style.GREY, 0.18),
@@ -137,7 +143,10 @@ def _globe(radius: float) -> list[Trace]:
 
 
 def _separatrix(inertia: Sequence[Fraction], size: float, width: float) -> list[Trace]:
-    """Return the separatrix on a sphere of radius `size`; nothing for a spherical body."""
+    """Return the plotly traces of the separatrix on a sphere of radius `size`.
+
+    There are none for a spherical body.
+    """
     circles = geometry.separatrix(inertia, size)
     if not circles:
         return []
@@ -145,7 +154,7 @@ def _separatrix(inertia: Sequence[Fraction], size: float, width: float) -> list[
 
 
 def _body_axes(length: float) -> list[Trace]:
-    """Return the positive halves of the three axes."""
+    """Return the plotly traces of the positive halves of the three axes."""
     tips = length * np.eye(3)
     return [
         scene.line(np.stack([0 * tip, tip]), f"axis {k}", colour, 5, showlegend=False)
@@ -155,7 +164,7 @@ def _body_axes(length: float) -> list[Trace]:
 
 @dataclass(frozen=True, slots=True)
 class Rolling:
-    """Rates (rad/s) and attitudes of a motion, in axes whose third is along the momentum.
+    """States of a motion in inertial axes whose third axis is along the angular momentum.
 
     `height` is the distance 2H/K of the invariable plane from the centre; `axes` are the half axes
     sqrt(2H/c_i) of the ellipsoid.
@@ -168,7 +177,7 @@ class Rolling:
 
 
 def rolling(motion: "TorqueFreeMotion", times: np.ndarray) -> Rolling:
-    """Return the motion at some times, in axes whose third is along the momentum."""
+    """Compute states in inertial axes whose third axis is along the angular momentum."""
     start = motion(0.0)
     inertia, body = moments(motion), momentum(motion)
     front = geometry.upright(rotated(start[0], body))
@@ -180,9 +189,10 @@ def rolling(motion: "TorqueFreeMotion", times: np.ndarray) -> Rolling:
 
 
 def rolling_ellipsoid(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
-    """Draw the rolling ellipsoid with polhode and herpolhode, and a slider for the time.
+    """Draw the rolling ellipsoid with polhode and herpolhode.
 
-    The picture shows the space of rates, rad/s, with the momentum upwards: the contact is omega.
+    A slider selects the time.  The picture shows the space of rates, rad/s, with the momentum
+    upwards: the contact is omega.
 
     Parameters
     ----------
@@ -234,7 +244,7 @@ def rolling_ellipsoid(motion: "TorqueFreeMotion", times: Times | None = None) ->
 
 
 def edges(inertia: np.ndarray) -> np.ndarray:
-    """Return the edges (3,) of a uniform box with these moments of inertia.
+    """Return the relative edge lengths of a uniform box with given moments of inertia.
 
     Squares are as a_1^2 ~ c_2 + c_3 - c_1; the longest edge is 1, none is below `THINNEST`.
     """
@@ -243,11 +253,11 @@ def edges(inertia: np.ndarray) -> np.ndarray:
 
 
 def tumbling_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
-    """Draw the body in inertial space, with the path of one axis and a slider for the time.
+    """Draw the tumbling body in inertial space, with the path of one axis.
 
-    The body is a box of uniform density with the moments of inertia of the motion.  The axis is the
-    body axis nearest to the momentum at t = 0, which flips where a motion nears the separatrix.
-    Lengths are relative.
+    A slider selects the time.  The body is a box of uniform density with the moments of inertia of
+    the motion.  The axis is the body axis nearest to the momentum at t = 0, which flips where a
+    motion nears the separatrix.  Lengths are relative.
 
     Parameters
     ----------
@@ -287,7 +297,7 @@ def tumbling_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Fi
 
 
 def _box_and_axis(q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int) -> list[Trace]:
-    """Return the traces of the box, the followed axis, and its end, at one attitude."""
+    """Return the plotly traces of the box, the followed axis and its end at one attitude."""
     box = scene.coordinates(np.round(rotated(q, size * _CORNERS), 6) + 0.0) | {
         "type": "mesh3d",
         **dict(zip("ijk", np.array(_TRIANGLES).T, strict=True)),

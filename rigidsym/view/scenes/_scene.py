@@ -1,4 +1,4 @@
-"""Parts of the pictures in three dimensions: lines, surfaces, scenes and the time slider.
+"""Lines, surfaces, scenes and time sliders of three-dimensional plotly pictures.
 
 Traces are dicts of plotly's settings.  Colours other than those of the data are grey and
 translucent, for light and for dark pages.
@@ -23,24 +23,24 @@ Trace = dict[str, Any]
 
 
 def coordinates(points: np.ndarray) -> Trace:
-    """Return the coordinates of points (..., 3) as the settings x, y and z."""
+    """Return the coordinates of points as plotly's settings x, y and z."""
     return dict(zip("xyz", np.moveaxis(points, -1, 0), strict=True))
 
 
 def line(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
-    """Return a curve through points (N, 3)."""
+    """Return the plotly trace of a curve through points."""
     style = {"color": colour, "width": width}
     return _scatter(rounded(points), name, mode="lines", line=style, **how)
 
 
 def sketch(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
-    """Return a curve through points (N, 3) with less data and without hover text."""
+    """Return a plotly trace of a curve with less data and without hover text."""
     style = {"color": colour, "width": width}
     return _scatter(_single(points), name, mode="lines", line=style, hoverinfo="skip", **how)
 
 
 def dot(point: np.ndarray, name: str, colour: str, **how: object) -> Trace:
-    """Return a marker at a point (3,)."""
+    """Return the plotly trace of a marker at a point."""
     marker = {"color": colour, "size": 5}
     return _scatter(rounded(point)[None], name, mode="markers", marker=marker, **how)
 
@@ -50,7 +50,10 @@ def _scatter(points: np.ndarray, name: str, **how: object) -> Trace:
 
 
 def skin(points: np.ndarray, colour: str, opacity: float) -> Trace:
-    """Return a translucent surface through points (N, M, 3), in one colour."""
+    """Return the plotly trace of a translucent surface in one colour.
+
+    The shape of its points is (N, M, 3).
+    """
     return {
         "type": "surface",
         **coordinates(_single(points)),
@@ -63,13 +66,16 @@ def skin(points: np.ndarray, colour: str, opacity: float) -> Trace:
 
 
 def _single(points: np.ndarray) -> np.ndarray:
-    """Round coordinates to six digits, as floats of four bytes."""
+    """Round coordinates to six digits and convert them to float32."""
     size = float(np.nanmax(np.abs(points), initial=0.0)) or 1.0
     return (np.round(points / size, 6) * size + 0.0).astype(np.float32)
 
 
 def ball(rows: int, columns: int) -> np.ndarray:
-    """Return the unit sphere as a grid (rows, columns, 3)."""
+    """Return a grid of points on the unit sphere.
+
+    Its shape is (rows, columns, 3).
+    """
     polar, around = np.meshgrid(
         np.linspace(0, np.pi, rows), np.linspace(0, 2 * np.pi, columns), indexing="ij"
     )
@@ -78,7 +84,10 @@ def ball(rows: int, columns: int) -> np.ndarray:
 
 
 def figure(traces: Sequence[Trace], title: str, labels: Sequence[str], half: float) -> "Figure":
-    """Return a figure whose scene is a cube of half width `half`, with labels of its axes."""
+    """Return a plotly figure with traces in a cube with labelled axes.
+
+    half: half the width of the cube.
+    """
     # This import needs plotly, which the caller has.
     from rigidsym.view.scenes._still import Picture
 
@@ -132,9 +141,9 @@ def figure(traces: Sequence[Trace], title: str, labels: Sequence[str], half: flo
 def with_slider(
     figure: "Figure", times: np.ndarray, moving: Sequence[int], frames: Sequence[Sequence[Any]]
 ) -> "Figure":
-    """Add a frame for each time, a slider, and buttons that play and stop the frames.
+    """Add a time slider and an animation with play and stop buttons to a figure.
 
-    moving: the indices of the traces that frames replace.
+    The figure gets a frame for each time.  moving: the indices of the traces that frames replace.
     """
     figure.frames = [
         {"name": str(k), "data": list(data), "traces": list(moving)}
@@ -142,7 +151,7 @@ def with_slider(
     ]
 
     def shown(frames: object, duration: int = 0, **more: bool) -> dict[str, object]:
-        """Return the settings of a control that shows frames, given by their names."""
+        """Return the plotly settings of a control that shows the named frames."""
         how = {
             "mode": "immediate",
             "frame": {"duration": duration, "redraw": True},

@@ -1,4 +1,4 @@
-"""Plotly figures that have a still image, for readers without scripts."""
+"""Plotly figures with a still image for readers without JavaScript."""
 
 import io
 import math
@@ -21,13 +21,13 @@ _THINNER = 0.4
 
 
 class Picture(Figure):
-    """Plotly figure that also gives notebooks a JPEG, for readers without scripts.
+    """Plotly figure that also has a JPEG image for notebook readers without JavaScript.
 
     It is no PNG, because JupyterLab's extension would show that instead of the figure.
     """
 
     def show(self, *args: object, **kwargs: object) -> None:
-        """Show the figure as plotly does, in a notebook with its still."""
+        """Show the figure as plotly does, with its JPEG image in a notebook."""
         bundle = {} if args or kwargs else super()._repr_mimebundle_()
         if not bundle:
             super().show(*args, **kwargs)
@@ -44,7 +44,7 @@ class Picture(Figure):
 
 
 def still(picture: Figure) -> bytes:
-    """Return a JPEG of the initial view of a plotly figure.
+    """Draw the initial view of a plotly figure as a JPEG image.
 
     Lines, points, surfaces and triangles are drawn, scenes beside each other.  Raises KeyError for
     other traces, and ImportError without matplotlib.
@@ -71,7 +71,7 @@ def still(picture: Figure) -> bytes:
 
 
 def _draw(axes: "Axes3D", trace: Any) -> None:
-    """Draw one trace of plotly's types scatter3d, surface or mesh3d."""
+    """Draw one plotly trace of the type scatter3d, surface or mesh3d."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     points = [np.asarray(trace[name], dtype=float) for name in "xyz"]
@@ -98,7 +98,7 @@ def _draw(axes: "Axes3D", trace: Any) -> None:
 
 
 def _dress(axes: "Axes3D", scene: "Scene") -> None:
-    """Set the cube, labels and camera of a scene."""
+    """Apply the cube, the labels and the camera of a plotly scene to matplotlib axes."""
     from matplotlib.ticker import MaxNLocator
 
     eye = scene.camera.eye
