@@ -1,4 +1,4 @@
-"""Agreement of model and data: goodness of fit, outliers, and other conventions of the data."""
+"""Agreement of model and data, including outliers and mistaken conventions of the data."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -52,7 +52,7 @@ _RATES = {
 
 
 class Verdict(StrEnum):
-    """Verdict on residuals, model and data."""
+    """The verdict on whether model and data agree."""
 
     AGREE = "agree"
     LARGER = "residuals are larger than the errors given"
@@ -63,7 +63,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Another convention of the data, with chi2 of the motion that fits best under it."""
+    """Another convention of the data, with the chi2 of the best fit under it."""
 
     name: str
     chi2: float
@@ -71,7 +71,7 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """Verdict on the residuals of a fit, with advice.
+    """The verdict on the residuals of a fit, with advice.
 
     scale: the root of chi2 over its degrees of freedom. message: one line on what to do, empty
     where residuals agree with the errors. readings: conventions by which the data fit instead.
@@ -84,12 +84,15 @@ class Agreement:
 
     @property
     def hopeless(self) -> bool:
-        """Return whether model and data disagree, so that the errors of the motion mean nothing."""
+        """Return True if model and data disagree.
+
+        The errors of the motion then mean nothing.
+        """
         return self.verdict is Verdict.DISAGREE
 
 
 def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> Agreement:
-    """Judge whether the residuals of a motion are errors of the stated size.
+    """Judge whether the residuals of a motion agree with the stated errors.
 
     freedom: degrees of freedom of chi2. search: returns the minima of a problem; other conventions
     of the data are tried only where chi2 is too large and residuals are far from small.
@@ -131,7 +134,10 @@ def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> A
 
 
 def _outlier_count(problem: Problem, point: Point) -> int:
-    """Return the number of outliers if they alone make chi2 too large; else 0."""
+    """Return the number of outliers if chi2 is too large only because of them.
+
+    Return 0 otherwise.
+    """
     robust = minimise(problem, point, "cauchy")
     named = outliers(problem, observability(problem, robust.point))
     if not 0 < len(named) <= _FEW * sum(one.count for one in problem.sets):
@@ -149,7 +155,9 @@ def _outlier_count(problem: Problem, point: Point) -> int:
 
 
 def _sizes(problem: Problem, point: Point) -> list[float]:
-    """Return 0, and the relative size of residuals for each set in which they are too large.
+    """Return the relative sizes of residuals that are too large.
+
+    The list has one for each set of observations in which they are too large, after a zero.
 
     Sizes are relative to the residuals of a motion unrelated to the set.
     """
@@ -165,7 +173,7 @@ def _sizes(problem: Problem, point: Point) -> list[float]:
 
 
 def _readings(problem: Problem, chi2: float, search: Search) -> list[Reading]:
-    """Return the conventions by which the data fit, or by which chi2 is far smaller."""
+    """Return the conventions under which the data fit, or at least fit far better."""
     found: dict[str, float] = {}
     for names, posed, point in _minima(problem, search):
         freedom = posed.count - posed.parameters.count
@@ -177,7 +185,7 @@ def _readings(problem: Problem, chi2: float, search: Search) -> list[Reading]:
 
 
 def _minima(problem: Problem, search: Search) -> Iterator[tuple[Names, Problem, Point]]:
-    """Yield the names of combined conventions, the problem that they make, and its best motion.
+    """Yield each combination of conventions with the refitted problem and its best motion.
 
     Rates alone are read in each unit; rates beside others by what suits the motion of the others.
     """
@@ -197,7 +205,7 @@ def _minima(problem: Problem, search: Search) -> Iterator[tuple[Names, Problem, 
 
 
 def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield all combinations of conventions: their names, and the sets read by them."""
+    """Yield all combinations of conventions, as names and converted observations."""
     kinds = [kind for kind in KINDS if any(one.kind == kind for one in sets)]
     for names in every(*(KINDS[kind].conventions for kind in kinds)):
         chosen = dict(zip(kinds, names, strict=True))
@@ -206,7 +214,7 @@ def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
 
 
 def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield conventions of rates that suit a motion: their names, and the sets read by them.
+    """Yield the conventions of rates that suit a motion, as names and converted observations.
 
     These are the best axes and unit, first with errors in the same unit, then with errors as they
     are.
@@ -236,7 +244,9 @@ def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Nam
 def against_others(
     sets: list[np.ndarray], residuals: np.ndarray, part: np.ndarray
 ) -> list[np.ndarray]:
-    """Return for each set the chi2 (N,) of each observation against its prediction from all others.
+    """Return the chi2 of each observation against its prediction from all others.
+
+    There is an array (N,) for each set of observations.
 
     sets: indices (N, width) of residuals; part: an orthonormal basis of the changes that
     parameters make to residuals.  With leverages H = part part^T it is r^T (1 - H)^-1 r, with as
@@ -255,7 +265,9 @@ def against_others(
 
 
 def outliers(problem: Problem, found: Observability) -> tuple[Place, ...]:
-    """Return the set and the index of each outlier, at 1 % significance for all observations.
+    """Return the outliers at 1 % significance, as pairs of set and observation indices.
+
+    The significance is that of all observations together.
 
     The worst is removed first, and the others are judged again without it.
     """

@@ -1,4 +1,4 @@
-"""The fit, from the user's arguments to the best motion and its alternatives."""
+"""The fit of a motion to observations."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -147,7 +147,9 @@ def _positive(name: str, value: float) -> float:
 def started(
     problem: Problem, guess: TorqueFreeMotion, known: np.ndarray | None
 ) -> tuple[Problem, Point]:
-    """Return the problem with the guess as a point at its epoch.
+    """Convert a guessed motion to a point at the epoch of a problem.
+
+    Return the problem and the point.
 
     The epoch becomes t = 0 if the guess has no state at the epoch.
     """
@@ -161,7 +163,9 @@ def started(
 
 
 def _spin(problem: Problem, best: Minimum, loss: str) -> Minimum | None:
-    """Return the best spin about a principal axis if it explains the observations, else None.
+    """Return the best-fitting spin about a principal axis if it explains the observations.
+
+    Return None otherwise.
 
     In this case the observations contain no information on the ratios of inertia: small motions
     that a fit finds beside a spin are those of the errors, and their periods mean nothing.  A spin
@@ -185,7 +189,7 @@ def _spin(problem: Problem, best: Minimum, loss: str) -> Minimum | None:
 
 
 def _pure_spin(axis: int, point: Point, anywhere: bool) -> Point:
-    """Return the spin about a principal axis that is nearest to a motion.
+    """Return the principal-axis spin that is nearest to a motion.
 
     anywhere: turn the axis to the rates.
     """
@@ -202,7 +206,7 @@ def _pure_spin(axis: int, point: Point, anywhere: bool) -> Point:
 
 
 def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
-    """Return the motion of a point with its chi2.
+    """Return the motion of a point and its chi2 as an alternative.
 
     size: the largest moment, where neither the observations nor a prior determine it.
     """
@@ -214,7 +218,9 @@ def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
 
 
 def _from_zero(problem: Problem, point: Point, residuals: np.ndarray) -> TorqueFreeMotion:
-    """Return the motion of a point from t = 0, in as many digits as the observations resolve.
+    """Return the motion of a point with its state at t = 0.
+
+    The state has as many digits as the observations resolve.
 
     Next to a separatrix a state at t = 0 in doubles is another motion at the observations.
     """

@@ -1,4 +1,4 @@
-"""Files of observations: TOML for all kinds, CSV for attitudes and rates, CCSDS messages."""
+"""Readers of observations in TOML, CSV and CCSDS files."""
 
 import csv
 import math
@@ -31,7 +31,10 @@ _COLUMNS = {name: kind for name, kind in KINDS.items() if kind.columns}
 
 @dataclass(frozen=True, slots=True)
 class File:
-    """Observations of a file by kind, with the options of the fit and the epoch of t = 0."""
+    """The content of an observation file.
+
+    It has the observations by kind, the options of the fit, and the epoch of t = 0.
+    """
 
     observations: Mapping[str, list[Observations]]
     options: Mapping[str, Any] = field(default_factory=dict)
@@ -43,7 +46,9 @@ class File:
 
 
 def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
-    """Load a file in the format of its suffix, or observations that come with the package.
+    """Load observations from a file or from the package.
+
+    The suffix of a file tells its format.
 
     name: a path, or one of OWN. sigma: standard deviations by kind, rad and rad/s, for files that
     have no errors.  Raises InputError about the first mistake in the file.
@@ -69,7 +74,9 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
 
 
 def parse_toml(content: str) -> File:
-    """Parse the tables [[attitudes]], [[rates]] and [[vectors]], and the options of the fit.
+    """Parse observations and fit options in TOML.
+
+    Observations are in the tables [[attitudes]], [[rates]] and [[vectors]].
 
     With `degrees`, rates, angles and their errors are in degrees; with `days`, times are in days
     and rates per day.  Times are numbers, or epochs if `epoch` gives the epoch of t = 0.
@@ -101,7 +108,7 @@ def parse_toml(content: str) -> File:
 
 
 def _times(where: str, values: Any, epoch: str | None, second: float) -> np.ndarray:
-    """Return times in s that are given as numbers or as epochs."""
+    """Convert times to seconds from numbers or epochs."""
     if not isinstance(values, list) or not any(isinstance(x, str) for x in values):
         return batches.array(f"{where}.times", values) * second
     if epoch is None:
@@ -112,7 +119,9 @@ def _times(where: str, values: Any, epoch: str | None, second: float) -> np.ndar
 
 
 def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
-    """Parse columns t, q0 ... q3, omega1 ... omega3, and the errors sigma_q and sigma_omega.
+    """Parse observations of attitudes and rates in CSV.
+
+    The columns are t, q0 ... q3, omega1 ... omega3, and the errors sigma_q and sigma_omega.
 
     Units are s, rad and rad/s.  A line has the cells of attitudes, of rates, or of both; those of
     the other kind are empty. sigma: errors by kind, for kinds without a column of errors.
@@ -180,14 +189,14 @@ def _number(line: int, row: Mapping[str, str], name: str) -> float:
 
 
 def check_sigma(kinds: Collection[str], sigma: Mapping[str, float], rule: str = "") -> None:
-    """Raise InputError for errors of a kind that is not among those that need them."""
+    """Raise InputError if errors are given for kinds of observations that do not need them."""
     for kind, value in sigma.items():
         if kind not in kinds:
             raise InputError(f"sigma.{kind}", value, rule or f"the file has no {kind}: leave it")
 
 
 def parse_message(content: str, sigma: Mapping[str, float]) -> File:
-    """Parse the states of a CCSDS attitude ephemeris message in KVN.
+    """Parse observations in a CCSDS attitude ephemeris message in KVN.
 
     Times are zero at the first state. sigma: errors by kind, which messages do not have.
     """

@@ -1,4 +1,4 @@
-"""Result of a fit, with errors and predictions, and its reports: tables, JSON, files, pictures."""
+"""The result of a fit, with its errors, predictions and reports."""
 
 import json
 import math
@@ -54,7 +54,7 @@ _THIN = 1e-4
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Fit(Alternative):
-    """The best motion, its errors, the alternatives, and reports of them.
+    """The result of a fit: the best motion, with its errors, alternatives and reports.
 
     motion: from t = 0 of the times observed, along the principal axes. moments have the largest as
     unit, unless a prior or `scale` determines it: without torque their scale is unobservable.
@@ -76,7 +76,9 @@ class Fit(Alternative):
 
     @cached_property
     def agreement(self) -> Agreement:
-        """Return the verdict on the residuals, with conventions of the data that fit better.
+        """Return the verdict on whether the observations agree with the model.
+
+        It has conventions of the data that fit better.
 
         A normal fit costs nothing more; where model and data disagree, each convention is searched.
         """
@@ -84,7 +86,7 @@ class Fit(Alternative):
 
     @cached_property
     def observability(self) -> Observability:
-        """Return the linear errors, and what is unobservable."""
+        """Return the linear errors of the parameters and the unobservable directions."""
         return observability(self.problem, self.point)
 
     @cached_property
@@ -95,7 +97,7 @@ class Fit(Alternative):
 
     @cached_property
     def periods_sigma(self) -> Periods:
-        """Return linear standard deviations of the periods, s.
+        """Return the linearised standard deviations of the periods, in s.
 
         None where there are no periods, and where model and data disagree.
         """
@@ -118,7 +120,9 @@ class Fit(Alternative):
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Return the covariance (9, 9) or (12, 12) of the quantities in `names`.
+        """Return the covariance matrix of the quantities in `names`.
+
+        Its shape is (9, 9), or (12, 12) with axes.
 
         These are a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where
         they are estimated, the axes, rad.  The variance of an unobservable quantity is infinite,
@@ -134,11 +138,11 @@ class Fit(Alternative):
 
     @property
     def sigma(self) -> np.ndarray:
-        """Return standard deviations, in the order of `names`."""
+        """Return the standard deviations of the quantities in `names`."""
         return np.sqrt(np.diag(self.covariance))
 
     def intervals(self, level: float = LEVEL) -> np.ndarray:
-        """Return profile-likelihood intervals (k, 2) of the quantities in `names`.
+        """Return profile-likelihood intervals of the quantities in `names`.
 
         Parameters
         ----------
@@ -164,7 +168,7 @@ class Fit(Alternative):
         return values[:, None] + self._ends(level)
 
     def _ends(self, level: float) -> np.ndarray:
-        """Return the ends of intervals (k, 2), less the estimates."""
+        """Return the ends (k, 2) of the intervals, relative to the estimates."""
         wide = np.sqrt(chi2_law.ppf(level, 1)) * self.sigma
         ends = wide[:, None] * np.array([-1.0, 1.0])
         determined = np.flatnonzero(self._determined)
@@ -174,12 +178,15 @@ class Fit(Alternative):
 
     @property
     def _determined(self) -> np.ndarray:
-        """Return which of the quantities have standard deviations and are not fixed."""
+        """Return for each quantity whether it has a finite standard deviation that is not zero."""
         return np.isfinite(self.sigma) & (self.sigma > 0)
 
     @cached_property
     def nonlinearity(self) -> Nonlinearity:
-        """Return how far the covariance can be trusted; see `Nonlinearity`."""
+        """Return the comparison of the covariance with the likelihood.
+
+        `Nonlinearity` explains how far the covariance can then be trusted.
+        """
         if self.spinning or not self._determined.any():
             return NONE
         ends = np.where(self._determined[:, None], self._ends(LEVEL), np.nan)
@@ -187,12 +194,12 @@ class Fit(Alternative):
 
     @property
     def unobservable(self) -> tuple[str, ...]:
-        """Return the names of unobservable quantities."""
+        """Return the names of the unobservable quantities."""
         return tuple(x for x, s in zip(self.names, self.sigma, strict=True) if np.isinf(s))
 
     @property
     def null_directions(self) -> np.ndarray:
-        """Return unit directions (k, p) of the problem's parameters that change nothing observed.
+        """Return the directions (k, p) in parameter space that change no observation.
 
         They are in units of 1 rad, of the size of the rates, and of that of the moments; the names
         of the parameters are `problem.parameters.names`, of the state at `problem.epoch`, s.
@@ -201,22 +208,30 @@ class Fit(Alternative):
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Return the number of residuals less that of the parameters they determine."""
+        """Return the degrees of freedom of chi2.
+
+        They are the number of residuals less that of the parameters that the residuals determine.
+        """
         return self.problem.count - self.observability.basis.shape[1]
 
     @property
     def probability(self) -> float:
-        """Return the probability that errors alone make chi2 as large as this."""
+        """Return the probability that errors alone make chi2 at least this large."""
         return float(chi2_law.sf(self.chi2, max(self.degrees_of_freedom, 1)))
 
     @cached_property
     def residuals(self) -> tuple[np.ndarray, ...]:
-        """Return residuals (N, k) of each set: computed less observed, whitened by the errors."""
+        """Return the whitened residuals (N, k) of each set of observations.
+
+        They are computed less observed values, in units of the errors.
+        """
         return tuple(self.observability.residuals[rows] for rows in self.problem.rows)
 
     @cached_property
     def against_others(self) -> tuple[np.ndarray, ...]:
-        """Return for each set the chi2 (N,) of observations against predictions from the rest.
+        """Return the chi2 of each observation against its prediction from all others.
+
+        There is an array (N,) for each set of observations.
 
         It has as many degrees of freedom as the observation has numbers; NaN where the others
         predict nothing.
@@ -226,11 +241,14 @@ class Fit(Alternative):
 
     @cached_property
     def outliers(self) -> tuple[tuple[int, int], ...]:
-        """Return the set and the index of each outlier, at 1 % significance for all together."""
+        """Return the outliers at 1 % significance, as pairs of set and observation indices.
+
+        The significance is that of all observations together.
+        """
         return outliers(self.problem, self.observability)
 
     def predict(self, t: ArrayLike) -> Prediction:
-        """Return states of the observed axes at times, with their covariance.
+        """Predict attitudes and rates of the observed axes, with their covariance.
 
         The covariance follows from the sensitivities at the minimum: the error along the momentum
         grows linearly in time.  Unobservable directions have their natural size as error: 1 rad,
@@ -270,17 +288,20 @@ class Fit(Alternative):
 
     @property
     def axes(self) -> np.ndarray:
-        """Return the principal axes as columns (3, 3), as `principal_axes` does."""
+        """Return the principal axes in the observed axes, as columns of a matrix (3, 3).
+
+        `principal_axes` returns them in the same form.
+        """
         return matrices(self.mount)
 
     @property
     def tensor(self) -> np.ndarray:
-        """Return the inertia tensor (3, 3) about the observed axes."""
+        """Return the inertia tensor (3, 3) in the observed axes."""
         return self.axes @ np.diag(self.moments) @ self.axes.T
 
     @property
     def thin(self) -> bool:
-        """Return whether the body is the flattest that can exist.
+        """Return True if the body is the flattest that can exist.
 
         The observations then prefer a flatter one, and errors of the moments are those along that
         edge.
@@ -290,7 +311,10 @@ class Fit(Alternative):
 
     @property
     def title(self) -> str:
-        """Return one line with the goodness of fit, warnings, and the number of alternatives."""
+        """Return a one-line summary of the fit.
+
+        It has the goodness of fit, warnings, and the number of alternatives.
+        """
         said = [f"chi2 {self.chi2:.6g} of {self.degrees_of_freedom} degrees of freedom"]
         if not self.converged:
             said.append(f"NOT CONVERGED: {self.reason}")
@@ -366,11 +390,11 @@ class Fit(Alternative):
         ]
 
     def _outliers_of(self, place: int) -> list[int]:
-        """Return the indices of the outliers of a set."""
+        """Return the indices of the outliers in one set of observations."""
         return [index for other, index in self.outliers if other == place]
 
     def to_json(self) -> str:
-        """Return JSON of the schema rigidsym.fit/1.
+        """Return the fit as JSON in the schema rigidsym.fit/1.
 
         Numbers are doubles, and null where there is none or it is infinite.
         """
@@ -414,7 +438,10 @@ class Fit(Alternative):
         return json.dumps(_plain(data), indent=1) + "\n"
 
     def case(self) -> str:
-        """Return a case file for `rigidsym propagate` with the motion and the times observed."""
+        """Return the motion as the text of a case file for `rigidsym propagate`.
+
+        The times are those of the observations.
+        """
         lines = []
         for name, values in self.motion.exact.items():
             texts = ", ".join(repr(inputs.exact_text(x)) for x in values)
@@ -424,7 +451,10 @@ class Fit(Alternative):
         return "\n".join([*lines, "", "[times]", *table, f"count = {_SAMPLES}", ""])
 
     def plot(self) -> "Figure":
-        """Plot the residuals, in units of their errors (needs matplotlib)."""
+        """Plot the residuals in units of their errors.
+
+        Needs Matplotlib.
+        """
         from rigidsym.view._plots.charts import residuals
 
         whole = enumerate(zip(self.problem.sets, self.residuals, strict=True))
@@ -469,7 +499,7 @@ class Fit(Alternative):
 
 
 def _spread(ends: list[list[float | None]]) -> float | None:
-    """Return a standard deviation from values of a quantity on both sides of each error."""
+    """Return the standard deviation of a quantity from its values one error up and down."""
     both = [(one, other) for one, other in ends if one is not None and other is not None]
     if len(both) < len(ends) or not both:
         return None
@@ -485,14 +515,17 @@ def _deviation(sigma: float) -> str:
 
 
 def _interval(lower: float, upper: float) -> str:
-    """Return both ends of an interval as text; an empty text where there is no interval."""
+    """Format both ends of an interval as text.
+
+    The text is empty where there is no interval.
+    """
     if np.isnan(lower) or lower == upper or (np.isinf(lower) and np.isinf(upper)):
         return ""
     return ", ".join("no end" if np.isinf(x) else f"{x:+.2g}" for x in (lower, upper))
 
 
 def _duration(seconds: float | None) -> str:
-    """Return a duration as text in days, hours or seconds, whichever suits its size."""
+    """Format a duration in days, hours or seconds, whichever suits its size."""
     if seconds is None:
         return "none"
     if seconds >= _DAY:
@@ -512,7 +545,10 @@ def _minimum(one: Alternative) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Replace arrays and tuples by lists, and numbers that are not finite by None."""
+    """Convert a value to plain JSON data.
+
+    Arrays and tuples become lists, and numbers that are not finite become None.
+    """
     if isinstance(value, dict):
         return {key: _plain(x) for key, x in value.items()}
     if isinstance(value, np.ndarray):

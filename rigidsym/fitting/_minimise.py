@@ -1,4 +1,4 @@
-"""Minima of chi2: Levenberg-Marquardt steps for many starts at once, SciPy for single ones."""
+"""Minimisation of chi2, by batched Levenberg-Marquardt steps or by SciPy."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -24,7 +24,10 @@ _LONGEST = 2.0
 
 
 def chi2(problem: Problem, point: Point, robust: bool = False) -> np.ndarray:
-    """Return chi2 of motions (B,); infinite where there are no states."""
+    """Return the chi2 (B,) of motions.
+
+    It is infinite where a motion has no states.
+    """
     every = blocks(problem, point)
     return np.concatenate([_sum(problem.residuals(some), robust) for some in every])
 
@@ -32,7 +35,9 @@ def chi2(problem: Problem, point: Point, robust: bool = False) -> np.ndarray:
 def refine(
     problem: Problem, point: Point, rounds: int, robust: bool = False
 ) -> tuple[Point, np.ndarray]:
-    """Move motions (B,) towards the nearest minima by some rounds of steps; return them and chi2.
+    """Move motions (B,) towards the nearest minima of chi2 by a number of steps.
+
+    Return the motions and their chi2.
 
     robust: minimise sums of log(1 + r^2), which outliers influence little.
     """
@@ -68,7 +73,10 @@ def _refined(problem: Problem, point: Point, rounds: int, robust: bool) -> tuple
 def _normal(
     problem: Problem, point: Point, robust: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return chi2 (B,), J^T J (B, p, p) and J^T r (B, p)."""
+    """Return the chi2 (B,) of motions and the normal equations of their residuals.
+
+    These are J^T J (B, p, p) and J^T r (B, p).
+    """
     residuals, slopes = problem.linearised(point, problem.parameters.derivatives(point))
     cost = _sum(residuals, robust)
     good = np.isfinite(cost) & np.isfinite(slopes).all(axis=(1, 2))
@@ -80,13 +88,16 @@ def _normal(
 
 
 def squared(residuals: np.ndarray, slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return J^T J (B, p, p) and J^T r (B, p) from residuals r (B, M) and derivatives J."""
+    """Return the normal equations J^T J and J^T r for residuals r and derivatives J.
+
+    J^T J has the shape (B, p, p), J^T r (B, p), r (B, M).
+    """
     transposed = np.swapaxes(slopes, 1, 2)
     return transposed @ slopes, (transposed @ residuals[..., None])[..., 0]
 
 
 def _step(matrix: np.ndarray, slope: np.ndarray, damping: np.ndarray) -> np.ndarray:
-    """Return damped Gauss-Newton steps (B, p), shortened where they are long."""
+    """Return damped Gauss-Newton steps (B, p) of limited length."""
     own = np.einsum("bii->bi", matrix)
     floor = _SMALL * np.max(own, axis=-1, keepdims=True) + np.finfo(float).tiny
     scale = np.sqrt(np.maximum(own, floor))
@@ -106,7 +117,7 @@ def _sum(residuals: np.ndarray, robust: bool) -> np.ndarray:
 
 
 def blocks(problem: Problem, point: Point) -> Iterator[Point]:
-    """Yield motions (B,) in groups whose states with sensitivities fit into memory."""
+    """Split motions into groups whose sensitivities fit into memory."""
     size = max(1, _BLOCK // problem.times.size)
     return (point[k : k + size] for k in range(0, point.count, size))
 
@@ -125,7 +136,7 @@ _NOT_FINITE = "the motion has no states at the times of observation"
 
 @dataclass(frozen=True, slots=True)
 class Minimum:
-    """A minimum, or the point at which the search for it ended.
+    """A minimum of chi2, or the point at which the search for it ended.
 
     cost: twice the cost of SciPy, which is chi2 for the linear loss.
     """
@@ -139,7 +150,7 @@ class Minimum:
 def minimise(
     problem: Problem, start: Point, loss: str = "linear", within: np.ndarray | None = None
 ) -> Minimum:
-    """Return the minimum nearest to a start.
+    """Find the minimum of chi2 nearest to a start.
 
     loss: one of `LOSSES`; with those that are not linear outliers count less, from one standard
     deviation on. within: columns (p, k) of the parameters that may move; all of them by default.
@@ -167,7 +178,10 @@ def minimise(
     scale = far / np.where(sizes > 0, sizes, 1.0)
 
     def solved(method: Literal["lm", "trf"]) -> Any:
-        """Return SciPy's result; None where it reaches motions that have no states."""
+        """Minimise by one of SciPy's methods.
+
+        Return None where SciPy reaches motions that have no states.
+        """
 
         def part(k: int, may_be_infinite: bool, z: np.ndarray) -> np.ndarray:
             found = evaluated(z.tobytes())[k]

@@ -1,4 +1,4 @@
-"""Nonlinearity of a fit: profile-likelihood intervals, and where its covariance is overconfident.
+"""Nonlinearity of a fit: profile-likelihood intervals and overconfident covariances.
 
 The observations allow a quantity up to where the least chi2 with that value is larger than the
 best by the quantile of chi2 of one degree of freedom.  Each end of such an interval is the extreme
@@ -39,7 +39,7 @@ _RANK, _PART = 1e-11, 0.5
 
 @dataclass(frozen=True, slots=True)
 class Nonlinearity:
-    """Comparison of the covariance of a fit with the likelihood.
+    """A comparison of the covariance of a fit with its likelihood.
 
     ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
     standard deviation; NaN where there is none. beyond: share of directions in which the covariance
@@ -57,12 +57,15 @@ class Nonlinearity:
 
     @property
     def flagged(self) -> bool:
-        """Return whether covariance and standard deviations must not be used as errors."""
+        """Return True if covariance and standard deviations must not be used as errors."""
         return bool(self.single) or max(self.beyond, self.off) > _MANY
 
     @property
     def message(self) -> str:
-        """Return one line on what is wrong and what to use instead; empty where nothing is."""
+        """Return a one-line warning about the covariance.
+
+        It is empty where nothing is wrong.
+        """
         said = []
         if self.single:
             said.append(f"the standard deviation misleads for {', '.join(self.single)}")
@@ -85,7 +88,9 @@ NAMES = (
 
 @dataclass(frozen=True, slots=True)
 class Quantities:
-    """Quantities of motions near the best point, as users see them, and chi2 of the motions.
+    """The quantities of a fit that users see, as functions of nearby motions.
+
+    The chi2 of these motions is computed as well.
 
     These are a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where they
     are estimated, the turn of the axes, rad.  Without a prior the scale of the moments is
@@ -103,7 +108,7 @@ class Quantities:
         return NAMES if self.problem.parameters.axes else NAMES[:9]
 
     def rows(self, point: Point, own: np.ndarray) -> np.ndarray:
-        """Return the derivatives (..., k, p) of the quantities by the parameters at points.
+        """Return the derivatives (..., k, p) of the quantities with respect to the parameters.
 
         own (..., 12, p): see `Parameters.derivatives` and `Parameters.linear_derivatives`.  The
         turns are those at the points themselves.
@@ -119,7 +124,7 @@ class Quantities:
         return found[..., : len(self.names), :]
 
     def apart(self, points: Point) -> np.ndarray:
-        """Return the differences (B, k) of the quantities of motions (B,) from those of `best`."""
+        """Return the differences (B, k) between the quantities of motions and those of `best`."""
         q, omega = states(points, self._zero, self.problem.engine)
         best_q, best_omega = states(self.best, self._zero, self.problem.engine)
         moments = points.moments
@@ -134,7 +139,10 @@ class Quantities:
         return np.hstack(parts)[:, : len(self.names)]
 
     def rise(self, points: Point) -> np.ndarray:
-        """Return chi2 of motions (B,) less that of the best; NaN where there are no states."""
+        """Return the chi2 (B,) of motions less that of the best motion.
+
+        It is NaN where a motion has no states.
+        """
         *found, least = (
             np.sum((self.problem.residuals(some) - self.offset) ** 2, axis=-1)
             for one in (points, self.best.repeated())
@@ -161,18 +169,21 @@ class Quantities:
         return tuple(np.concatenate(x) for x in zip(*found, strict=True))
 
     def _unit(self, point: Point) -> tuple[int, np.ndarray]:
-        """Return the index of the moment that is the unit, and factors (..., 1) to its value."""
+        """Return the index of the moment that sets the unit, and factors to that unit.
+
+        The factors (..., 1) scale the moments of points.
+        """
         largest = int(np.argmax(self.best.moments))
         return largest, self.best.moments[largest] / point.moments[..., [largest]]
 
     @property
     def _zero(self) -> np.ndarray:
-        """Return t = 0 as a time since the epoch, (1,), s."""
+        """Return the time from the epoch to t = 0, in s, as an array (1,)."""
         return np.array([-self.problem.epoch])
 
 
 def profile(quantities: Quantities, which: np.ndarray, level: float = LEVEL) -> np.ndarray:
-    """Return the ends (n, 2) of profile-likelihood intervals, less the estimates.
+    """Return the ends (n, 2) of profile-likelihood intervals, relative to the estimates.
 
     which (n,): indices of the quantities. level: the chance that an interval holds the truth.
 
@@ -220,7 +231,9 @@ def profile(quantities: Quantities, which: np.ndarray, level: float = LEVEL) -> 
 def _step(
     left: np.ndarray, slope: np.ndarray, metric: np.ndarray, ways: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the steps (B, p) to the ends of linearised intervals, with gains and half widths.
+    """Return the steps (B, p) to the ends of linearised intervals.
+
+    Gains and half widths of the intervals are returned as well.
 
     Gains (B,) are those of quantities that change along `ways` (B, p).  The step d has the largest
     w.d with 2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
@@ -241,7 +254,7 @@ def _product(step: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 def nonlinearity(
     quantities: Quantities, here: Errors, covariance: np.ndarray, ends: np.ndarray
 ) -> Nonlinearity:
-    """Compare a covariance (k, k) with the likelihood.
+    """Compare the covariance (k, k) of a fit with its likelihood.
 
     It is compared with the `ends` (k, 2) of intervals, and in directions spread evenly over the
     linear errors `here`.  Each direction is followed to the edge of the region that holds 95 % of

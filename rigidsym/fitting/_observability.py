@@ -1,4 +1,4 @@
-"""Observability: linear errors of parameters and quantities, and directions that are unobservable.
+"""Observability of parameters: linear errors and unobservable directions.
 
 A change of the parameters by their natural size (1 rad, the rates as they are, the moments as they
 are) is observable where it moves the residuals by more than their errors together.  Directions in
@@ -41,7 +41,7 @@ Rows = Callable[[Point], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Linear errors of p parameters at a point.
+    """The linear errors of p parameters at a point.
 
     determined (p, a): independent errors of unit size in observable directions; undetermined (p,
     b): null directions, at their natural size; null (b, p): their unit directions, in units of the
@@ -55,7 +55,7 @@ class Errors:
     null: np.ndarray
 
     def covariance(self, rows: np.ndarray) -> np.ndarray:
-        """Return the covariance (k, k) of quantities.
+        """Return the covariance (k, k) of quantities that depend on the parameters.
 
         rows (k, p): their derivatives by the parameters.  A variance is infinite, and its
         covariances NaN, where null directions, at their natural size, contribute more than the
@@ -67,7 +67,10 @@ class Errors:
         return found
 
     def variance(self, rows: np.ndarray) -> np.ndarray:
-        """Return the variances (k,) of rows (k, p); infinite where null directions dominate."""
+        """Return the variances (k,) of quantities with derivatives (k, p).
+
+        They are infinite where null directions dominate.
+        """
         undetermined = np.sum((rows @ self.undetermined) ** 2, axis=-1)
         determined = np.sum((rows @ self.determined) ** 2, axis=-1)
         most = np.sum((rows * self.natural) ** 2, axis=-1)
@@ -78,14 +81,20 @@ class Errors:
         )
 
     def widest(self, rows: np.ndarray) -> np.ndarray:
-        """Return covariances (..., k, k) of rows (..., k, p), null directions counted as errors."""
+        """Return covariances of quantities, with null directions counted as errors.
+
+        Their shape is (..., k, k), for derivatives (..., k, p).
+        """
         both = rows @ np.hstack([self.determined, self.undetermined])
         return both @ np.swapaxes(both, -2, -1)
 
 
 @dataclass(frozen=True)
 class Observability:
-    """Linear errors at a minimum, with the residuals (M,) and their derivatives (M, p)."""
+    """The linear errors of a fit at a minimum of chi2.
+
+    It also has the residuals (M,) and their derivatives (M, p).
+    """
 
     problem: Problem
     here: Errors
@@ -94,12 +103,15 @@ class Observability:
 
     @cached_property
     def basis(self) -> np.ndarray:
-        """Return an orthonormal basis (M, a) of the changes that parameters make to residuals."""
+        """Return an orthonormal basis (M, a) of the residual changes that parameters cause."""
         return self.slopes @ self.here.determined
 
     @cached_property
     def displaced(self) -> tuple[Errors, ...]:
-        """Return the errors at all displaced parameters; the module describes the displacements."""
+        """Return the linear errors at all displaced parameters.
+
+        The docstring of the module describes the displacements.
+        """
         errors, sides = self.here.determined.T, (1.0, -1.0)
         ways = np.array([side * one for side in sides for one in errors])
         ways = ways.reshape(-1, errors.shape[1])
@@ -116,7 +128,7 @@ class Observability:
         return tuple(one for one, _ in (*found, *self._at(zeros)) if one)
 
     def _at(self, steps: list[np.ndarray]) -> Iterator[tuple[Errors | None, float]]:
-        """Yield the errors after each step of the parameters, and the signed volume of derivatives.
+        """Yield the linear errors and the volume of derivatives after each parameter step.
 
         The volume is spanned by the changes of residuals by one error each way, projected onto
         these changes at the minimum.  Without states, the errors are None and the volume is NaN.
@@ -136,7 +148,7 @@ class Observability:
 
     @cached_property
     def null(self) -> np.ndarray:
-        """Return unit directions (k, p), orthonormal, that are null at any of the points.
+        """Return orthonormal directions (k, p) that are unobservable at any of the points.
 
         They are in units of the natural sizes.
         """
@@ -145,7 +157,7 @@ class Observability:
         return right[sizes > _MOSTLY]
 
     def covariance(self, rows: Rows) -> np.ndarray:
-        """Return the covariance (k, k) of quantities.
+        """Return the covariance (k, k) of quantities that depend on the parameters.
 
         rows: returns the derivatives (k, p) of the quantities at a point.
         """
@@ -154,7 +166,7 @@ class Observability:
         return _widened(found, there)
 
     def widest(self, rows: Rows) -> np.ndarray:
-        """Return covariances (..., k, k) of quantities that count null directions as errors.
+        """Return covariances (..., k, k) of quantities, with null directions counted as errors.
 
         rows: returns the derivatives (..., k, p) of the quantities at a point.
         """
@@ -164,7 +176,7 @@ class Observability:
 
 
 def observability(problem: Problem, point: Point) -> Observability:
-    """Return the observability at a minimum.
+    """Compute the linear errors and unobservable directions at a minimum of chi2.
 
     All directions are null directions where the motion has no states.
     """
@@ -189,7 +201,9 @@ def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
 
 
 def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
-    """Raise variances of covariances (..., k, k) to other variances (..., k) that are much larger.
+    """Increase the variances in covariances where other variances are much larger.
+
+    Covariances have the shape (..., k, k), the other variances (..., k).
 
     The addition is independent, so that no combination of quantities has a smaller variance.
     """
@@ -206,14 +220,17 @@ def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndar
 
 
 def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
-    """Make some variances of a covariance infinite, and their covariances NaN, in place."""
+    """Set some variances of a covariance matrix to infinity and their covariances to NaN.
+
+    The matrix is changed in place.
+    """
     covariance[lost] = np.nan
     covariance[:, lost] = np.nan
     covariance[lost, lost] = np.inf
 
 
 def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """Return True for each error (12,) that the second-order errors of the axes exceed.
+    """Return for each error (12,) whether second-order errors of the axes exceed it.
 
     sigma: of turn, rates, moments and axes; omega (3,): rates.  A turn theta of the principal axes
     changes rates along them by theta x omega, which linear errors contain, and by theta x (theta x

@@ -1,4 +1,4 @@
-"""Kinds of observations of a body: attitudes, rates, directions, and values of a user's model.
+"""Kinds of observations: attitudes, rates, directions and values of a user's model.
 
 A kind is one class here, listed in `KINDS`: its residuals and their derivatives, what a search can
 start from, the conventions in which others may have written it, and its columns and keys in files.
@@ -88,7 +88,7 @@ class Observations(ABC):
 
     @property
     def count(self) -> int:
-        """Return N, the number of observations."""
+        """Return the number N of observations."""
         return self.t.size
 
     @property
@@ -99,26 +99,37 @@ class Observations(ABC):
     @property
     @abstractmethod
     def unrelated(self) -> float:
-        """Return the mean square of residuals of a motion unrelated to the observations."""
+        """Return the mean square of the residuals of an unrelated motion."""
 
     @abstractmethod
     def _read(self, values: np.ndarray) -> np.ndarray:
-        """Return the values as they are kept; raise InputError for other shapes."""
+        """Convert the user's values to the form in which they are stored.
+
+        Raises InputError for wrong shapes.
+        """
 
     @abstractmethod
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return residuals (..., N, width) of states (..., N, 4), (..., N, 3) at the times."""
+        """Return the residuals of attitudes and rates at the times of observation.
+
+        Residuals have the shape (..., N, width), attitudes (..., N, 4), rates (..., N, 3).
+        """
 
     @abstractmethod
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """Return derivatives (..., N, width, 6) of residuals by a turn and by rates."""
+        """Return the derivatives of the residuals with respect to a small turn and the rates.
+
+        Their shape is (..., N, width, 6).
+        """
 
     def rate_series(self) -> RateSeries:
-        """Return the series of body rates that the values contain."""
+        """Return time series of body rates that follow from the observations."""
         return []
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
-        """Return Davenport's matrices (B, 4, 4) of motions with attitudes q (B, N, 4).
+        """Return Davenport's matrices, which determine the best rotation of each motion.
+
+        Their shape is (B, 4, 4), for attitudes q (B, N, 4).
 
         Their eigenvectors of the largest eigenvalue are the rotations, on the left of q, after
         which the motions agree best with the observations.
@@ -126,35 +137,43 @@ class Observations(ABC):
         raise NotImplementedError
 
     def by_convention(self, name: str) -> Self:
-        """Return the observations as if written in another of the `conventions`."""
+        """Reinterpret the observations in another convention.
+
+        name: one of `conventions`.
+        """
         return self
 
     @classmethod
     def from_table(
         cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Return the observations of a TOML table with `keys`; raise InputError.
+        """Read the observations from a TOML table.
+
+        The table has `keys`.  Raises InputError.
 
         sigma: the errors, converted already. unit: of the values, in rad or rad/s.
         """
         raise NotImplementedError
 
     def whitened(self, rows: np.ndarray) -> np.ndarray:
-        """Return rows (..., N, width, p) in units of the errors, which are then independent."""
+        """Whiten residuals or derivatives by the errors of the observations.
+
+        The rows (..., N, width, p) are then in units of independent errors.
+        """
         return self.weights * rows if self.weights.shape[-1] == 1 else self.weights @ rows
 
     def some(self, index: np.ndarray) -> Self:
-        """Return the observations at some indices."""
+        """Return a subset of the observations."""
         return self.changed(**{name: getattr(self, name)[index] for name in self._by_row})
 
     def changed(self, **fields: object) -> Self:
-        """Return a copy with other values of some fields, as they are kept."""
+        """Return a copy with some stored fields replaced."""
         found = copy(self)
         vars(found).update(fields)
         return found
 
     def scaled(self, factor: float) -> Self:
-        """Return the values and their errors in another unit."""
+        """Return a copy with values and errors converted to another unit."""
         return self.changed(seen=factor * self.seen, weights=self.weights / factor)
 
     @property
@@ -168,13 +187,13 @@ class Observations(ABC):
         return values
 
     def _sizes(self) -> np.ndarray:
-        """Return the mean inverse variance of each observation, (N,)."""
+        """Return the mean inverse variance (N,) of each observation."""
         return np.sum(self.weights**2, axis=(-2, -1)) / self.weights.shape[-1]
 
 
 @dataclass(frozen=True, eq=False)
 class Attitudes(Observations):
-    """Attitudes as quaternions, body to inertial.
+    """Observed attitudes, as quaternions from body to inertial axes.
 
     The residual is the rotation vector of R_seen^T R, along the axes of the body, rad.
 
@@ -213,13 +232,18 @@ class Attitudes(Observations):
         return rotation_vectors(product(conjugate(self.seen), q))
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """Return the derivatives, from R_seen^T exp(eta) R = R_seen^T R exp(R^T eta)."""
+        """Return the derivatives of the residuals with respect to a small turn and the rates.
+
+        They follow from R_seen^T exp(eta) R = R_seen^T R exp(R^T eta).
+        """
         found = np.zeros((*residuals.shape, 6))
         found[..., :3] = np.swapaxes(matrices(q) @ inverse_left_jacobian(residuals), -2, -1)
         return found
 
     def rate_series(self) -> RateSeries:
-        """Return mean rates between attitudes far enough apart that errors count little.
+        """Return mean body rates between the observed attitudes.
+
+        The attitudes of each pair are so far apart that errors count little.
 
         There are none where whole turns may lie between neighbours.
         """
@@ -233,17 +257,17 @@ class Attitudes(Observations):
         return [(self.t[:-stride] + gaps / 2, turns / gaps[:, None])]
 
     def _turns(self, stride: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return rotation vectors between attitudes, in body axes, and their lengths."""
+        """Return the rotation vectors between attitudes, in body axes, and their lengths."""
         turns = rotation_vectors(product(conjugate(self.seen[:-stride]), self.seen[stride:]))
         return turns, np.linalg.norm(turns, axis=-1)
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
-        """Return Davenport's matrices (B, 4, 4) from products of quaternions."""
+        """Return Davenport's matrices (B, 4, 4), from products of quaternions."""
         between = product(self.seen, conjugate(q))
         return np.einsum("n,bni,bnj->bij", 2 * self._sizes(), between, between)
 
     def by_convention(self, name: str) -> Self:
-        """Return the attitudes with the scalar moved, the quaternions conjugated, or both."""
+        """Reinterpret the quaternions, with the scalar last, inertial to body, or both."""
         q = np.roll(self.seen, 1, axis=-1) if "last" in name else self.seen
         return self.changed(seen=conjugate(q) if "inertial" in name else q)
 
@@ -251,7 +275,10 @@ class Attitudes(Observations):
     def from_table(
         cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Read quaternions `q`, or 3-1-3 angles `euler_313` in degrees, R = Rz(a) Rx(b) Rz(c)."""
+        """Read attitudes from a TOML table, as quaternions or 3-1-3 Euler angles.
+
+        Quaternions are `q`; angles `euler_313` are in degrees, R = Rz(a) Rx(b) Rz(c).
+        """
         if ("q" in table) == ("euler_313" in table):
             raise InputError(where, sorted(table), "must have q or euler_313, and not both")
         if "q" in table:
@@ -266,7 +293,7 @@ class Attitudes(Observations):
 
 @dataclass(frozen=True, eq=False)
 class Rates(Observations):
-    """Rates along the axes of the body, as a gyroscope measures them.
+    """Observed body rates, as a gyroscope measures them.
 
     Parameters
     ----------
@@ -288,36 +315,39 @@ class Rates(Observations):
 
     @property
     def unrelated(self) -> float:
-        """Return the mean square of residuals of a motion at rest."""
+        """Return the mean square of the residuals of a body at rest."""
         return _mean_square(self.seen)
 
     def _read(self, values: np.ndarray) -> np.ndarray:
         return self._rows(values, 3)
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the computed less the observed rates."""
+        """Return the computed rates less the observed rates."""
         return omega - self.seen
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """Return the derivatives: zero by a turn, the identity by the rates."""
+        """Return the derivatives of the residuals with respect to a small turn and the rates.
+
+        They are zero and the identity.
+        """
         return np.broadcast_to(np.eye(3, 6, 3), (*residuals.shape, 6))
 
     def rate_series(self) -> RateSeries:
-        """Return the observed rates as one series."""
+        """Return the observed rates as one time series."""
         return [(self.t, self.seen)]
 
     @classmethod
     def from_table(
         cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Read rates `omega`."""
+        """Read the rates `omega` from a TOML table."""
         rates = batches.array(f"{where}.omega", _needed(where, table, "omega"))
         return cls(times, rates * unit, sigma)
 
 
 @dataclass(frozen=True, eq=False)
 class Directions(Observations):
-    """Directions observed in one frame and known in another, such as those of stars.
+    """Directions, such as those of stars, observed in one frame and known in another.
 
     By default they are known in space and seen along the axes of the body, as a camera sees a star.
     The residual is the arc on the sphere from the observed to the computed direction: two numbers,
@@ -376,20 +406,26 @@ class Directions(Observations):
         return rotated(conjugate(q) if self.seen_in == "body" else q, known)
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the arcs from the observed to the computed directions."""
+        """Return the angular residuals from the observed to the computed directions."""
         there = self._computed(q)
         angle, sine = self._apart(there)
         return (angle / sine)[..., None] * (self.tangents @ there[..., None])[..., 0]
 
     def _apart(self, there: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the angle from the observed direction and its sine, both 1 where it is tiny."""
+        """Return the angles from the observed directions, and their sines.
+
+        Both are 1 where the angle is tiny.
+        """
         sine = np.linalg.norm(np.cross(self.seen, there), axis=-1)
         angle = np.arctan2(sine, np.sum(self.seen * there, axis=-1))
         tiny = sine < _TINY
         return np.where(tiny, 1.0, angle), np.where(tiny, 1.0, sine)
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """Return the derivatives: a turn eta moves R^T v by R^T (v x eta), R b by eta x R b."""
+        """Return the derivatives of the residuals with respect to a small turn and the rates.
+
+        A turn eta moves R^T v by R^T (v x eta), and R b by eta x R b.
+        """
         there = self._computed(q)
         angle, sine = self._apart(there)
         if self.seen_in == "body":
@@ -408,7 +444,7 @@ class Directions(Observations):
         return found
 
     def davenport(self, q: np.ndarray) -> np.ndarray:
-        """Return Davenport's matrices (B, 4, 4) from pairs of directions in space."""
+        """Return Davenport's matrices (B, 4, 4), from pairs of directions in space."""
         known = np.broadcast_to(np.asarray(self.known), self.seen.shape)
         space, body = (known, self.seen) if self.seen_in == "body" else (self.seen, known)
         turned = rotated(q, body)
@@ -422,21 +458,24 @@ class Directions(Observations):
         return np.einsum("n,bnij->bij", self._sizes(), found)
 
     def by_convention(self, name: str) -> Self:
-        """Return the directions with the roles of body and space exchanged."""
+        """Reinterpret the directions, with the roles of body and space exchanged."""
         return self.changed(seen_in="space" if self.seen_in == "body" else "body") if name else self
 
     @classmethod
     def from_table(
         cls, where: str, table: Mapping[str, Any], times: np.ndarray, sigma: np.ndarray, unit: float
     ) -> Self:
-        """Read observed directions `seen`, known directions `known`, and the axes `seen_in`."""
+        """Read directions from a TOML table.
+
+        `seen` has the observed directions, `known` the known ones, and `seen_in` the axes.
+        """
         seen, known = (_needed(where, table, key) for key in ("seen", "known"))
         return cls(times, seen, sigma, known, table.get("seen_in", "body"))
 
 
 @dataclass(frozen=True, eq=False)
 class Modelled(Observations):
-    """Values that a function of yours computes from states, such as light curves or ranges.
+    """Observed values that a user's function computes from states, such as light curves.
 
     Parameters
     ----------
@@ -459,12 +498,12 @@ class Modelled(Observations):
 
     @property
     def width(self) -> int:
-        """Return k, the number of values at each time."""
+        """Return the number k of values at each time."""
         return self.seen.shape[1]
 
     @property
     def unrelated(self) -> float:
-        """Return the variance of the values."""
+        """Return the variance of the observed values."""
         return _mean_square(self.seen - np.mean(self.seen, axis=0))
 
     def _read(self, values: np.ndarray) -> np.ndarray:
@@ -486,11 +525,14 @@ class Modelled(Observations):
         return found
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the values of the model less the observed values."""
+        """Return the model's values less the observed values."""
         return self._modelled(q, omega) - self.seen
 
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
-        """Return the derivatives by the user's jacobian, or central differences of the model."""
+        """Return the derivatives of the model with respect to a small turn and the rates.
+
+        They are those of the user's jacobian, or central differences.
+        """
         if self.jacobian is not None:
             return np.asarray(self.jacobian(q, omega), float)
         size = _DIFFERENCE * max(float(np.nanmax(np.abs(omega), initial=0.0)), 1e-30)
@@ -511,13 +553,13 @@ KINDS: Mapping[str, type[Observations]] = {
 
 
 def middle(sets: Iterable[Observations]) -> float:
-    """Return the middle of the time span of all observations, s."""
+    """Return the middle of the time span of all observations, in s."""
     times = np.concatenate([one.t for one in sets])
     return float(np.min(times) / 2 + np.max(times) / 2)
 
 
 def whitening(field: str, sigma: ArrayLike | None, count: int, width: int) -> np.ndarray:
-    """Return the matrices that whiten errors: W e has unit covariance for errors e.
+    """Return the matrices W for which W e has unit covariance, e being the errors.
 
     They are (count, 1, 1) or (count, width, width).
 
@@ -563,7 +605,10 @@ def _needed(where: str, table: Mapping[str, Any], key: str) -> Any:
 
 
 def _mean_square(rows: np.ndarray) -> float:
-    """Return the mean square of the lengths of rows; never zero."""
+    """Return the mean square of the lengths of rows.
+
+    Zero is replaced by the smallest normal double.
+    """
     return float(np.mean(np.sum(rows**2, axis=-1))) or np.finfo(float).tiny
 
 
@@ -578,7 +623,10 @@ def _times(name: str, values: ArrayLike) -> np.ndarray:
 
 
 def _unit(name: str, rows: np.ndarray) -> np.ndarray:
-    """Return rows of length 1; they are scaled first so that no square overflows or is lost."""
+    """Normalise rows to length 1.
+
+    They are scaled first, so that no square overflows or underflows.
+    """
     most = np.max(np.abs(rows), axis=-1, keepdims=True)
     for place in np.argwhere(most[..., 0] == 0)[:1]:
         raise InputError(_indexed(name, place), rows[tuple(place)].tolist(), "must not be zero")

@@ -1,4 +1,4 @@
-"""Parameters of a motion: a small turn, rates, the shape of the body, and its principal axes.
+"""Parameters of a fit: attitude, rates, moments of inertia and principal axes.
 
 Moments c_i = s - a_i stand for the second moments of the mass a_i > 0 about the centre, s their
 sum.  Their logarithms are free: every choice is a body that can exist, and axes may change their
@@ -34,7 +34,9 @@ _SMALL = 1e-2
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A motion, or an array of motions, from which parameters are counted.
+    """The state and inertia of a motion or of an array of motions.
+
+    Parameters are counted from it.
 
     attitude (..., 4) and omega (..., 3) at the epoch, moments (..., 3), along the principal axes;
     mount (..., 4): the rotation from the principal axes to the observed axes of the body, along
@@ -51,20 +53,23 @@ class Point:
 
     @property
     def count(self) -> int:
-        """Return the number of motions (B,)."""
+        """Return the number B of motions."""
         return len(self.omega)
 
     @property
     def parts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Return the four arrays of the point."""
+        """Return the attitude, rates, moments and mount."""
         return self.attitude, self.omega, self.moments, self.mount
 
     def repeated(self, count: int = 1) -> "Point":
-        """Return `count` copies of one motion, (count,)."""
+        """Return an array of `count` copies of one motion."""
         return Point(*(np.tile(x, (count, 1)) for x in self.parts))
 
     def in_observed_axes(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Turn states (..., N, 4), (..., N, 3) from the principal axes to the observed axes."""
+        """Transform states from the principal axes to the observed axes.
+
+        Attitudes have the shape (..., N, 4), rates (..., N, 3).
+        """
         if np.all(self.mount == IDENTITY):
             return q, omega
         mount = self.mount[..., None, :]
@@ -72,13 +77,13 @@ class Point:
 
 
 def joined(points: Iterable[Point]) -> Point:
-    """Concatenate points (B,)."""
+    """Concatenate arrays of motions."""
     return Point(*(np.concatenate(x) for x in zip(*(p.parts for p in points), strict=True)))
 
 
 @dataclass(frozen=True)
 class Parameters:
-    """Choice of the parameters of a fit.
+    """The choice of the parameters that a fit estimates.
 
     A rotation vector and rates are always parameters; two of the shape, the scale of the moments,
     and a turn of the principal axes in the body where they are wanted.
@@ -104,7 +109,7 @@ class Parameters:
         return [k for k, x in enumerate(self.names) if x.startswith(name)]
 
     def natural_sizes(self, point: Point, span: float) -> np.ndarray:
-        """Return the natural sizes (count,) of the parameters.
+        """Return the natural scales (count,) of the parameters.
 
         These are 1 rad, the rates as they are or 1 rad in the span of the observations, and the
         moments as they are.  A change by its natural size changes everything.
@@ -114,7 +119,7 @@ class Parameters:
         return found
 
     def moved(self, point: Point, x: np.ndarray) -> Point:
-        """Return the point that parameters x (..., count) lead to."""
+        """Return the point displaced by parameters x (..., count)."""
         found = replace(
             point,
             attitude=product(of_rotation_vectors(x[..., :3]), point.attitude),
@@ -130,7 +135,9 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """Return the points that parameters x (..., count) of `linear_derivatives` lead to.
+        """Return the points displaced by the parameters of `linear_derivatives`.
+
+        The parameters x have the shape (..., count).
 
         They start from one point or from as many.  Shapes are steps of the moments, at most to
         where bodies cease to exist.
@@ -146,7 +153,7 @@ class Parameters:
         return replace(self.moved(point, level), moments=moments)
 
     def inner(self, point: Point) -> Point:
-        """Return the point, with the moments of a flat body moved until its shape can change."""
+        """Move the moments of a flat body inwards until its shape can change."""
         if not self.shape:
             return point
         own, total = _second_moments(point.moments)
@@ -156,7 +163,9 @@ class Parameters:
         return replace(point, moments=np.where(thin, moved, point.moments))
 
     def derivatives(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
-        """Return derivatives (..., 12, count) of turn, rates, moments and axes by the parameters.
+        """Return the derivatives of the quantities of a motion with respect to the parameters.
+
+        The quantities (..., 12, count) are a small turn, rates, moments and axes.
 
         They are at a point; or, for one motion, where x (count,) has moved to that point.
         """
@@ -176,7 +185,9 @@ class Parameters:
         return found
 
     def linear_derivatives(self, point: Point) -> np.ndarray:
-        """Return the derivatives (..., 12, count) by the parameters in which errors are expressed.
+        """Return the derivatives with respect to the parameters in which errors are expressed.
+
+        Their shape is (..., 12, count).
 
         Shapes are two directions of the moments across their scale, of the size of the moments:
         unlike logarithms they do not end at flat bodies.
@@ -190,7 +201,9 @@ class Parameters:
 
 
 def left_jacobian(vector: np.ndarray) -> np.ndarray:
-    """Return J (3, 3) with exp(vector + d) = exp(J d) exp(vector), to first order in d.
+    """Return the left Jacobian (3, 3) of the exponential map of rotations.
+
+    This is J with exp(vector + d) = exp(J d) exp(vector), to first order in d.
 
     Source: Chirikjian, Stochastic Models, Information Theory, and Lie Groups 2 (2012), section
     10.3.
@@ -210,7 +223,9 @@ def left_jacobian(vector: np.ndarray) -> np.ndarray:
 def observed_derivatives(
     point: Point, q: np.ndarray, omega: np.ndarray, sensitivity: np.ndarray, own: np.ndarray
 ) -> np.ndarray:
-    """Return derivatives (..., N, 6, p) of turn and rates by the parameters, for the observed axes.
+    """Return the derivatives of states with respect to the parameters, in the observed axes.
+
+    They are those (..., N, 6, p) of a small turn and of the rates.
 
     q, omega: states (..., N, 4), (..., N, 3) of the observed axes; sensitivity (..., N, 6, 9): of
     the principal axes; own (..., 12, p): see `Parameters.derivatives`.
@@ -226,13 +241,16 @@ def observed_derivatives(
 
 
 def _second_moments(moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the second moments of the mass (..., 3), and their sum (..., 1)."""
+    """Return the second moments (..., 3) of the mass distribution and their sum (..., 1)."""
     total = np.sum(moments, axis=-1, keepdims=True) / 2
     return np.maximum(total - moments, _THINNEST * total), total
 
 
 def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Return moments (..., 3) with the same sum whose logarithms have moved by x (..., 2)."""
+    """Return moments (..., 3) of another shape with the same sum.
+
+    The logarithms of the second moments of the mass have moved by x (..., 2).
+    """
     own, total = _second_moments(moments)
     log = np.log(own) + x @ _SHAPES.T
     share = np.exp(log - np.max(log, axis=-1, keepdims=True))
@@ -241,12 +259,15 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
 
 
 def motion(point: Point) -> TorqueFreeMotion:
-    """Return the motion that one point describes, of the principal axes."""
+    """Return the torque-free motion of the principal axes that one point describes."""
     return TorqueFreeMotion(point.moments.tolist(), point.omega.tolist(), point.attitude.tolist())
 
 
 def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return states (..., N, 4), (..., N, 3) of the principal axes; NaN where there are none."""
+    """Return attitudes (..., N, 4) and rates (..., N, 3) of the principal axes.
+
+    They are NaN where there are none.
+    """
     found = propagate(
         point.moments, point.omega, times, point.attitude, engine=engine, errors="nan"
     )
@@ -256,7 +277,11 @@ def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np
 def sensitivities(
     point: Point, times: np.ndarray, engine: str
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return states, and derivatives (..., N, 6, 9) of turn and rates by state and moments."""
+    """Return the states of the principal axes and their sensitivities.
+
+    These are the derivatives (..., N, 6, 9) of a small turn and of the rates, with respect to the
+    state at the epoch and the moments.
+    """
     q, omega, found = propagate(
         point.moments,
         point.omega,

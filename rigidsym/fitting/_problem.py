@@ -1,4 +1,4 @@
-"""Least-squares problem of a fit: observations, parameters, residuals and their derivatives."""
+"""The least-squares problem of a fit, with its residuals and their derivatives."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -29,7 +29,10 @@ SetsLike = Observations | Sequence[Observations] | ArrayLike | None
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """A prior on the moments: means (3,) and the matrix (3, 3) that whitens their errors."""
+    """A Gaussian prior on the moments of inertia.
+
+    It has their means (3,) and the matrix (3, 3) that whitens their errors.
+    """
 
     moments: np.ndarray
     weights: np.ndarray
@@ -51,27 +54,30 @@ class Problem:
 
     @cached_property
     def times(self) -> np.ndarray:
-        """Return the distinct times of observation (N,), s."""
+        """Return the distinct times (N,) of observation, in s."""
         return np.unique(np.concatenate([one.t for one in self.sets]))
 
     @cached_property
     def indices(self) -> list[np.ndarray]:
-        """Return for each set the indices of its times in `times`."""
+        """Return the indices of each set's times in `times`."""
         return [np.searchsorted(self.times, one.t) for one in self.sets]
 
     @cached_property
     def since(self) -> np.ndarray:
-        """Return the times (N,) since the epoch, s."""
+        """Return the times (N,) since the epoch, in s."""
         return self.times - self.epoch
 
     @property
     def span(self) -> float:
-        """Return the span of the observations, or their distance from the epoch if larger, s."""
+        """Return the time span of the observations and the epoch, in s.
+
+        It is the span of the observations, or their distance from the epoch if that is larger.
+        """
         return float(max(np.ptp(self.times), np.max(np.abs(self.since))))
 
     @cached_property
     def rows(self) -> list[np.ndarray]:
-        """Return for each set the indices (N, width) of its residuals."""
+        """Return the indices (N, width) of each set's residuals."""
         sizes = [one.count * one.width for one in self.sets]
         ends = np.cumsum([0, *sizes])
         return [
@@ -86,15 +92,20 @@ class Problem:
         return own + (3 if self.prior else 0)
 
     def residuals(self, point: Point) -> np.ndarray:
-        """Return the residuals (..., count) at a point."""
+        """Return the whitened residuals (..., count) at a point."""
         return self.state_residuals(point, *states(point, self.since, self.engine))
 
     def state_residuals(self, point: Point, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the residuals of states of the principal axes, (..., N, 4) and (..., N, 3)."""
+        """Return the whitened residuals of given states of the principal axes.
+
+        Attitudes have the shape (..., N, 4), rates (..., N, 3).
+        """
         return self._rows(point, *point.in_observed_axes(q, omega))[0]
 
     def linearised(self, point: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return residuals (..., count) and their derivatives (..., count, p).
+        """Return the whitened residuals at a point and their derivatives.
+
+        Residuals have the shape (..., count), derivatives (..., count, p).
 
         own (..., 12, p): see `Parameters.derivatives`.
         """
@@ -109,7 +120,9 @@ class Problem:
     def _rows(
         self, point: Point, q: np.ndarray, omega: np.ndarray, moved: np.ndarray | None = None
     ) -> tuple[np.ndarray, list[np.ndarray]]:
-        """Return residuals (..., count) of states, and derivatives (..., M, p) of each set.
+        """Return the whitened residuals of states, and the derivatives of each set.
+
+        Residuals have the shape (..., count), derivatives (..., M, p).
 
         moved (..., N, 6, p): derivatives of turn and rates; without them there are no others.
         """
@@ -127,7 +140,10 @@ class Problem:
 
 
 def _flat(rows: np.ndarray) -> np.ndarray:
-    """Return (..., N, width, p) as (..., N width, p)."""
+    """Merge the axes of observations and of their components.
+
+    Return (..., N, width, p) as (..., N width, p).
+    """
     *leading, count, width, p = rows.shape
     return rows.reshape(*leading, count * width, p)
 
@@ -135,7 +151,9 @@ def _flat(rows: np.ndarray) -> np.ndarray:
 def observation_sets(
     times: ArrayLike | None, by_kind: Mapping[str, SetsLike], sigma: Sigma
 ) -> tuple[Observations, ...]:
-    """Return all sets of observations, with arrays turned into sets by `times` and `sigma`.
+    """Convert the user's observations to a tuple of observation sets.
+
+    `times` and `sigma` belong to those that are given as arrays.
 
     They have the order of their kinds.  Raises InputError.
     """
@@ -186,7 +204,9 @@ def posed(
     sigma: Sigma,
     engine: str,
 ) -> tuple[Problem, np.ndarray | None]:
-    """Return the problem of a fit, and the moments (3,) that are known, guessed, or have a prior.
+    """Return the least-squares problem of a fit and the user's moments.
+
+    The moments (3,) are known, guessed, or the means of a prior; None where they are not given.
 
     Raises InputError.
     """
@@ -210,7 +230,7 @@ def posed(
 
 
 def _prior(known: np.ndarray | None, sigma: Sigma, inertia: str) -> Prior | None:
-    """Return the prior that `sigma["moments"]` defines."""
+    """Return the prior on the moments that `sigma["moments"]` defines, if any."""
     if not isinstance(sigma, Mapping) or "moments" not in sigma:
         return None
     if known is None or inertia == "known":

@@ -1,4 +1,4 @@
-"""Observations that come with the package: Toutatis by radar, and a simulated T-handle."""
+"""Observations that come with the package: radar data of Toutatis and a simulated T-handle."""
 
 import csv
 from collections.abc import Collection
@@ -20,7 +20,7 @@ _EARLY, _LATE, _LATE_FROM = 15.0, 20.0, 2004
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RadarObservations:
-    """N radar observations of a body, with attitudes and spin vectors.
+    """Radar observations of a body, as attitudes and spin vectors.
 
     dates: in UTC; times (N,), s; q (N, 4): body to inertial; omega (N, 3): rad/s along the body's
     axes; sigma (N,): standard deviations by which the paper weights attitudes, rad.
@@ -39,7 +39,7 @@ def text(name: str) -> str:
 
 
 def toutatis(years: Collection[int] = (1992,)) -> RadarObservations:
-    """Return the radar observations of (4179) Toutatis of some years.
+    """Return the radar observations of asteroid (4179) Toutatis from given years.
 
     Source: Takahashi, Busch and Scheeres, The Astronomical Journal 146:95 (2013), table 3; see the
     head of data/toutatis.csv on its transcription.  Each year is a motion of its own, because tidal

@@ -1,4 +1,4 @@
-"""Motions that fit observations, their periods, and predictions of their states."""
+"""Fitted motions, with their periods and predictions."""
 
 import math
 from dataclasses import dataclass
@@ -13,7 +13,9 @@ from rigidsym.solution._polhode import Mode
 
 @dataclass(frozen=True, slots=True)
 class Periods:
-    """Periods of a tumbling body as astronomers define them, s; None where there is none.
+    """The periods of a tumbling body, in s, as astronomers define them.
+
+    None stands for no period.
 
     Attributes
     ----------
@@ -57,7 +59,7 @@ def periods(motion: TorqueFreeMotion) -> Periods:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """Predicted states of the observed axes, with their covariance.
+    """Predicted attitudes and rates of the observed axes, with their covariance.
 
     Attributes
     ----------
@@ -75,13 +77,16 @@ class Prediction:
 
     @property
     def attitude_sigma(self) -> np.ndarray:
-        """Return the standard deviation (...) of the turn about its most uncertain axis, rad."""
+        """Return the standard deviation of the attitude about its most uncertain axis, in rad."""
         return np.sqrt(np.linalg.eigvalsh(self.covariance[..., :3, :3])[..., -1])
 
 
 @dataclass(frozen=True, eq=False)
 class Alternative:
-    """A motion that fits the observations, with chi2 and its state at the problem's epoch."""
+    """A motion that fits the observations, with its chi2.
+
+    `point` is its state at the epoch of the problem.
+    """
 
     motion: TorqueFreeMotion
     point: Point
@@ -94,15 +99,18 @@ class Alternative:
 
     @property
     def mode(self) -> Mode | None:
-        """Return the mode; see `TorqueFreeMotion.mode`."""
+        """Return the mode of the motion, as `TorqueFreeMotion.mode` does."""
         return self.motion.mode
 
     @cached_property
     def periods(self) -> Periods:
-        """Return the periods of rotation and precession, s."""
+        """Return the periods of rotation and precession, in s."""
         return periods(self.motion)
 
     @property
     def moments(self) -> np.ndarray:
-        """Return the moments (3,), kg m^2, or with the largest as unit."""
+        """Return the moments of inertia (3,).
+
+        They are in kg m^2, or in units of the largest.
+        """
         return np.array(self.motion.exact["inertia"], float)

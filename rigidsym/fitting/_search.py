@@ -1,4 +1,7 @@
-"""Search for all minima of chi2: starts refined in batch, and the best of them by SciPy."""
+"""Search for all minima of chi2, from many starts.
+
+Starts are refined in batch, and the best of them by SciPy.
+"""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -38,7 +41,9 @@ def search(
     loss: str,
     progress: Progress = lambda done, total: None,
 ) -> list[Minimum]:
-    """Return distinct minima in the order of cost, at least one.
+    """Search for the distinct minima of chi2, and return them in the order of cost.
+
+    There is at least one.
 
     count: of starts. fastest: the largest rate, rad/s; derived from the observations where None.
     within: the largest cost above the best.
@@ -70,7 +75,7 @@ def search(
 
 
 def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Minimum]:
-    """Return the distinct minima among some within a range of the best, in the order of cost."""
+    """Select the distinct minima within a range of the best, in the order of cost."""
     order = sorted(found, key=lambda one: (not one.converged, one.cost))
     best, *others = order
     near = [x for x in others if x.converged and x.cost <= best.cost + within]
@@ -82,7 +87,7 @@ def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Mini
 def _best(
     problem: Problem, points: Point, cost: np.ndarray, count: int
 ) -> tuple[Point, np.ndarray]:
-    """Return the `count` best distinct motions, and their costs."""
+    """Select the `count` best distinct motions; return them with their costs."""
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]
     if not order.size:
@@ -100,7 +105,7 @@ def _best(
 
 
 def _different(problem: Problem, points: Point) -> list[int]:
-    """Return the indices of motions (B,) whose rates differ from those of all earlier motions."""
+    """Return the indices of motions whose rates differ from those of all earlier motions."""
     _, omega = points.in_observed_axes(*states(points, problem.since, problem.engine))
     rates = omega.reshape(points.count, -1)
     kept: list[int] = []
@@ -112,7 +117,10 @@ def _different(problem: Problem, points: Point) -> list[int]:
 
 
 def _stages(problem: Problem, count: int, fastest: float | None) -> Iterator[Problem]:
-    """Yield problems from a short arc, in which starts resolve the periods, to all observations."""
+    """Yield fit problems of growing arcs of time, from a short arc to all observations.
+
+    In the first arc, starts resolve the periods.
+    """
     limit = fastest_rate(problem.sets) if fastest is None else fastest
     length = np.sqrt(count / 6) * np.pi / max(limit, 1e-300)
     first = problem.times[0]
@@ -131,7 +139,7 @@ def _within(problem: Problem, begin: float, length: float) -> np.ndarray:
 
 
 def _some(problem: Problem, begin: float, length: float, most: int) -> Problem:
-    """Return the problem of an arc of time, with at most `most` observations of each set."""
+    """Restrict a problem to an arc of time and at most `most` observations of each set."""
     sets = []
     for one in problem.sets:
         index = np.flatnonzero((one.t >= begin) & (one.t <= begin + length))

@@ -1,4 +1,4 @@
-"""Starts of a search: rates, moments and axes from each kind of observations, and then attitudes.
+"""Starting motions of a search, from each kind of observations.
 
 Attitudes give symmetric tops.  A symmetric top has R(t) = A Rz(W t) Ry(theta) Rz(psi(t)) P, where P
 takes the symmetry axis to z.  At a precession rate W the axis describes a cone: a linear regression
@@ -38,7 +38,7 @@ _LEAST, _FLAT, _NEEDLE = 0.4, 0.52, 50.0
 
 
 def starts(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
-    """Return about `count` motions from which a search for minima starts.
+    """Return about `count` starting motions for the search for minima.
 
     known (3,): moments, where they are known or guessed. fastest: the largest rate, rad/s.
     """
@@ -49,7 +49,7 @@ def starts(problem: Problem, known: np.ndarray | None, count: int, fastest: floa
 
 
 def fastest_rate(sets: tuple[Observations, ...]) -> float:
-    """Return the largest rate to search, rad/s.
+    """Return the largest rate to search, in rad/s.
 
     It follows from observed rates, or from attitudes so close that the turns between them are
     unambiguous; else it is half a turn between observations.
@@ -63,7 +63,10 @@ def fastest_rate(sets: tuple[Observations, ...]) -> float:
 
 
 def _from_rates(problem: Problem, known: np.ndarray | None) -> Iterator[Point]:
-    """Yield motions of many bodies with the first, a middle and the last rates of each series."""
+    """Yield starting motions from observed rates, for many bodies.
+
+    They have the first, a middle and the last rates of each series.
+    """
     # Bodies of all shapes, or the known one, with principal axes in all directions.
     shares = (np.array([(i, j, 9 - i - j) for i in range(10) for j in range(10 - i)]) + 1 / 3) / 10
     moments = 1 - shares if known is None else np.asarray(known, float)[None]
@@ -79,7 +82,7 @@ def _from_rates(problem: Problem, known: np.ndarray | None) -> Iterator[Point]:
 def _from_tops(
     problem: Problem, known: np.ndarray | None, count: int, fastest: float
 ) -> Iterator[Point]:
-    """Yield the symmetric tops of a grid that fit each set of attitudes best."""
+    """Yield the symmetric tops of a grid that best fit each set of attitudes."""
     frames = _sphere() if problem.parameters.axes else _FRAMES
     for one in problem.sets:
         if not isinstance(one, Attitudes) or one.count < _FEWEST:
@@ -109,7 +112,7 @@ def _from_tops(
 
 @dataclass(frozen=True, slots=True)
 class Tops:
-    """B symmetric tops that have been fitted to attitudes.
+    """Symmetric tops that have been fitted to attitudes.
 
     omega (B, 3): rates along the observed axes. axis (B,): index of the frame that has the symmetry
     axis for its z. ratio (B,): moment across over moment along the axis. misfit (B,).
@@ -122,7 +125,9 @@ class Tops:
 
 
 def tops(q: np.ndarray, t: np.ndarray, at: float, frames: np.ndarray, rates: np.ndarray) -> Tops:
-    """Fit all symmetric tops of a grid to attitudes q (N, 4) at times t (N,).
+    """Fit all symmetric tops of a grid to attitudes.
+
+    q (N, 4): attitudes at times t (N,).
 
     Tops that no body can be are left out. at: the time of the rates. frames (F, 4): quaternions
     from the observed axes to axes with the symmetry axis as z. rates (G,): of precession, and both
@@ -152,7 +157,9 @@ def tops(q: np.ndarray, t: np.ndarray, at: float, frames: np.ndarray, rates: np.
 def _cones(
     axes: np.ndarray, t: np.ndarray, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Fit a cone of each precession rate to symmetry axes (F, N, 3) in space.
+    """Fit a precession cone to a symmetry axis in space, for each precession rate.
+
+    axes (F, N, 3): the symmetry axis of each frame at each time.
 
     Return A (F, G, 3, 3), theta (F, G) and the misfits (F, G).
     """
@@ -179,7 +186,7 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
 def _angles(
     seen: np.ndarray, turn: np.ndarray, tilt: np.ndarray, t: np.ndarray, rates: np.ndarray
 ) -> np.ndarray:
-    """Return psi (F, G, N), the remaining turn about z."""
+    """Return the remaining rotation angles psi (F, G, N) about the symmetry axis."""
     about_z = matrices(of_rotation_vectors(np.multiply.outer(np.outer(rates, t), np.eye(3)[2])))
     about_y = matrices(of_rotation_vectors(np.multiply.outer(tilt, np.eye(3)[1])))
     before = turn[:, :, None] @ about_z @ about_y[:, :, None]
@@ -188,7 +195,10 @@ def _angles(
 
 
 def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
-    """Return motions drawn by Sobol's sequence from all rates, shapes, axes and attitudes."""
+    """Return starting motions spread over all rates, shapes, axes and attitudes.
+
+    They are drawn from a Sobol sequence.
+    """
     size = 1 << (count - 1).bit_length()
     cube = qmc.Sobol(12, scramble=False).random(size)
     omega = _ball(cube[:, :3]) * fastest
@@ -208,7 +218,7 @@ def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, faste
 def _at(
     problem: Problem, time: float, rates: np.ndarray, moments: np.ndarray, mount: np.ndarray
 ) -> Point:
-    """Return the motions that have given rates (B, 3) at a time.
+    """Return the motions that have given rates (B, 3) at a given time.
 
     time: s. rates: along the observed axes, rad/s.
     """
@@ -219,12 +229,12 @@ def _at(
 
 
 def _sphere(count: int = 24) -> np.ndarray:
-    """Return quaternions (count, 4) that are spread evenly over all rotations."""
+    """Return quaternions (count, 4) spread evenly over all rotations."""
     return _quaternions(qmc.Sobol(3, scramble=False).random(32)[1 : count + 1])
 
 
 def _ball(cube: np.ndarray) -> np.ndarray:
-    """Map points of the unit cube to vectors (B, 3) spread evenly in the unit ball."""
+    """Map points of the unit cube evenly to vectors (B, 3) in the unit ball."""
     height, angle = 2 * cube[:, 0] - 1, 2 * np.pi * cube[:, 1]
     across = np.sqrt(1 - height**2)
     directions = np.stack([across * np.cos(angle), across * np.sin(angle), height], axis=-1)
@@ -232,7 +242,7 @@ def _ball(cube: np.ndarray) -> np.ndarray:
 
 
 def _quaternions(cube: np.ndarray) -> np.ndarray:
-    """Map points of the unit cube to rotations (B, 4) spread evenly.
+    """Map points of the unit cube evenly to rotation quaternions (B, 4).
 
     Source: Shoemake, Graphics Gems III (1992).
     """
@@ -243,7 +253,7 @@ def _quaternions(cube: np.ndarray) -> np.ndarray:
 
 
 def aligned(problem: Problem, point: Point) -> Point:
-    """Turn each motion (B,) as a whole so that it agrees best with the observations."""
+    """Rotate each motion in space so that it agrees best with the observations."""
     telling = [
         (one, at)
         for one, at in zip(problem.sets, problem.indices, strict=True)
