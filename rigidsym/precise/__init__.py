@@ -1,4 +1,4 @@
-"""The derived solution to any number of digits, in Arb's balls and mpmath's numbers."""
+"""Evaluation of the closed-form solution to any number of digits, by Arb or mpmath."""
 
 from rigidsym.precise._motion import ESTIMATED, METHODS, PreciseMotion
 

@@ -1,4 +1,4 @@
-"""Arb's balls: conversions, tests of their accuracy, and precisions that rise until it suffices.
+"""Conversions of Arb's balls, tests of their accuracy, and adaptive working precision.
 
 FLINT has one working precision for the whole process.  Work at another precision holds a lock, so
 threads of this project take turns; processes are independent.
@@ -41,13 +41,16 @@ ZERO = arb(2) ** -4000
 
 @contextmanager
 def working(bits: int) -> Generator[None]:
-    """Set the working precision to a number of bits within a `with` block."""
+    """Set Arb's working precision to a number of bits within a `with` block."""
     with _lock, ctx.workprec(bits):
         yield
 
 
 def _renew() -> None:
-    """Replace the lock in a forked child, where a thread that held it does not exist."""
+    """Replace the lock of the working precision in a forked process.
+
+    A thread that held it does not exist there.
+    """
     global _lock
     _lock = RLock()
 
@@ -57,7 +60,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def bits_of(digits: int) -> int:
-    """Return the number of bits for a number of decimal digits."""
+    """Return the number of bits that a number of decimal digits needs."""
     return ceil(digits * BITS_PER_DIGIT)
 
 
@@ -71,7 +74,10 @@ def ball(value: Quantity) -> arb:
 
 
 def difference(x: Number, y: Number) -> arb:
-    """Return the ball of x - y, which is exactly zero for equal exact numbers."""
+    """Return the difference x - y as a ball.
+
+    It is exactly zero for equal exact numbers.
+    """
     if isinstance(x, Uncertain) or isinstance(y, Uncertain):
         return ball(x) - ball(y)
     return ball(x - y)
@@ -84,7 +90,7 @@ def dyadic(value: arb) -> Fraction:
 
 
 def unit(quaternion: Sequence[arb]) -> list[arb]:
-    """Return a quaternion divided by its norm, with components cut to [-1, 1]."""
+    """Normalise a quaternion of balls and restrict its components to [-1, 1]."""
     length = sum((power(x, 2) for x in quaternion), arb(0)).sqrt()
     return [(x / length).intersection(arb(0, 1)) for x in quaternion]
 
@@ -100,7 +106,7 @@ def intersection(one: arb, other: arb) -> arb:
 
 
 def power(x: arb, exponent: int) -> arb:
-    """Return a nonnegative integer power of a ball, by products.
+    """Compute a nonnegative integer power of a ball by repeated multiplication.
 
     Even powers are not negative.  FLINT's own power of a ball centred at zero is no number.
     """
@@ -114,19 +120,22 @@ def power(x: arb, exponent: int) -> arb:
 
 
 def is_within(value: arb, digits: int) -> bool:
-    """Return True if the radius is at most 10^-digits of max(1, |value|)."""
+    """Return True if the radius of a ball is at most 10^-digits max(1, |value|)."""
     over = value.rad() * _power_of_ten(digits)
     return bool(over <= 1) or bool(over <= value.abs_lower())
 
 
 @lru_cache
 def _power_of_ten(digits: int) -> arb:
-    """Return 10^digits exactly, at any working precision."""
+    """Return 10^digits as an exact ball, at any working precision."""
     return arb(10**digits)
 
 
 def has_digits(value: arb, digits: int) -> bool:
-    """Return True if a number of significant digits is certain, up to one unit in the last."""
+    """Return True if a ball determines a number of significant digits.
+
+    The last digit may be off by one.
+    """
     if value.contains(0):
         return bool(value.abs_upper() < ZERO)
     return bool(value.rad() * arb(10) ** digits <= value.abs_lower())
@@ -144,11 +153,11 @@ def of_mpf(value: mpf) -> arb:
 
 
 class TooUncertainError(PrecisionError):
-    """Error for inputs of which the formulas give no enclosure at any precision."""
+    """Error for inputs so uncertain that no precision gives an enclosure."""
 
 
 class AdaptivePrecision:
-    """A loop over rising working precisions that ends when balls are small enough."""
+    """A loop that raises the working precision until balls are small enough."""
 
     def __init__(
         self, digits: int, enough: Callable[[arb, int], bool], max_seconds: float | None
@@ -159,7 +168,7 @@ class AdaptivePrecision:
         self.bits = whole if self.end is None else min(whole, FIRST_BITS)
 
     def read(self, numbers: Numbers, name: str) -> list[arb]:
-        """Return the numbers at the first precision that gives all of them enough digits."""
+        """Evaluate numbers at rising precision until all of them have enough digits."""
         found = [arb.nan()]
         with suppress(TimeoutError):
             for _ in range(MOST_ROUNDS):
@@ -180,7 +189,7 @@ class AdaptivePrecision:
         raise PrecisionError(f"{name}: {reached} of {self.digits} digits were reached")
 
     def read_uncertain(self, numbers: Numbers, name: str) -> list[arb]:
-        """Return numbers of uncertain inputs at a precision beyond which they get no sharper."""
+        """Evaluate numbers of uncertain inputs at rising precision until they stop improving."""
         widest, most = None, max(MOST_BITS, 2 * self.bits)
         with suppress(TimeoutError):
             while self.bits <= most:
@@ -204,7 +213,10 @@ class AdaptivePrecision:
             raise TimeoutError
 
     def _missing(self, value: arb) -> int:
-        """Estimate the additional bits that a number needs: 0 if it has enough digits."""
+        """Estimate how many more bits of precision a number needs.
+
+        Return 0 if it has enough digits.
+        """
         if self.enough(value, self.digits):
             return 0
         if not value.is_finite() or value.contains(0):

@@ -1,4 +1,7 @@
-"""States of all motions of a box of inputs: by the mean value theorem, and by the flow."""
+"""Enclosures of all motions that start in a box of uncertain inputs.
+
+They follow from the mean value theorem, and from Taylor series of the flow.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -22,7 +25,7 @@ FEW_STEPS = 100
 
 @dataclass(frozen=True)
 class BoxedMotion(MotionInputs):
-    """All motions of a box of inputs, some of which are uncertain."""
+    """All motions whose inputs lie in a box, because some inputs are uncertain."""
 
     def enclosures(
         self,
@@ -31,7 +34,7 @@ class BoxedMotion(MotionInputs):
         max_seconds: float | None = None,
         method: str | None = None,
     ) -> Iterator[State]:
-        """Yield (q, omega) at each time as balls.
+        """Yield attitude and rates at each time as balls that enclose all motions.
 
         method: "mean", the mean value theorem alone; "flow", the flow alone; by default the best
         of both, see `_best`.  Raises PrecisionError where `max_seconds` for all times are over, and
@@ -49,7 +52,9 @@ class BoxedMotion(MotionInputs):
     def sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[list[arb]]:
-        """Yield (q, omega) and the numbers of `sensitivity.columns.listed` at each time.
+        """Yield the states and sensitivities of all motions at each time as balls.
+
+        A row has (q, omega) and the numbers of `columns.listed`.
 
         Raises PrecisionError where they are too uncertain.
         """
@@ -61,7 +66,9 @@ class BoxedMotion(MotionInputs):
             yield [*q, *omega, *found]
 
     def _best(self, precision: AdaptivePrecision, time: Fraction) -> State:
-        """Return the state by the mean value theorem, over parts of the box if necessary.
+        """Return the sharpest enclosure of the state that is known.
+
+        It follows from the mean value theorem, over parts of the box if necessary.
 
         It is intersected with the state by the flow where some part has no enclosure.  Rates that
         are constant in all of the box have formulas of their own.
@@ -115,12 +122,12 @@ class BoxedMotion(MotionInputs):
 
     @cached_property
     def _flows(self) -> dict[int, FlowEnclosure]:
-        """The flow at the last precision, with the steps it has made."""
+        """The enclosure by the flow at the last precision, with its steps so far."""
         return {}
 
     @cached_property
     def _means(self) -> dict[int, MeanStates]:
-        """The mean value form at the last precision."""
+        """The enclosure by the mean value theorem at the last precision."""
         return {}
 
 

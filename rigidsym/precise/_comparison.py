@@ -1,4 +1,6 @@
-"""Comparison of the methods' cost and accuracy by digits and by distance from the separatrix.
+"""Comparison of cost and accuracy of all methods of precise evaluation.
+
+Methods are compared by the number of digits and by the distance from the separatrix.
 
 Seconds are medians: of a motion's set-up with its first state, and of one more state.  The error
 is an upper bound for the seven midpoints, by balls of a reference method to more digits.  The
@@ -42,7 +44,10 @@ Numbers = list[arb]
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """The time that a method took for a state, and its error; None where it was not run."""
+    """The time that one method took for a state, and its error.
+
+    Numbers are None where the method was not run.
+    """
 
     method: str
     digits: int
@@ -54,16 +59,19 @@ class Measurement:
 
     @property
     def cost(self) -> float | None:
-        """Return the seconds of one more state."""
+        """Return the time in seconds for one more state."""
         return self.seconds_more or self.seconds
 
     @property
     def units(self) -> float | None:
-        """Return the error in units of the last digit; None for no error."""
+        """Return the error in units of the last digit.
+
+        Return None for no error.
+        """
         return float(mp.mpf(self.error or 0) * mp.mpf(10) ** self.digits) or None
 
     def row(self, place: str) -> tuple[str, ...]:
-        """Return the cells of a table row that begins with `place`."""
+        """Return the measurement as a table row that begins with `place`."""
         if self.seconds is None:
             return place, self.method, "not run", "", "", ""
         first, more = (f"{1000 * (x or 0):.2f} ms" for x in (self.seconds, self.cost))
@@ -72,7 +80,10 @@ class Measurement:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """All measurements; those by distance are empty for a body without a separatrix."""
+    """All measurements of a comparison of methods.
+
+    There are none by distance for a body without a separatrix.
+    """
 
     motion: dict[str, list[str]]
     neighbour: dict[str, list[str]] | None
@@ -95,7 +106,10 @@ class Comparison:
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
 
     def to_svg(self) -> str:
-        """Return plots of seconds and errors against digits and distances from the separatrix."""
+        """Return plots of times and errors as SVG.
+
+        They are against digits and distances from the separatrix.
+        """
         near = [m for m in self.by_distance if m.distance != "0"]
         where = f"near the separatrix, {DISTANCE_DIGITS} digits"
         panels = []
@@ -123,7 +137,9 @@ def compare(
     digits: Sequence[int] = DIGITS,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Comparison:
-    """Compare all methods on a case's motion at its last time, and on motions near a separatrix.
+    """Compare all methods of precise evaluation on the motion of a case.
+
+    The state is that at the last time.  Motions near a separatrix are computed as well.
 
     Raises InputError for uncertain numbers and where there is no time.
     """
@@ -168,7 +184,9 @@ def _measure(
 def _states(
     method: str, motion: ExactInputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Yield seven balls for each time, which have no radius by mpmath and the series.
+    """Yield the state by one method at each time, as seven balls.
+
+    Balls have no radius by mpmath and by the Taylor series.
 
     The series have no set-up, so they are summed for the first time only.
     """
@@ -184,7 +202,7 @@ def _states(
 
 
 def _serves(method: str, motion: ExactInputs) -> bool:
-    """Return True if the method serves the motion's regime."""
+    """Return True if a method can compute motions of this regime."""
     try:
         if method in ESTIMATED:
             PreciseMotion(*motion, method).start(1)
@@ -194,7 +212,10 @@ def _serves(method: str, motion: ExactInputs) -> bool:
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:
-    """Return the median seconds of the first and the next state, and the numbers of the first."""
+    """Measure the median seconds of the first and of the next state.
+
+    The numbers of the first state are returned as well.
+    """
     first: list[float] = []
     more: list[float] = []
     while True:
@@ -211,7 +232,7 @@ def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None
 def _family(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> list[tuple[str, ExactInputs]]:
-    """Return motions at several distances from the separatrix, by distance.
+    """Return neighbouring motions at several distances from the separatrix.
 
     A distance is the relative change of the rate about one axis.
 
@@ -235,7 +256,7 @@ def _family(
 
 
 def _root(value: Fraction) -> Fraction:
-    """Return the square root to about twelve digits."""
+    """Return the square root of a rational to about twelve digits."""
     context = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return Fraction(context.sqrt(Decimal(inputs.decimal(value, 15))))
 
@@ -246,7 +267,10 @@ def _shown(motion: Sequence[Sequence[Fraction]]) -> dict[str, list[str]]:
 
 
 def _exactly(value: Fraction) -> str:
-    """Return a number as text: a decimal where that is exact and short, else a fraction."""
+    """Format a rational exactly.
+
+    It is a decimal where that is exact and short, else a fraction.
+    """
     text = inputs.decimal(value, 17)
     if Fraction(text) == value:
         return text

@@ -1,4 +1,4 @@
-"""Evaluation of the solution's formulas for one motion at one precision.
+"""Evaluation of the closed-form solution for one motion at one precision.
 
 Numbers are balls, or any other kind that the functions and `number` compute with.
 """
@@ -31,7 +31,7 @@ _BY_THETA = ("theta", "theta_state", "pull_back")
 
 @dataclass(frozen=True, slots=True)
 class Sensitive:
-    """A request for the state at a time and its sensitivities."""
+    """A request for the state at a time and for its sensitivities."""
 
     time: Fraction
 
@@ -46,7 +46,7 @@ def exactly(
     functions: Mapping[str, Any],
     number: Callable[[Any], Any],
 ) -> dict[str, Any]:
-    """Evaluate formulas with rational values wherever all inputs of a formula are rational."""
+    """Evaluate formulas, using exact arithmetic wherever all inputs are rational."""
 
     def of(function: Callable[..., Any]) -> Callable[..., Any]:
         return lambda *arguments: function(*map(number, arguments))
@@ -60,7 +60,7 @@ def exactly(
 
 
 class Evaluation(Generic[Value]):
-    """One motion at the working precision, with the functions of one method.
+    """The evaluation of one motion at the working precision by one method.
 
     With theta_4 among the functions it is computed by the theta form, wherever that exists: neither
     on the separatrix nor for symmetric bodies.  `number` converts any number to their kind.
@@ -77,7 +77,10 @@ class Evaluation(Generic[Value]):
         self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
 
     def numbers(self, request: Request) -> list[Value]:
-        """Return the numbers of a request: a state with or without sensitivities, or constants."""
+        """Return the requested numbers of the motion.
+
+        These are a state with or without sensitivities, or constants.
+        """
         if isinstance(request, tuple):
             return [self.constant(name) for name in request]
         if isinstance(request, Sensitive):
@@ -86,7 +89,10 @@ class Evaluation(Generic[Value]):
         return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Value], list[Value]]:
-        """Return (q, omega) at one time, which is the given state itself at t = 0."""
+        """Return attitude and rates at one time.
+
+        At t = 0, it is the given state itself.
+        """
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
@@ -115,7 +121,7 @@ class Evaluation(Generic[Value]):
 
     @cached_property
     def _exact(self) -> dict[str, Any]:
-        """The constants that the formula sequences of a state need."""
+        """The constants that the formulas of a state need, exact where they are rational."""
         wanted = [sequence(n).used for n in (_BY_THETA if self.by_theta else ("state",))]
         return self._computed(frozenset().union(*wanted))
 
@@ -133,7 +139,10 @@ class Evaluation(Generic[Value]):
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """The constants as numbers of this kind, with those of the theta form."""
+        """The constants that the formulas of a state need, converted to one kind of number.
+
+        Those of the theta form are among them.
+        """
         constants = {
             name: value if isinstance(value, int) else self.number(value)
             for name, value in self._exact.items()

@@ -1,4 +1,4 @@
-"""States by mpmath's functions alone, each computed twice to estimate its error.
+"""States by mpmath's functions, each computed twice to estimate its error.
 
 Between the edges, the first computation uses the form with the integral of the third kind and the
 second the theta form: they share the functions sn, cn and dn and nothing else.  On the edges, the
@@ -30,13 +30,13 @@ MORE_BITS = 64
 
 
 class Floating:
-    """The functions of formulas at one precision, with a cache of the last values."""
+    """The mpmath functions that formulas need, with a cache of the last values."""
 
     def __init__(self) -> None:
         self._last: dict[str, tuple[tuple[Point, ...], Any]] = {}
 
     def table(self) -> dict[str, Any]:
-        """Return the functions by the names that formulas use."""
+        """Return the table of functions by the names that formulas use."""
         return {
             "power": lambda x, exponent: x**exponent,
             "sqrt": CTX.sqrt,
@@ -50,7 +50,7 @@ class Floating:
         }
 
     def theta_table(self) -> dict[str, Any]:
-        """Return these functions and those of the theta form."""
+        """Return the table of functions, with those of the theta form."""
         return {
             **self.table(),
             "pi": +CTX.pi,
@@ -77,7 +77,10 @@ class Floating:
         return self._kept("jacobi", self.jacobi, u, mc)
 
     def jacobi(self, u: Point, mc: Point) -> tuple[Point, Point, Point]:
-        """Return sn, cn, dn of (u | 1 - mc) for real u, elementary at mc = 0 and mc = 1."""
+        """Return Jacobi's sn, cn and dn of (u | 1 - mc) for real u.
+
+        They are elementary at mc = 0 and mc = 1.
+        """
         if mc == 0:
             return CTX.tanh(u), CTX.sech(u), CTX.sech(u)
         if mc == 1:
@@ -88,7 +91,10 @@ class Floating:
         return flip * s, flip * c, d
 
     def elliptic_j(self, u: Point, n: Point, mc: Point) -> Point:
-        """Return the integral of sn^2/(1 - n sn^2) to u, by R_J (DLMF 19.25.14); -1 < n <= 0."""
+        """Compute the integral of sn^2/(1 - n sn^2) from 0 to u by R_J (DLMF 19.25.14).
+
+        -1 < n <= 0.
+        """
         if mc == 0:
             root = CTX.sqrt(-n)
             return (u - CTX.atan(root * CTX.tanh(u)) / root) / (1 - n)
@@ -104,30 +110,42 @@ class Floating:
         return 2 * int(turns) * whole + part
 
     def _reduced(self, u: Point, mc: Point) -> tuple[int, Point]:
-        """Return turns and rest of u = 2 K turns + rest, |rest| <= K."""
+        """Reduce an argument to u = 2 K turns + rest with |rest| <= K.
+
+        Return turns and rest.
+        """
         quarter = self._kept("quarter", quarter_period, mc)
         turns = int(CTX.nint(u / (2 * quarter)))
         return turns, u - 2 * turns * quarter
 
 
 def quarter_period(mc: Point) -> Point:
-    """Return K(m) = pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5)."""
+    """Compute the complete elliptic integral K(m) by the AGM (DLMF 19.8.5).
+
+    K(m) = pi/(2 agm(1, sqrt(mc))).
+    """
     return CTX.pi / (2 * CTX.agm(1, CTX.sqrt(mc)))
 
 
 def nome(mc: Point) -> Point:
-    """Return the nome exp(-pi K'/K)."""
+    """Compute the nome exp(-pi K'/K) of Jacobi's functions."""
     m = CTX.fsub(1, mc, exact=True)
     return CTX.exp(-CTX.pi * CTX.agm(1, CTX.sqrt(mc)) / CTX.agm(1, CTX.sqrt(m)))
 
 
 def argument(sn: Point, cn: Point, dn: Point) -> Point:
-    """Return the u with these sn, cn >= 0, dn and |u| <= K (DLMF 19.25.5)."""
+    """Compute the argument u from sn, cn and dn (DLMF 19.25.5).
+
+    cn >= 0, and |u| <= K.
+    """
     return sn * CTX.elliprf(cn * cn, dn * dn, 1)
 
 
 def _arcsc(x: Point, mc: Point) -> Point:
-    """Return the u >= 0 with sc(u | 1 - mc) = x >= 0: F(arctan x)."""
+    """Compute the inverse of Jacobi's function sc for x >= 0.
+
+    This is the u >= 0 with sc(u | 1 - mc) = x, or F(arctan x).
+    """
     square = 1 + x * x
     return x / CTX.sqrt(square) * CTX.elliprf(1 / square, (1 + mc * x * x) / square, 1)
 
@@ -137,17 +155,23 @@ Computation = Callable[[MotionInputs], Any]
 
 
 def third_kind_form(given: MotionInputs) -> Evaluation[Any]:
-    """Return a motion by the form with the integral of the third kind."""
+    """Evaluate a motion by the form with the elliptic integral of the third kind."""
     return Evaluation(given, Floating().table(), CTX.convert)
 
 
 def theta_form(given: MotionInputs) -> Evaluation[Any]:
-    """Return a motion by the theta form, or by the first form on the edges."""
+    """Evaluate a motion by the theta form of the solution.
+
+    The form with the integral of the third kind replaces it on the separatrix and for symmetric
+    bodies.
+    """
     return Evaluation(given, Floating().theta_table(), CTX.convert)
 
 
 class Estimates:
-    """One motion by mpmath's functions at the working precision and at a higher one.
+    """One motion computed at two precisions, to estimate its errors.
+
+    mpmath's functions compute it at the working precision and at a higher one.
 
     first, second: the computations at the lower and the higher precision.
     """
@@ -165,11 +189,14 @@ class Estimates:
 
     @property
     def start(self) -> tuple[list[mpf], list[mpf]]:
-        """(q, omega) at t = 0."""
+        """The attitude and the rates at t = 0."""
         return self._second.start
 
     def numbers(self, request: Request) -> list[arb]:
-        """Return the seven numbers of the state at a time, or constants by their names."""
+        """Return the requested numbers as balls with estimated radii.
+
+        They are the seven of the state at a time, or constants.
+        """
         try:
             with CTX.workprec(self.bits):
                 first = self._first.numbers(request)
@@ -180,7 +207,7 @@ class Estimates:
         return [self._estimated(*pair) for pair in zip(first, second, strict=True)]
 
     def _estimated(self, first: mpf, second: mpf) -> arb:
-        """Return the second value as a ball, with the estimate of its error as radius.
+        """Convert the second value to a ball whose radius estimates its error.
 
         The radius is twice the difference of both values and a rounding of the first."""
         if not CTX.isfinite(first) or not CTX.isfinite(second):

@@ -1,4 +1,4 @@
-"""Euler's equations over a box: bounds of the rates at all times, and the flow by Taylor series.
+"""Bounds and Taylor series of the motions that start in a box of inputs.
 
 Energy and momentum bound the rates in every regime (`rate_bounds`).  The flow has the unknowns
 y = (w, p), rates and the turn since t = 0 as a quaternion:
@@ -34,12 +34,14 @@ _PRODUCT = (
 
 
 def euler_factor(inertia: Sequence[Number], k: int) -> arb:
-    """Return (c_i - c_j)/c_k of Euler's equations."""
+    """Return the factor (c_i - c_j)/c_k of Euler's equations."""
     return difference(inertia[k - 2], inertia[k - 1]) / ball(inertia[k])
 
 
 def rate_bounds(inertia: Sequence[arb], factors: Sequence[arb], omega: Sequence[arb]) -> list[arb]:
-    """Return balls that contain the rates (3) at all times, for all bodies and rates in balls.
+    """Return balls that enclose the body rates (3) at all times.
+
+    They hold for all bodies and initial rates in the given balls.
 
     By Euler's equations Omega_i^2 changes at the rate 2 k_i Omega_1 Omega_2 Omega_3, where k_i are
     the `factors` (3), so Omega_i^2 - (k_i/k_j) Omega_j^2 is constant.  Bounds of one rate give
@@ -68,7 +70,10 @@ def rate_bounds(inertia: Sequence[arb], factors: Sequence[arb], omega: Sequence[
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """Taylor series of the flow for factors (3) and starts in a box (7, 1) that never leave a tube.
+    """Taylor series of the flow for all motions that start in a box and stay in a tube.
+
+    factors (3): those of Euler's equations. starts (7, 1): the box. tube (7, 1): the motions
+    never leave it.
 
     terms: the number of terms. tick: called at every term.
     """
@@ -87,21 +92,29 @@ class Flow:
         object.__setattr__(self, "cut", max_of([*rows, *series[-1].entries()]))
 
     def step(self, bits: int) -> arb:
-        """Return the longest step after which about so many bits are right."""
+        """Return the longest time step for which the series has about `bits` correct bits."""
         return (arb(2) ** -bits / self.cut).root(self.terms).min(LONGEST)
 
     def moved(self, factors: Sequence[arb], y: arb_mat, step: arb) -> arb_mat:
-        """Return the unknowns (7, 1) after a step, for all starts in y and all such factors."""
+        """Return an enclosure of all states (7, 1) after a time step.
+
+        It holds for all starts in y and all such factors.
+        """
         series, _ = _series(factors, y, self.terms, self.tick)
         return _summed(series, step, self._remainder(y, step))
 
     def derivative(self, y: arb_mat, step: arb) -> arb_mat:
-        """Return the derivatives (7, 10) of `moved` by y and the factors, for all starts in y."""
+        """Return the derivatives (7, 10) of the states after a time step.
+
+        They are those by the start and by the factors, for all starts in y.
+        """
         columns = _derivatives(self.factors, y, self.terms, self.tick)[1]
         return _summed(columns, step, self._remainder(y, step))
 
     def _remainder(self, y: arb_mat, step: arb) -> arb:
-        """Return the bound of the terms that are cut off; infinite for starts outside of the box.
+        """Return a bound of the truncation error of the Taylor series.
+
+        It is infinite for starts outside of the box.
 
         |dw/dw_0| <= e, |dw/dk| <= w^2 h e, |dp/dp_0| = 1, |dp/dw_0| <= p h e/2 and |dp/dk| <=
         p w^2 h^2 e/2 after a time h, where e = exp(2 k w h): their rates say so, by Gronwall.
@@ -117,7 +130,7 @@ class Flow:
 def _derivatives(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the Taylor coefficients of y, and those of its derivatives V."""
+    """Return the Taylor coefficients of the state y and of its derivatives V."""
     series, slopes = _series(factors, y, terms, tick)
     columns = [arb_mat(SIZE, COLUMNS, 1)]
     for n in range(terms - 1):
@@ -136,7 +149,7 @@ def _derivatives(
 def _series(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the Taylor coefficients of y, and the matrix A of each of them."""
+    """Return the Taylor coefficients of the state y, each with its matrix A."""
     series, slopes = [y], [_slope(factors, y)]
     for n in range(terms - 1):
         tick()
@@ -147,7 +160,7 @@ def _series(
 
 
 def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
-    """Return the matrix A(y) (7, 7) of the differential equation."""
+    """Return the matrix A(y) (7, 7) of the differential equation y' = A(y) y/2."""
     w, p = y.entries()[:RATES], y.entries()[RATES:]
     slope = [[arb(0)] * SIZE for _ in range(SIZE)]
     for i, factor in enumerate(factors):
@@ -160,7 +173,10 @@ def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
 
 
 def multiplied(q: Sequence[arb]) -> arb_mat:
-    """Return the matrix (7, 7) that keeps the rates and maps a turn p to q p."""
+    """Return the matrix (7, 7) that multiplies the quaternion of a state by q.
+
+    It keeps the rates and maps a turn p to q p.
+    """
     matrix = [[arb(int(i == j)) for j in range(SIZE)] for i in range(SIZE)]
     for part, row, products in zip(q, matrix[RATES:], _PRODUCT, strict=True):
         row[RATES:] = [part, *[arb(0)] * 3]
@@ -170,7 +186,7 @@ def multiplied(q: Sequence[arb]) -> arb_mat:
 
 
 def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
-    """Sum a Taylor series at a step, with the remainder added to the radius of every entry."""
+    """Sum a Taylor series and add the remainder to the radius of every entry."""
     value = terms[-1]
     for term in reversed(terms[:-1]):
         value = value * step + term
@@ -179,12 +195,12 @@ def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
 
 
 def norm(values: Sequence[arb]) -> arb:
-    """Return an upper bound of the Euclidean norm."""
+    """Return an upper bound of the Euclidean norm of a vector of balls."""
     return sum((power(x, 2) for x in values), arb(0)).upper().sqrt().upper()
 
 
 def max_of(values: Sequence[arb]) -> arb:
-    """Return an upper bound of the absolute values."""
+    """Return an upper bound of the absolute values of several balls."""
     first, *others = (abs(x).upper() for x in values)
     for other in others:
         first = first.max(other)

@@ -1,4 +1,4 @@
-"""Jacobi's functions and J over Arb's balls, by four methods.
+"""Jacobi's elliptic functions and the integral J in ball arithmetic, by four methods.
 
 Conventions: m is the parameter k^2; functions take mc = 1 - m as their last argument, which is 0 on
 the separatrix.  J(u) is the integral of sn^2/(1 - n sn^2) from 0 to u.
@@ -36,17 +36,22 @@ KEPT = 2
 
 
 def quarter_period(mc: arb) -> arb:
-    """Return K(m) = pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5)."""
+    """Compute the complete elliptic integral K(m) by the AGM (DLMF 19.8.5).
+
+    K(m) = pi/(2 agm(1, sqrt(mc))).
+    """
     return arb.pi() / (2 * arb(1).agm(mc.sqrt()))
 
 
 def carlson_f(x: arb, y: arb, z: arb) -> arb:
-    """Return Carlson's integral R_F (DLMF 19.16.1)."""
+    """Compute Carlson's elliptic integral R_F (DLMF 19.16.1)."""
     return acb.elliptic_rf(x, y, z).real
 
 
 def argument(sn: arb, cn: arb, dn: arb) -> arb:
-    """Return the u with these sn, cn, dn and |u| <= K, or a little more if cn may be negative.
+    """Compute the argument u of Jacobi's functions from sn, cn and dn.
+
+    |u| is at most K, or a little more if cn may be negative.
 
     By DLMF 19.25.5; where cn is not surely positive, for K - |u|, whose sine is cn/dn.
     """
@@ -59,7 +64,10 @@ def argument(sn: arb, cn: arb, dn: arb) -> arb:
 
 
 class Functions(ABC):
-    """The functions of formulas by one method, with a cache of the last values."""
+    """Base class of the functions that formulas need, computed by one method.
+
+    The last values are cached.
+    """
 
     # Up to this precision a state takes some tenths of a second.
     quick_bits = 2**13
@@ -69,7 +77,7 @@ class Functions(ABC):
         self._last: dict[Callable[..., object], deque[tuple[tuple[arb | acb, ...], Any]]] = {}
 
     def table(self) -> Table:
-        """Return the functions by the names that formulas use."""
+        """Return the table of functions by the names that formulas use."""
         return {
             "power": lambda x, exponent: power(ball(x), exponent),
             "sqrt": lambda x: x.sqrt(),
@@ -83,7 +91,7 @@ class Functions(ABC):
         }
 
     def kept(self, function: Callable[..., Value], *arguments: arb | acb) -> Value:
-        """Return the value of a function, from the cache for identical argument objects."""
+        """Evaluate a function, or return its cached value for identical argument objects."""
         last = self._last.setdefault(function, deque(maxlen=KEPT))
         for known, value in last:
             if all(map(is_, known, arguments)):
@@ -93,7 +101,10 @@ class Functions(ABC):
         return value
 
     def jacobi(self, u: arb, mc: arb) -> Triple:
-        """Return sn, cn, dn of (u | 1 - mc), elementary where mc is exactly 0 or 1."""
+        """Return Jacobi's sn, cn and dn of (u | 1 - mc).
+
+        They are elementary where mc is exactly 0 or 1.
+        """
         if mc.is_zero():
             return u.tanh(), u.sech(), u.sech()
         if mc == 1:
@@ -101,7 +112,7 @@ class Functions(ABC):
         return self.between(u, mc)
 
     def between(self, u: arb, mc: arb) -> Triple:
-        """Return sn, cn, dn where 0 < mc < 1."""
+        """Return Jacobi's sn, cn and dn for 0 < mc < 1."""
         turns, sign, size, is_reflected = _folded(u, self.kept(quarter_period, mc))
         s, c, d = self.first_half(size, mc)
         if is_reflected:  # sn, cn, dn of K - w by those of w (DLMF 22.4(iii))
@@ -111,7 +122,10 @@ class Functions(ABC):
         return flip * sign * s, flip * c, d
 
     def elliptic_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return J(u) for -1 < n <= 0, elementary where mc is exactly 0 or 1."""
+        """Return the integral J(u) of sn^2/(1 - n sn^2) for -1 < n <= 0.
+
+        It is elementary where mc is exactly 0 or 1.
+        """
         if mc.is_zero():
             root = (-n).sqrt()
             return (u - (root * u.tanh()).atan() / root) / (1 - n)
@@ -127,19 +141,19 @@ class Functions(ABC):
 
     @abstractmethod
     def first_half(self, u: arb, mc: arb) -> Triple:
-        """Return sn, cn, dn for |u| <= K/2 and a little beyond."""
+        """Return Jacobi's sn, cn and dn for |u| <= K/2 and a little beyond."""
 
     @abstractmethod
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return J(u) for |u| <= K/2 and a little beyond, n < 1."""
+        """Return the integral J(u) for n < 1 and |u| <= K/2, and a little beyond."""
 
     @abstractmethod
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return J(K)."""
+        """Return the complete integral J(K)."""
 
 
 def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
-    """Reduce an argument u to a size of at most K/2 by periods and reflection.
+    """Reduce an argument to at most K/2 in size by periods and reflection.
 
     Return turns, sign, size and is_reflected: u = 2 K turns + sign (size or K - size).
 
@@ -158,7 +172,7 @@ def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
 
 
 class Landen(Functions):
-    """Functions by Landen's and Gauss's descending transformations.
+    """Functions computed by Landen's and Gauss's descending transformations.
 
     The transformations end at a parameter m_N.  There |am(u) - u| <= m_N |u|, as 1 - m <= dn <= 1,
     and the integral of the third kind is within the factor 1/sqrt(1 - m_N) of the trigonometric
@@ -166,25 +180,25 @@ class Landen(Functions):
     """
 
     def first_half(self, u: arb, mc: arb) -> Triple:
-        """Return sine, cosine and dn of the amplitude, by the AGM (DLMF 22.20(ii))."""
+        """Compute Jacobi's sn, cn and dn by the AGM (DLMF 22.20(ii))."""
         phi = amplitude(u, mc)
         s, c = phi.sin_cos()
         return s, c, (c * c + mc * s * s).sqrt()
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return J as (Pi - u)/n."""
+        """Compute the integral J as (Pi - u)/n."""
         s, c, d = self.first_half(u, mc)
         return (_third_kind(s, c, d, n, 1 - mc, mc, u) - u) / n
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return J(K) as (Pi(n | m) - K)/n."""
+        """Compute the complete integral J(K) as (Pi(n | m) - K)/n."""
         one, zero = arb(1), arb(0)
         quarter = quarter_period(mc)
         return (_third_kind(one, zero, mc.sqrt(), n, 1 - mc, mc, quarter) - quarter) / n
 
 
 def amplitude(u: arb, mc: arb) -> arb:
-    """Return am(u | 1 - mc), |u| <= K."""
+    """Compute Jacobi's amplitude am(u | 1 - mc) for |u| <= K."""
     a, b = arb(1), mc.sqrt()
     ratios, narrows = [], True
     while narrows:  # each step halves the gap at least, until it is all rounding or uncertainty
@@ -201,7 +215,9 @@ def amplitude(u: arb, mc: arb) -> arb:
 
 
 def _third_kind(s: arb, c: arb, d: arb, n: arb, m: arb, mc: arb, u: arb) -> arb:
-    """Return Pi(n; phi | m), phi in [0, pi/2], by Gauss's transformation (DLMF 19.8.20).
+    """Compute Pi(n; phi | m) by Gauss's transformation (DLMF 19.8.20).
+
+    phi is in [0, pi/2].
 
     rho Pi = 4/(1 + k') Pi_1 + (rho - 1) u - R_C(1/s^2 - 1, 1/s^2 - n), until m is gone.
     """
@@ -220,14 +236,14 @@ def _third_kind(s: arb, c: arb, d: arb, n: arb, m: arb, mc: arb, u: arb) -> arb:
 
 
 class Carlson(Functions):
-    """Functions by Carlson's symmetric integrals.
+    """Functions computed by Carlson's symmetric integrals.
 
     The inverse of R_F is found by Newton's method.  It is proved to be one by a step of interval
     Newton, which maps a ball into its own interior.
     """
 
     def first_half(self, u: arb, mc: arb) -> Triple:
-        """Return sine, cosine and dn of the amplitude phi with F(phi) = u."""
+        """Compute Jacobi's sn, cn and dn from the amplitude phi with F(phi) = u."""
         start = amplitude(u.mid(), mc.mid()).mid()  # any guess would do
         for _ in range(3):
             value, slope = first_kind(start, mc)
@@ -243,44 +259,56 @@ class Carlson(Functions):
         return s, c, _delta(s, c, mc)
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return J as s^3 R_J(c^2, d^2, 1, 1 - n s^2)/3 (DLMF 19.25.14)."""
+        """Compute the integral J by Carlson's R_J (DLMF 19.25.14).
+
+        J = s^3 R_J(c^2, d^2, 1, 1 - n s^2)/3.
+        """
         s, c, d = self.kept(self.first_half, u, mc)
         return s * s * s * acb.elliptic_rj(c * c, d * d, arb(1), 1 - n * s * s).real / 3
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return J(K) as R_J(0, mc, 1, 1 - n)/3."""
+        """Compute the complete integral J(K) as R_J(0, mc, 1, 1 - n)/3."""
         return acb.elliptic_rj(arb(0), mc, arb(1), 1 - n).real / 3
 
 
 def first_kind(phi: arb, mc: arb) -> tuple[arb, arb]:
-    """Return F(phi) = s R_F(c^2, d^2, 1) and its derivative 1/d."""
+    """Compute the integral of the first kind F(phi) and its derivative.
+
+    F(phi) = s R_F(c^2, d^2, 1); its derivative is 1/d.
+    """
     s, c = phi.sin_cos()
     d = _delta(s, c, mc)
     return s * carlson_f(c * c, d * d, arb(1)), 1 / d
 
 
 def _delta(s: arb, c: arb, mc: arb) -> arb:
-    """Return dn = sqrt(c^2 + mc s^2), which has no cancellation."""
+    """Compute dn from the sine and cosine of the amplitude without cancellation.
+
+    dn = sqrt(c^2 + mc s^2).
+    """
     return (c * c + mc * s * s).sqrt()
 
 
 class Quadrature(Carlson):
-    """Functions with J by rigorous integration, and sn, cn and dn of `Carlson`."""
+    """Functions with the integral J computed by rigorous quadrature.
+
+    sn, cn and dn are those of `Carlson`.
+    """
 
     quick_bits = 2**10
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return J as the integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
+        """Compute J by integrating sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
         s, c, _ = self.kept(self.first_half, u, mc)
         return _integral(arb.atan2(s, c), n, mc)
 
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return J(K) as the integral from 0 to pi/2."""
+        """Compute the complete integral J(K) by integrating from 0 to pi/2."""
         return _integral(arb.pi() / 2, n, mc)
 
 
 def _integral(phi: arb, n: arb, mc: arb) -> arb:
-    """Return the integral of sin^2/((1 - n sin^2) Delta) from 0 to phi."""
+    """Integrate sin^2/((1 - n sin^2) Delta) from 0 to phi rigorously."""
     if not (phi.is_finite() and n.is_finite() and mc.is_finite()):
         return arb.nan()
     # No finer than the arguments.
@@ -297,12 +325,12 @@ def _integral(phi: arb, n: arb, mc: arb) -> arb:
 
 
 class Theta(Carlson):
-    """Functions by theta functions, with J by Carlson's R_J."""
+    """Functions computed by theta functions, with J by Carlson's R_J."""
 
     quick_bits = 2**14
 
     def table(self) -> Table:
-        """Return the functions of all methods, and those of the theta form."""
+        """Return the table of functions, with those of the theta form."""
         return {
             **super().table(),
             "pi": arb.pi(),
@@ -318,14 +346,14 @@ class Theta(Carlson):
         }
 
     def between(self, u: arb, mc: arb) -> Triple:
-        """Return sn, cn, dn as quotients of theta functions (DLMF 22.2.4 to 22.2.6)."""
+        """Compute Jacobi's sn, cn and dn from theta functions (DLMF 22.2.4 to 22.2.6)."""
         scale, tau, two, three, four = self.kept(_constants, mc)
         one_u, two_u, three_u, four_u = (z.real for z in _thetas(acb(scale * u), tau))
         s = three * one_u / (two * four_u)
         return s, four * two_u / (two * four_u), four * three_u / (three * four_u)
 
     def first_half(self, u: arb, mc: arb) -> Triple:
-        """Return sn, cn, dn, which `between` computes for all u."""
+        """Return Jacobi's sn, cn and dn, which `between` computes for all u."""
         return self.between(u, mc)
 
     def _theta4(self, z: acb, q: arb) -> acb:
@@ -333,7 +361,10 @@ class Theta(Carlson):
 
 
 def _thetas(z: acb, tau: acb, derivative: int = 0) -> tuple[acb, ...]:
-    """Return theta_1 to theta_4 of z, reduced by whole turns 2 pi; Arb takes z in units of pi."""
+    """Compute the theta functions theta_1 to theta_4 of z.
+
+    z is reduced by whole turns 2 pi; Arb takes it in units of pi.
+    """
     turns = z / arb.pi()
     whole = (turns.real / 2 + arb(1) / 2).mid().floor()
     return (turns - 2 * whole).modular_theta(tau, derivative)
@@ -344,19 +375,25 @@ def _tau(q: arb) -> acb:
 
 
 def _nome(mc: arb) -> arb:
-    """Return the nome exp(-pi K'/K), with the periods by the AGM."""
+    """Compute the nome exp(-pi K'/K) of Jacobi's functions by the AGM."""
     return (-arb.pi() * arb(1).agm(mc.sqrt()) / arb(1).agm((1 - mc).sqrt())).exp()
 
 
 def _arcsc(x: arb, mc: arb) -> arb:
-    """Return the u >= 0 with sc(u | 1 - mc) = x >= 0: F(arctan x)."""
+    """Compute the inverse of Jacobi's function sc for x >= 0.
+
+    This is the u >= 0 with sc(u | 1 - mc) = x, or F(arctan x).
+    """
     square = 1 + x * x
     s, c, dd = x / square.sqrt(), 1 / square.sqrt(), (1 + mc * x * x) / square
     return s * carlson_f(c * c, dd, arb(1))
 
 
 def _constants(mc: arb) -> tuple[arb, acb, arb, arb, arb]:
-    """Return pi/(2 K), tau, and theta_2, theta_3, theta_4 of zero."""
+    """Return the constants of the theta functions for a complement mc.
+
+    They are pi/(2 K), tau, and theta_2, theta_3, theta_4 of zero.
+    """
     tau = _tau(_nome(mc))
     _, two, three, four = (z.real for z in _thetas(acb(0), tau))
     return arb.pi() / (2 * quarter_period(mc)), tau, two, three, four

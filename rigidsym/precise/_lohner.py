@@ -1,4 +1,4 @@
-"""Enclosures by Lohner's method: sets of states carried by the flow over a box of inputs.
+"""Enclosures of all motions that start in a box of inputs, by Lohner's method.
 
 The enclosures hold in all regimes: across the separatrix, about spins, about symmetric bodies.  At
 late times, when nothing else is certain, the rates keep to the bounds by energy and momentum.
@@ -48,7 +48,9 @@ ROUNDING, WIDEST_TURN = 2.0**-20, 3
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """All bodies and rates of a box, as deviations r (6) from its middle.
+    """All bodies and initial rates of a box, and their flow.
+
+    They are deviations r (6) from the middle of the box.
 
     flow: the flow of all of them. middle: the factors (3) of the middle. box (6, 1): the ranges of
     the deviations. by_box: the derivatives (3, 6) of the factors by r. limits: bounds of the rates
@@ -64,7 +66,10 @@ class Bodies:
 
 @dataclass(frozen=True, slots=True)
 class Cloud:
-    """The set of possible rates and turns (7, 1) after some time."""
+    """The set of all states of a box's motions after some time.
+
+    A state (7, 1) has the rates and the turn since t = 0.
+    """
 
     middle: arb_mat
     spread: arb_mat
@@ -72,21 +77,24 @@ class Cloud:
     rest: arb_mat
 
     def deviation(self, bodies: Bodies) -> arb_mat:
-        """Return the ranges of the deviations from the middle."""
+        """Return the ranges of the states' deviations from the middle."""
         return self.spread * bodies.box + self.frame * self.rest
 
     def seen_by(self, turn: arb_mat) -> "Cloud":
-        """Return the product of a matrix (7, 7) and the set."""
+        """Return the image of the set under a matrix (7, 7)."""
         return Cloud(turn * self.middle, turn * self.spread, turn * self.frame, self.rest)
 
     def states(self, bodies: Bodies) -> arb_mat:
-        """Return a box around the set, within the bounds of rates and of unit quaternions."""
+        """Return a box that contains the set.
+
+        It keeps to the bounds of rates and of unit quaternions.
+        """
         around = (self.middle + self.deviation(bodies)).entries()
         limits = [*bodies.limits, *[arb(0, 1)] * 4]
         return arb_mat(SIZE, 1, [x.intersection(y) for x, y in zip(around, limits, strict=True)])
 
     def moved(self, bodies: Bodies, step: arb) -> "Cloud":
-        """Return the set after a step of time."""
+        """Return the set of states after a time step."""
         middle = bodies.flow.moved(bodies.middle, self.middle, step)
         held = zip(self.states(bodies).entries(), self.middle.entries(), strict=True)
         whole = arb_mat(SIZE, 1, [x.union(y) for x, y in held])
@@ -103,7 +111,9 @@ class Cloud:
 
 
 def _orthogonal(columns: arb_mat, rest: arb_mat) -> arb_mat:
-    """Return nearly orthogonal columns (7, 7) by Gram and Schmidt, the longest edge first.
+    """Orthogonalise the columns of a matrix (7, 7) approximately by Gram-Schmidt.
+
+    The column of the longest edge is first.
 
     Any frame with an inverse would do.
     """
@@ -127,7 +137,9 @@ def _dot(x: Sequence[arb], y: Sequence[arb]) -> arb:
 
 
 class FlowEnclosure:
-    """States by the flow of all motions that start in a box, at a precision that fits its radii.
+    """Enclosures of all motions that start in a box of inputs, by Taylor series of the flow.
+
+    The precision fits the radii of the inputs.
 
     `check` is called during the preparation, as that of `state` is during a step.  Steps are
     counted from t = 0, so that the enclosure at a time does not depend on other times.
@@ -170,7 +182,9 @@ class FlowEnclosure:
         self._clouds: dict[int, list[Cloud]] = {side: [first] for side in (-1, 1)}
 
     def state(self, time: Fraction, check: Callable[[], None], most: int = MOST_STEPS) -> State:
-        """Return (q, omega) as balls at one time, after at most `most` steps.
+        """Return attitude and rates at one time as balls that enclose all motions.
+
+        At most `most` steps are made.
 
         An exception that `check` raises ends the work, at any time.
         """
@@ -187,7 +201,10 @@ class FlowEnclosure:
             return y[RATES:], [(w * ball(self.scale)).intersection(limit) for w, limit in rates]
 
     def _cloud(self, time: Fraction, most: int) -> Cloud | None:
-        """Return the set at a time, in units of the scale; None where it is too wide."""
+        """Return the set of states at a time.
+
+        Time is in units of the scale.  Return None where the set is too wide.
+        """
         side = 1 if time > 0 else -1
         whole = int(abs(time) / self.step)
         if whole > most:
@@ -201,7 +218,10 @@ class FlowEnclosure:
         return self._moved(clouds[whole], time - side * whole * self.step)
 
     def _moved(self, cloud: Cloud, time: Fraction) -> Cloud | None:
-        """Return the set after a time; None where it is too wide."""
+        """Return the set of states after one step.
+
+        Return None where it is too wide.
+        """
         try:
             after = cloud.moved(self.bodies, ball(time))
         except ZeroDivisionError:  # its frame has collapsed
@@ -211,7 +231,10 @@ class FlowEnclosure:
 
 
 def bits_for(given: MotionInputs, digits: int) -> int:
-    """Return the bits that resolve the finest radius, at most those of the digits."""
+    """Return the precision in bits that resolves the smallest radius of the inputs.
+
+    It is at most that of the digits, and some guard bits.
+    """
     fineness = [0]
     for values in (given.inertia, given.omega0, given.attitude0):
         size = max(abs(middle(x)) + radius(x) for x in values)
@@ -221,7 +244,10 @@ def bits_for(given: MotionInputs, digits: int) -> int:
 
 
 def _scale(size: arb) -> Fraction:
-    """Round a size up to a number of few bits; return 1 for zero."""
+    """Round a size up to a number of few bits.
+
+    Return 1 for zero.
+    """
     mantissa, exponent = map(int, size.upper().man_exp())
     more = max(mantissa.bit_length() - 8, 0)
     return (1 + (mantissa >> more)) * Fraction(2) ** (exponent + more) if mantissa else Fraction(1)

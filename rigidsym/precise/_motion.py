@@ -44,14 +44,16 @@ DecimalState = tuple[list[mpf], list[mpf]]
 
 @dataclass(frozen=True)
 class PreciseMotion(MotionInputs):
-    """A motion with states to any number of digits, by one of the methods."""
+    """A torque-free motion whose states are computed to any number of digits."""
 
     method: str = "theta"
 
     def states(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[DecimalState]:
-        """Yield (q, omega) at each time as mpf numbers with `digits` certain digits each.
+        """Yield attitude and rates at each time as mpf numbers with certain digits.
+
+        Each number has `digits` of them.
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
@@ -63,13 +65,16 @@ class PreciseMotion(MotionInputs):
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """Yield (q, omega) at each time as balls of radius at most 10^-digits max(1, |value|)."""
+        """Yield attitude and rates at each time as balls of limited radius.
+
+        The radius is at most 10^-digits max(1, |value|).
+        """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
             yield self.read(precision, time)
 
     def read(self, precision: AdaptivePrecision, time: Fraction) -> State:
-        """Return (q, omega) at one time as balls small enough for the requested digits."""
+        """Return attitude and rates at one time as balls that have the requested digits."""
         read = precision.read_uncertain if self.is_uncertain else precision.read
         found = read(partial(self.numbers, time), f"t = {written(time)}")
         return found[:4], found[4:]
@@ -81,7 +86,9 @@ class PreciseMotion(MotionInputs):
         max_seconds: float | None = None,
         enough: Callable[[arb, int], bool] = is_within,
     ) -> Iterator[list[arb]]:
-        """Yield (q, omega) and their sensitivities, see `columns.listed`, at each time as balls.
+        """Yield the state and its sensitivities at each time as balls.
+
+        A row has (q, omega) and the numbers of `columns.listed`.
 
         Raises InputError where inputs are uncertain, and PrecisionError where `max_seconds` for all
         times are over.
@@ -94,7 +101,10 @@ class PreciseMotion(MotionInputs):
     def decimal_sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[list[mpf]]:
-        """Yield states with sensitivities as mpf numbers with `digits` certain digits each."""
+        """Yield the state and its sensitivities at each time as mpf numbers with certain digits.
+
+        Each number has `digits` of them.
+        """
         for row in self.sensitivities(times, digits, max_seconds, has_digits):
             yield list(map(_settled, row))
 
@@ -105,13 +115,16 @@ class PreciseMotion(MotionInputs):
             return [float(x) for x in self._at(bits).start[0]]
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, mpf]:
-        """Return constants of a motion of changing rates by name, with `digits` digits each."""
+        """Return constants of the motion by name, with `digits` digits each.
+
+        They exist where the rates change.
+        """
         precision = AdaptivePrecision(digits, has_digits, None)
         found = precision.read(partial(self.numbers, tuple(names)), "constants")
         return dict(zip(names, map(_settled, found), strict=True))
 
     def numbers(self, request: Request, bits: int, end: float | None) -> list[arb]:
-        """Return the balls of a request at a working precision.
+        """Return the requested numbers as balls at a working precision.
 
         Long evaluations run in a worker process.  Raises TimeoutError where the clock passes `end`.
         """
@@ -121,12 +134,15 @@ class PreciseMotion(MotionInputs):
         return worker.numbers(self.numbers_here, request, bits, end=end)
 
     def numbers_here(self, request: Request, bits: int) -> list[arb]:
-        """Return the balls of a request, computed in this process."""
+        """Compute the numbers of a request in this process."""
         with working(bits):
             return self._at(bits).numbers(request)
 
     def _at(self, bits: int) -> Evaluation[arb] | Estimates:
-        """Return the evaluation at a working precision; the last few are kept."""
+        """Return the evaluation of the motion at a working precision.
+
+        The last few are cached.
+        """
         kept = self._kept
         if bits not in kept:
             while len(kept) >= KEPT:
@@ -142,7 +158,10 @@ class PreciseMotion(MotionInputs):
         return {}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the inputs, so that a process that gets equal ones again keeps their constants."""
+        """Pickle only the inputs.
+
+        A process that gets equal inputs again keeps their constants.
+        """
         return _unpickled, (self.inertia, self.omega0, self.attitude0, self.method)
 
 

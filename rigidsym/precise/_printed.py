@@ -1,4 +1,4 @@
-"""Decimal strings that contain a ball, and mpmath numbers that print their certain digits."""
+"""Exact decimal output of balls, and mpmath numbers that print only certain digits."""
 
 from collections.abc import Iterable
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, ROUND_CEILING, Context, Decimal
@@ -17,7 +17,7 @@ _ROOM = 2
 
 
 def printed_ball(value: arb) -> dict[str, str]:
-    """Return decimal strings `mid` and `rad` that contain a ball.
+    """Format a ball as decimal strings `mid` and `rad` that enclose it.
 
     The rounding error of the middle is added to the radius.  The middle of a ball of radius 0 is
     exact.
@@ -30,7 +30,10 @@ def printed_ball(value: arb) -> dict[str, str]:
 
 
 def printed_rational(value: Fraction, digits: int) -> dict[str, str]:
-    """Return decimal strings `mid` and `rad` that contain a rational, rounded to some digits."""
+    """Format a rational as decimal strings `mid` and `rad` that enclose it.
+
+    `mid` is rounded to a number of digits.
+    """
     return _pair(inputs.decimal(value, digits), value, Fraction(0))
 
 
@@ -43,7 +46,7 @@ def _up(value: Fraction) -> Decimal:
 
 
 class CertainNumber(mpf):
-    """An mpmath number that prints its certain digits.
+    """An mpmath number that prints only its certain digits.
 
     Results computed from it are ordinary numbers, of mpmath's current precision.
     """
@@ -62,7 +65,7 @@ class CertainNumber(mpf):
 
 
 def certain(values: Iterable[mpf], digits: int) -> list[CertainNumber]:
-    """Mark numbers as having some certain digits, without rounding them."""
+    """Mark mpmath numbers as having a number of certain digits, without rounding them."""
     return [_made(value.__getstate__(), digits) for value in values]
 
 

@@ -1,4 +1,4 @@
-"""Quantities of a whole motion in doubles: energy, momentum, periods, angles.
+"""Energy, momentum, periods and other constants of a motion, in doubles.
 
 The same quantities as expressions are in `motion.symbolic().quantities`.
 """
@@ -21,7 +21,9 @@ _AMPLITUDES = ("A_a", "A_b", "A_d", "k_c")
 
 @dataclass(frozen=True)
 class Quantities:
-    """Quantities of a motion whose numbers are exact; SI units and radians.
+    """Energy, momentum, periods and other constants of a motion with exact inputs.
+
+    Units are SI and radians.
 
     Raises InputError where a number is uncertain.
     """
@@ -30,19 +32,21 @@ class Quantities:
 
     @cached_property
     def energy(self) -> float:
-        """The kinetic energy H, J."""
+        """The kinetic energy H, in J."""
         inertia, rates, _ = self.motion.exact
         return float(sum(c * w * w for c, w in zip(inertia, rates, strict=True)) / 2)
 
     @cached_property
     def momentum(self) -> float:
-        """The size of the angular momentum K, N m s."""
+        """The magnitude K of the angular momentum, in N m s."""
         inertia, rates, _ = self.motion.exact
         return _root(sum((c * w) ** 2 for c, w in zip(inertia, rates, strict=True)))
 
     @cached_property
     def parameter(self) -> float | None:
-        """The parameter m of Jacobi's functions; None where the rates are constant.
+        """The parameter m of Jacobi's elliptic functions.
+
+        None where the rates are constant.
 
         It is 0 for symmetric bodies, and 1 on the separatrix.
         """
@@ -50,12 +54,14 @@ class Quantities:
 
     @property
     def modulus(self) -> float | None:
-        """The modulus k, the square root of the parameter."""
+        """The modulus k of Jacobi's elliptic functions, the square root of the parameter."""
         return None if self.parameter is None else sqrt(self.parameter)
 
     @cached_property
     def period(self) -> float | None:
-        """The period 4 K(m)/lambda of the rates, s; infinite on the separatrix.
+        """The period 4 K(m)/lambda of the body rates, in s.
+
+        It is infinite on the separatrix.
 
         None where the rates are constant.
         """
@@ -65,7 +71,7 @@ class Quantities:
 
     @cached_property
     def precession_rate(self) -> float | None:
-        """The mean rate of the attitude's turn about the momentum over a period, rad/s.
+        """The mean rate of precession about the angular momentum, in rad/s.
 
         None on the separatrix.
         """
@@ -79,7 +85,9 @@ class Quantities:
 
     @cached_property
     def mean_rates(self) -> tuple[float, float, float]:
-        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+        """The body rates averaged over a period, in rad/s.
+
+        On the separatrix, they are averaged over all times.
 
         Only the mean about the circulation axis differs from zero, unless all are constant.
         """
@@ -95,7 +103,7 @@ class Quantities:
 
     @property
     def circulation_rate(self) -> float | None:
-        """The mean rate 2 pi/period of the momentum's circulation in the body, rad/s.
+        """The mean rate of the momentum's circulation in the body, 2 pi/period, in rad/s.
 
         Zero on the separatrix, None where the rates are constant.
         """
@@ -103,7 +111,7 @@ class Quantities:
 
     @property
     def phase_per_period(self) -> float | None:
-        """The angle about the momentum that the attitude turns by in a period, rad.
+        """The angle of precession about the angular momentum in one period, in rad.
 
         It includes whole turns.  None without a period, and on the separatrix.
         """
@@ -112,7 +120,9 @@ class Quantities:
 
     @cached_property
     def nutation(self) -> tuple[float, float]:
-        """The least and the largest angle of axis a, at its nearer end, from the momentum, rad.
+        """The smallest and the largest angle between the circulation axis and the momentum.
+
+        Angles are in rad, from the nearer end of axis a.
 
         Of the rates A_a dn, A_b sn and A_d cn the first is largest where sn = 0, and smallest,
         k_c A_a, where sn is 1 or -1 (facts regular.dn, descended.k_c).  Both are zero where the
@@ -138,5 +148,5 @@ class Quantities:
 
 
 def _root(square: Fraction | int) -> float:
-    """Return the square root of a number of any size as a double."""
+    """Return the square root of a rational of any size as a double."""
     return float(_CONTEXT.sqrt(Decimal(decimal(Fraction(square), _DIGITS))))

@@ -1,4 +1,4 @@
-"""Inputs of a motion, exact or uncertain, and the regime that they determine."""
+"""Exact or uncertain inputs of a motion, and the regime that they determine."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -25,7 +25,9 @@ ExactInputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, 
 
 @dataclass(frozen=True)
 class MotionInputs:
-    """Principal moments (3), body rates (3) and attitude (4) at t = 0, rational or uncertain.
+    """Principal moments, initial body rates and initial attitude of a motion.
+
+    Numbers are rational or uncertain.
 
     The attitude has any length but zero.
     """
@@ -36,24 +38,33 @@ class MotionInputs:
 
     @cached_property
     def polhode(self) -> Polhode:
-        """Regime and axes of the motion; InputError where uncertain inputs do not decide them."""
+        """Regime and axes of the motion.
+
+        Raises InputError where uncertain inputs do not decide them.
+        """
         return classify_uncertain(self.inertia, self.omega0)
 
     @property
     def exact(self) -> ExactInputs:
-        """Inertia, omega0 and attitude0 as rationals; InputError for uncertain ones."""
+        """Inertia, omega0 and attitude0 as rationals.
+
+        Raises InputError for uncertain inputs.
+        """
         given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
         inertia, omega0, attitude0 = (inputs.certain(*named) for named in given.items())
         return inertia, omega0, attitude0
 
     @property
     def is_uncertain(self) -> bool:
-        """True where any input is uncertain."""
+        """True if any input is uncertain."""
         return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
-    """Return the polhode of all motions within the radii; raise InputError if they differ."""
+    """Classify all motions within the radii of uncertain inputs.
+
+    Raises InputError if they have different polhodes.
+    """
     polhode = classify(*([inputs.middle(x) for x in values] for values in (inertia, omega)))
     if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):
@@ -65,7 +76,7 @@ def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Po
 def _deciding(
     polhode: Polhode, inertia: Sequence[Number], omega: Sequence[Number]
 ) -> Iterator[tuple[str, arb]]:
-    """Yield the quantities that decide the polhode, with their names.
+    """Yield the quantities whose signs decide the polhode, with their names.
 
     They must be exactly zero or keep their sign.  They are the differences of the moments, those
     that lead to this leaf of the ledger's partition, and the rate whose sign is sigma.
@@ -91,7 +102,10 @@ def _deciding(
 
 
 def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
-    """Return K^2 - 2 H c_b by the ledger's formula, with exact zeros for equal moments."""
+    """Compute K^2 - 2 H c_b by the ledger's formula.
+
+    Differences of equal moments are exactly zero.
+    """
     known = {}
     for x, k in zip("abd", axes, strict=True):
         known |= {f"c_{x}": ball(inertia[k]), f"Omega_{x}": w[k]}
@@ -104,17 +118,26 @@ def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[in
 
 
 def _surest(*values: arb) -> arb:
-    """Return the nonzero value that is farthest from zero, relative to its radius."""
+    """Return the ball that is farthest from zero, relative to its radius.
+
+    Balls that are exactly zero are left out.
+    """
     return min((value for value in values if not value.is_zero()), key=_ratio)
 
 
 def _ratio(value: arb) -> float:
-    """Return the ratio of radius and size, which is at least 1 if the value may be zero."""
+    """Return the ratio of a ball's radius to its size.
+
+    It is at least 1 if the value may be zero.
+    """
     return float(value.rad() / abs(value.mid())) if value.mid() != 0 else inf
 
 
 def _check_sign(name: str, value: arb, inertia: Sequence[Number], omega: Sequence[Number]) -> None:
-    """Raise InputError for a value whose ball contains zero, unless it is exactly zero."""
+    """Check that a quantity is exactly zero or has a certain sign.
+
+    Raises InputError for a ball that contains zero and other numbers.
+    """
     if value.is_zero() or not value.contains(0):
         return
     ratio = _ratio(value)

@@ -1,4 +1,6 @@
-"""States by Taylor series of the equations of motion (3) and (5), without elliptic functions.
+"""States by Taylor series of the equations of motion, without elliptic functions.
+
+The equations are (3) and (5).
 
 They share no formula with the other methods, and are mpmath's numbers, not balls.  Order and
 step are those of Jorba and Zou (Experimental Mathematics 14, 2005): at d digits an order of about
@@ -29,7 +31,7 @@ def integrate(
     time: Fraction,
     digits: int = 40,
 ) -> tuple[list[mpf], list[mpf]]:
-    """Return the state at one time, by Taylor series.
+    """Integrate the equations of motion to one time by Taylor series.
 
     Parameters
     ----------
@@ -68,7 +70,7 @@ def integrate(
 def _rate_series(
     ctx: MPContext, factors: Sequence[mpf], w: Sequence[mpf], order: int
 ) -> list[list[mpf]]:
-    """Return Taylor coefficients of Omega, by Omega_1' = (c_2 - c_3)/c_1 Omega_2 Omega_3, ..."""
+    """Return the Taylor coefficients of the body rates, by Euler's equations."""
     series = [[x] for x in w]
     for n in range(order):
         products = [ctx.fdot(series[k - 2], series[k - 1][::-1]) for k in range(3)]
@@ -80,7 +82,7 @@ def _rate_series(
 def _attitude_series(
     ctx: MPContext, q: Sequence[mpf], omega: Sequence[Sequence[mpf]], order: int
 ) -> list[list[mpf]]:
-    """Return Taylor coefficients of the quaternion, by those of the rates."""
+    """Return the Taylor coefficients of the quaternion from those of the rates."""
     series = [[x] for x in q]
     for n in range(order):
         turned = [x[n::-1] for x in omega]
@@ -93,7 +95,7 @@ def _attitude_series(
 
 
 def _step(ctx: MPContext, series: Sequence[Sequence[mpf]], tolerance: mpf) -> mpf:
-    """Return the time at which the last two terms are `tolerance` times the first."""
+    """Return the time step at which the last two terms are `tolerance` times the first."""
     sizes = [max(map(abs, terms)) for terms in zip(*series, strict=True)]
     last = [(n, sizes[n]) for n in (len(sizes) - 2, len(sizes) - 1) if sizes[n]]
     return min((ctx.root(tolerance * sizes[0] / x, n) for n, x in last), default=ctx.inf)

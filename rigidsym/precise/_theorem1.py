@@ -1,4 +1,6 @@
-"""States by the paper's Theorem 1, with the step to y* corrected, in complex numbers.
+"""States by the paper's Theorem 1, with the step to y* corrected.
+
+Complex numbers are used.
 
 Rates are zeta sn(xi t + C | mu).  About the two axes that the rates do not circulate about, zeta^2
 is the root of (13) with the moment of the circulation axis, and all is real.  About that axis
@@ -32,7 +34,7 @@ _ABD = ("0", "a", "b", "d")
 
 @dataclass(frozen=True, slots=True)
 class _Amplitude:
-    """The amplitude am(u), represented by u.
+    """The amplitude am(u), represented by its argument u.
 
     Formulas only need Pi of it, which has no branches in u.
     """
@@ -41,10 +43,13 @@ class _Amplitude:
 
 
 class _Lines(Floating):
-    """Functions of Theorem 1 on the real line, and on the lines across it through +-K(mu)."""
+    """The elliptic functions of Theorem 1 for the real and complex arguments that it needs.
+
+    These are on the real line, and on the lines across it through +-K(mu).
+    """
 
     def table(self) -> dict[str, Any]:
-        """Return the functions of Theorem 1 by the names that formulas use."""
+        """Return the table of functions by the names that formulas use."""
         return {
             **super().table(),
             "jacobi_sn": self.sn,
@@ -54,13 +59,16 @@ class _Lines(Floating):
         }
 
     def sn(self, u: Point, mc: Point) -> Point:
-        """Return sn(u | 1 - mc)."""
+        """Compute Jacobi's function sn(u | 1 - mc)."""
         if CTX.im(u) == 0:
             return self._kept("sn", self._real, CTX.re(u), mc)[0]
         return CTX.sign(CTX.re(u)) / self._kept("dn", self._real, CTX.im(u), 1 - mc)[2]
 
     def third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Return Pi(n; am(u) | 1 - mc), less that of +-K on the lines across the real line."""
+        """Compute the integral of the third kind Pi(n; am(u) | 1 - mc).
+
+        On the lines across the real line, Pi at +-K is subtracted.
+        """
         if CTX.im(u) == 0:
             return self._real_third_kind(n, CTX.re(u), mc)
         y = CTX.im(u)
@@ -68,14 +76,18 @@ class _Lines(Floating):
         return CTX.mpc(0, y + n / (1 - n) * part)
 
     def _real(self, u: Point, mc: Point) -> tuple[Point, Point, Point]:
-        """Return sn, cn, dn of a real argument, also for m < 0."""
+        """Compute Jacobi's sn, cn and dn of a real argument, also for m < 0."""
         turns, v = self._reduced(u, mc)
         m, flip = CTX.fsub(1, mc, exact=True), -1 if turns % 2 else 1
         s, c, d = (CTX.re(CTX.ellipfun(kind, v, m=m)) for kind in ("sn", "cn", "dn"))
         return flip * s, flip * c, d
 
     def _real_third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Return Pi of a real argument by R_J (DLMF 19.25.14), and by twice its complete values."""
+        """Compute the integral of the third kind Pi of a real argument.
+
+        R_J (DLMF 19.25.14) gives it within half a period of sn.  For each half period, twice the
+        complete integral is added.
+        """
         turns, v = self._reduced(u, mc)
         s, c, d = self._real(v, mc)
         part = v + n * s**3 * CTX.elliprj(c * c, d * d, 1, 1 - n * s * s) / 3
@@ -83,12 +95,15 @@ class _Lines(Floating):
 
 
 def _complete(n: Point, mc: Point) -> Point:
-    """Return the complete integral Pi(n | 1 - mc)."""
+    """Compute the complete elliptic integral Pi(n | 1 - mc)."""
     return quarter_period(mc) + n * CTX.elliprj(0, mc, 1, 1 - n) / 3
 
 
 def _arcsn(s: Point, mc: Point) -> Point:
-    """Return u with sn(u | 1 - mc) = s, real within +-1, beyond it +-(K + i y), 0 <= y <= K'."""
+    """Compute the inverse of Jacobi's function sn.
+
+    u with sn(u | 1 - mc) = s is real for |s| <= 1; beyond it is +-(K + i y) with 0 <= y <= K'.
+    """
     s = CTX.re(s)
     if abs(s) <= 1:
         return s * CTX.elliprf(1 - s * s, 1 - (1 - mc) * s * s, 1)
@@ -102,7 +117,7 @@ def _number(value: Any) -> Any:
 
 
 class Theorem1:
-    """One motion by Theorem 1 at the working precision.
+    """The evaluation of one motion by Theorem 1 at the working precision.
 
     Raises InputError where the theorem does not hold.
     """
@@ -117,14 +132,17 @@ class Theorem1:
         self.start = [x / norm for x in quaternion], [CTX.convert(x) for x in self.omega0]
 
     def numbers(self, request: Request) -> list[Point]:
-        """Return the seven numbers of the state at a time."""
+        """Return the seven numbers of the requested state."""
         if not isinstance(request, Fraction):
             lacking = "constants of the regular form" if isinstance(request, tuple) else "changes"
             raise InputError("method", "'theorem1'", f"has no {lacking}")
         return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Point], list[Point]]:
-        """Return (q, omega) at one time, which is the given state itself at t = 0."""
+        """Return attitude and rates at one time.
+
+        At t = 0, it is the given state itself.
+        """
         if time == 0:
             return self.start
         t = CTX.convert(time)
@@ -138,7 +156,7 @@ class Theorem1:
 
     @cached_property
     def _sines(self) -> list[dict[str, Any]]:
-        """zeta, xi, C and mu of each rate."""
+        """The constants zeta, xi, C and mu of each body rate."""
         return [self._sine(i) for i in range(3)]
 
     def _sine(self, i: int) -> dict[str, Any]:
@@ -150,7 +168,7 @@ class Theorem1:
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """The constants of phi1, which depends on Omega1."""
+        """The constants of the angle phi1, which depends on Omega1."""
         known: dict[str, Any] = {f"c{k + 1}": x for k, x in enumerate(self.inertia)}
         known |= {f"Omega{k + 1}": x for k, x in enumerate(self.omega0)}
         sine = self._sines[0]
@@ -159,7 +177,7 @@ class Theorem1:
         return {name: _number(value) for name, value in found.items()}
 
     def _by_angles(self, t: Point, rates: list[Point]) -> dict[str, Any]:
-        """Return the quaternion of equation (18), where axes 1, 2, 3 are a, b, d."""
+        """Evaluate the quaternion of equation (18), with axes 1, 2, 3 named a, b, d."""
         known = {f"Omega{k + 1}": x for k, x in enumerate(rates)}
         known |= {"side": -1 if rates[2] < 0 else 1, "t": t}
         formulas = sequence("theorem1_state")

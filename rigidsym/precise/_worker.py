@@ -1,4 +1,4 @@
-"""Evaluations of many digits in a worker process that can be ended at any time.
+"""A worker process for evaluations of many digits, which can be ended at any time.
 
 A call of Arb's may take seconds, and cannot be interrupted by a time limit or Ctrl-C.  So a second
 Python computes what takes long.  It starts at the first such evaluation and ends with this process;
@@ -36,7 +36,7 @@ Reply = list[BallData] | Exception
 def numbers(
     compute: Callable[..., list[arb]], *arguments: Any, end: float | None = None
 ) -> list[arb]:
-    """Return `compute(*arguments)`, computed by the worker process.
+    """Evaluate `compute(*arguments)` in the worker process.
 
     Raises TimeoutError where the clock reaches `end` first.  Where no process can be started, this
     one computes.
@@ -69,7 +69,7 @@ def _started() -> "_Worker | None":
 
 
 class _Worker:
-    """A Python process that reads requests from its input and writes replies to its output."""
+    """A Python process that evaluates requests from its input and writes replies."""
 
     def __init__(self) -> None:
         code = _CODE.format(path=[os.path.abspath(place) for place in sys.path])
@@ -89,7 +89,10 @@ class _Worker:
             self.replies.put(ChildProcessError("the process of many digits has ended"))
 
     def reply(self, request: Request, end: float | None) -> Reply:
-        """Return the reply to a request, unless the clock reaches `end` first."""
+        """Send a request to the process and wait for the reply.
+
+        Raises TimeoutError where the clock reaches `end` first.
+        """
         pickle.dump(request, self.requests)
         self.requests.flush()
         while True:
@@ -99,7 +102,7 @@ class _Worker:
                 return self.replies.get(timeout=max(left, 0))
 
     def stop(self) -> None:
-        """End the process now."""
+        """Kill the worker process."""
         self.process.kill()
         self.process.wait()
         for stream in (self.requests, self.answers):
@@ -119,7 +122,10 @@ def _check(end: float | None) -> None:
 
 
 def stop() -> None:
-    """End the worker process if there is one; the next evaluation starts a new one."""
+    """End the worker process if there is one.
+
+    The next evaluation starts a new one.
+    """
     global _worker
     worker, _worker = _worker, None
     if worker:
@@ -127,7 +133,7 @@ def stop() -> None:
 
 
 def _forget() -> None:
-    """Forget the worker in a forked child, as it belongs to the parent."""
+    """Discard the worker in a forked process, because it belongs to the parent."""
     global _worker, _turn, _inherited
     _worker, _turn, _inherited = None, Lock(), _worker
 
@@ -141,7 +147,7 @@ if hasattr(os, "register_at_fork"):
 
 
 def serve() -> None:
-    """Answer requests in the worker process until its input ends."""
+    """Process requests in the worker process until its input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     requests, answers = sys.stdin.buffer, sys.stdout.buffer
     while True:

@@ -1,1 +1,1 @@
-"""Sensitivities of states in balls, and states of all motions of a box by them."""
+"""Sensitivities of states as balls, and enclosures of all motions of a box by them."""

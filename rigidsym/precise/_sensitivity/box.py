@@ -1,4 +1,4 @@
-"""Boxes of bodies and rates, and parts of boxes: their middles, exactly, and numbers with slopes.
+"""Boxes of uncertain moments and rates, and their parts between slabs.
 
 A part is cut out by slabs: low <= g . (x - middle of the box) <= high for some directions g.  With
 V the matrix of these directions and any W, the deviation of inputs from the part's middle is
@@ -35,7 +35,9 @@ _PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
 
 @dataclass(frozen=True)
 class Slab:
-    """A slab low <= direction . d <= high, exactly in doubles.
+    """A slab low <= direction . d <= high of the space of inputs.
+
+    Its numbers are taken at their exact binary value.
 
     d: the open inputs (n) less their middles in the whole box.
     """
@@ -47,7 +49,9 @@ class Slab:
 
 @dataclass(frozen=True)
 class Box:
-    """A box of inertia (3) and body rates (3), or its part within some slabs.
+    """A box of uncertain moments and body rates, or its part within some slabs.
+
+    There are three moments and three rates.
 
     All numbers have the working precision.  The open inputs are the n uncertain ones.  The sides of
     the part are its s slabs and the open inputs.
@@ -59,17 +63,22 @@ class Box:
 
     @cached_property
     def open(self) -> list[int]:
-        """The indices of the uncertain `INPUTS`, or of the first one if all are exact."""
+        """The indices of the uncertain inputs, or of the first input if all are exact.
+
+        They refer to `INPUTS`.
+        """
         return [k for k, x in enumerate(self._given) if radius(x)] or [0]
 
     @property
     def names(self) -> list[str]:
-        """The names of the open inputs."""
+        """The names of the open, that is uncertain, inputs."""
         return [INPUTS[k] for k in self.open]
 
     @cached_property
     def limits(self) -> np.ndarray | None:
-        """The ends (n, 2) of the open inputs in the part; None for an empty part.
+        """The lower and upper limits (n, 2) of the open inputs in the part.
+
+        None for an empty part.
 
         They are less the middles of the box, and in units of the inputs' radii.
         A slab and the ends of all other inputs limit each input.  `MARGIN` is far above the
@@ -90,7 +99,10 @@ class Box:
 
     @cached_property
     def shift(self) -> list[Fraction]:
-        """The middle of the part less that of the box (n), within the ends."""
+        """The middle (n) of the part, relative to that of the box.
+
+        It is within the limits.
+        """
         if self.limits is None or not self.slabs:
             return [Fraction(0)] * len(self.open)
         found = self.limits.mean(axis=1)
@@ -103,7 +115,7 @@ class Box:
 
     @cached_property
     def inputs(self) -> arb_mat:
-        """The inputs (n, 1) less those of a middle, up to differences along the slabs."""
+        """The deviations (n, 1) of the inputs from a middle, up to differences along the slabs."""
         off = arb_mat([[x] for x in self._left])
         if not self.slabs or self.limits is None:
             return off
@@ -115,7 +127,10 @@ class Box:
 
     @cached_property
     def radii(self) -> np.ndarray:
-        """The radii of the open inputs (n,) in doubles; infinite beyond their range."""
+        """The radii (n,) of the open inputs in doubles.
+
+        They are infinite beyond the range of doubles.
+        """
         return np.array(list(map(_double, self._radii)))
 
     @cached_property
@@ -124,7 +139,7 @@ class Box:
 
     @cached_property
     def _left(self) -> list[arb]:
-        """The open inputs of the part, less the middles of the box."""
+        """The ranges of the open inputs in the part, relative to the middle of the box."""
         if self.limits is None or not self.slabs:
             return [arb(0, ball(r).upper()) for r in self._radii]
         low, high = map(self._unscaled, self.limits.T)
@@ -135,7 +150,7 @@ class Box:
 
     @cached_property
     def along(self) -> arb_mat:
-        """The inputs along the directions of the slabs, from the part's middle (s, 1)."""
+        """The deviations (s, 1) from the part's middle along the directions of the slabs."""
         shift = list(map(ball, self.shift))
         rows = []
         for slab in self.slabs:
@@ -146,12 +161,15 @@ class Box:
 
     @cached_property
     def sides(self) -> arb_mat:
-        """The variables of slopes (s + n, 1): the inputs along the slabs' directions, and all."""
+        """The variables (s + n, 1) to which slopes refer.
+
+        They are the deviations of inputs along the slabs' directions, and those of all inputs.
+        """
         return arb_mat([*self.along.tolist(), *self.inputs.tolist()])
 
     @cached_property
     def by_sides(self) -> arb_mat:
-        """The inputs less those of the part's middle, as a matrix (n, s + n) of the sides."""
+        """The matrix (n, s + n) that maps the sides to deviations from the part's middle."""
         if not self.slabs:
             return self._across
         rows = zip(self._back.tolist(), self._across.tolist(), strict=True)
@@ -159,24 +177,29 @@ class Box:
 
     @cached_property
     def _across(self) -> arb_mat:
-        """1 - W V (n, n)."""
+        """The projection 1 - W V (n, n) of inputs across the directions of the slabs."""
         unit = arb_mat(len(self.open), len(self.open), 1)
         return unit - self._back * self._directions if self.slabs else unit
 
     @cached_property
     def _back(self) -> arb_mat:
-        """W (n, s), the pseudoinverse of the slabs' directions, inputs in units of their radii."""
+        """The pseudoinverse W (n, s) of the slabs' directions.
+
+        Inputs are in units of their radii.
+        """
         rows = zip(self._directions.transpose().tolist(), self._radii, strict=True)
         weighted = arb_mat([[x * ball(r) ** 2 for x in row] for row, r in rows])
         return weighted * (self._directions * weighted).inv()
 
     @cached_property
     def directions(self) -> dict[str, list[arb]]:
-        """The components of the sides (s + n) along each open input, by name."""
+        """The components (s + n) of the sides along each open input, by name."""
         return dict(zip(self.names, self.by_sides.tolist(), strict=True))
 
     def reach(self, slopes: Sequence[arb]) -> arb:
-        """Return the range over the part of a number with slopes by the sides (s + n).
+        """Return the range over the part of a number with given slopes.
+
+        The slopes (s + n) are those by the sides.
 
         A slope by the inputs may also be counted along the slabs, and the other way round.  The
         result is the intersection of the least range slab by slab and that by the inputs alone.
@@ -202,7 +225,7 @@ class Box:
 
     @cached_property
     def _offsets(self) -> list[arb]:
-        """The difference of `inputs` and `along` along each slab."""
+        """The differences between `inputs` and `along` in the direction of each slab."""
         if self.limits is None:
             return []
         center = self._unscaled(self.limits.mean(axis=1))
@@ -212,7 +235,7 @@ class Box:
 
     @property
     def _directions(self) -> arb_mat:
-        """V (s, n), the slabs' directions."""
+        """The matrix V (s, n) of the slabs' directions."""
         return arb_mat([list(slab.direction) for slab in self.slabs])
 
     @property
@@ -226,12 +249,12 @@ class Box:
 
     @cached_property
     def parameters(self) -> list[Fraction]:
-        """p, r and p - r of the middle."""
+        """The parameters p, r and p - r of the middle's motion."""
         return parameters(*self.middles, self._axes)
 
     @cached_property
     def point(self) -> Columns:
-        """The formulas of sensitivities for the middle."""
+        """The formulas of sensitivities for the motion of the middle."""
         inertia, omega0 = (list(map(ball, values)) for values in self.middles)
         functions = {"power": balls.power}
         return Columns(inertia, omega0, STILL, self._axes, functions, self._is_sphere_amid)
@@ -262,7 +285,7 @@ class Box:
 
     @cached_property
     def _wholes(self) -> list[arb]:
-        """The balls of the rates and moments of the part."""
+        """The balls of the part's rates and moments."""
         wholes = [ball(middle(x)) for x in self._given]
         for k, left in zip(self.open, self._left, strict=True):
             wholes[k] += left
@@ -278,12 +301,12 @@ class Box:
 
     @property
     def middles(self) -> tuple[list[Fraction], list[Fraction]]:
-        """The inertia and the rates of the part's middle."""
+        """The moments and the rates of the part's middle."""
         return self._amid[3:], self._amid[:3]
 
     @cached_property
     def _amid(self) -> list[Fraction]:
-        """The inputs of the part's middle."""
+        """The rates and moments of the part's middle as one list."""
         amid = list(map(middle, self._given))
         for k, x in zip(self.open, self.shift, strict=True):
             amid[k] += x
@@ -297,7 +320,9 @@ def _share(
     along: arb,
     side: arb,
 ) -> float:
-    """Return the multiple of a slab's direction to count along the slab instead of in the slopes.
+    """Return the best multiple of a slab's direction to move from the slopes to the slab.
+
+    It is counted along the slab instead of in the slopes.
 
     It makes the range of the number least, at one of the corners of this piecewise linear function.
     """

@@ -1,4 +1,6 @@
-"""Derivatives of rates and attitude by initial rates and moments, by the ledger's formulas.
+"""Derivatives of rates and attitude with respect to initial rates and moments.
+
+They follow from the ledger's formulas.
 
 Numbers are of any kind that mixes with integers.  Columns have the names of the inputs: Omega1 to
 Omega3, c1 to c3.
@@ -36,7 +38,9 @@ _WAYS = tuple(f"Omega_{x}_{way}" for x in AXES for way in "kr")
 
 @dataclass(frozen=True)
 class Columns:
-    """Formulas of the sensitivities of a motion: the columns of derivatives by the inputs.
+    """The formulas of a motion's sensitivities to initial rates and moments.
+
+    A column has the derivatives by one input.
 
     inertia, omega0, start: moments (3), rates (3) and unit attitude (4) at t = 0. axes: the indices
     of the axes a, b, d.
@@ -54,12 +58,17 @@ class Columns:
 
     @cached_property
     def constants(self) -> Mapping[str, Any]:
-        """The constants of the rates, which include p, r and `apart` = p - r."""
+        """The constants in the formulas of the rates and their derivatives.
+
+        They include p, r and `apart` = p - r.
+        """
         known = _lettered(self.inertia, self.omega0, self.axes)
         return self._of("columns", self._of("moments", known))
 
     def rates(self, t: Any, elapsed: Mapping[str, Any]) -> Named:
-        """Return the rates at a time with their columns and excesses.
+        """Return the rates at a time with their derivatives and the integrals of their squares.
+
+        Derivatives are columns, integrals are excesses.
 
         elapsed: the functions of elapsed time.
         Names have the numbers of the axes.  An excess is the integral of the square of a rate, less
@@ -93,7 +102,7 @@ class Columns:
         return known
 
     def _by(self, parameter: str, name: str) -> Any:
-        """Return the derivative of p or p - r by an input.
+        """Return the derivative of p or p - r with respect to an input.
 
         Each rate changes p or r alone.
         """
@@ -103,7 +112,10 @@ class Columns:
         return self.constants.get(f"{parameter}_by_{name}", 0)
 
     def _excesses(self, t: Any, found: Named) -> Named:
-        """Return the excesses, by (Omega_x^2)' = 2 alpha_x Omega_a Omega_b Omega_d."""
+        """Return the excesses, which are integrals of the squares of the rates.
+
+        They follow from (Omega_x^2)' = 2 alpha_x Omega_a Omega_b Omega_d.
+        """
         if self.is_sphere:
             return dict.fromkeys(EXCESSES, 0)
         if self.product is None:
@@ -111,12 +123,15 @@ class Columns:
         return {f"excess_{x}": self.constants[f"alpha_{x}"] * (t * t * self.product) for x in AXES}
 
     def turned(self, t: Any, rates: Mapping[str, Any], attitude: Sequence[Any]) -> Named:
-        """Return the columns of small turns in space, also by the time, and the rotation matrix."""
+        """Return the derivatives of the attitude as small turns in space.
+
+        Those by the time and the rotation matrix are returned as well.
+        """
         known = {**self.begun, **rates, **{f"q{k}": x for k, x in enumerate(attitude)}}
         return self._of("turn", {**known, "t": t})
 
     def rotation(self, attitude: Sequence[Any]) -> Named:
-        """Return the rotation matrix R11 to R33 of an attitude, from the body to space."""
+        """Return the entries R11 to R33 of an attitude's rotation matrix, from body to space."""
         known = {f"q{k}": x for k, x in enumerate(attitude)}
         return sequence("turn").up_to(_ROTATION).evaluate(known, self.functions)
 
@@ -126,7 +141,7 @@ class Columns:
 
     @cached_property
     def begun(self) -> Mapping[str, Any]:
-        """The constants of the attitude's columns at t = 0."""
+        """The constants in the derivatives of the attitude."""
         known: Named = {f"p{k}": x for k, x in enumerate(self.start)}
         for k, (c, w) in enumerate(zip(self.inertia, self.omega0, strict=True), 1):
             known |= {f"c{k}": c, f"Omega{k}_0": w}
@@ -138,7 +153,10 @@ class Columns:
 
 @cache
 def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
-    """Return the formulas of changes with p and r alone, and all other formulas but f = D_t F_t."""
+    """Return the formulas of sensitivities in two parts.
+
+    The first has the changes with p and r alone, the second all others but f = D_t F_t.
+    """
     formulas = [x for x in sequence("sensitivity").formulas if x[0] != "f"]
     ways = FormulaSequence(formulas).up_to(frozenset([*_WAYS, *(f"Omega_{x}" for x in AXES)]))
     names = {name for name, _ in ways.formulas}
@@ -146,7 +164,10 @@ def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
 
 
 def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[int, ...]:
-    """Return the axes a, b, d with b the middle one, so that 0 <= r <= p."""
+    """Return the indices of the axes a, b and d of a motion.
+
+    b is the middle axis, and 0 <= r <= p.
+    """
     order = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     return tuple(order if discriminant(inertia, omega0) >= 0 else order[::-1])
 
@@ -154,7 +175,7 @@ def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[in
 def parameters(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], axes: Sequence[int]
 ) -> list[Fraction]:
-    """Return p, r and p - r of a motion, exactly."""
+    """Return the parameters p, r and p - r of a motion exactly."""
     known: Named = _lettered(inertia, omega0, axes)
     for name, wanted in (("moments", _COEFFICIENTS), ("columns", _PARAMETERS)):
         formulas = sequence(name).up_to(frozenset(wanted))
@@ -163,7 +184,7 @@ def parameters(
 
 
 def _lettered(inertia: Sequence[Any], omega0: Sequence[Any], axes: Sequence[int]) -> Named:
-    """Return moments and rates by the names that formulas use."""
+    """Return the moments and rates by the names that formulas use."""
     known: Named = {"epsilon": handedness(*axes)}
     for x, k in zip(AXES, axes, strict=True):
         known |= {f"c_{x}": inertia[k], f"Omega_{x}0": omega0[k]}
@@ -176,7 +197,7 @@ RATES = [f"Omega{k}" for k in NUMBERS]
 
 @dataclass(frozen=True)
 class TurnColumns:
-    """Changes of the turn since t = 0 along directions of the inputs, in the axes of the body.
+    """Derivatives of the turn since t = 0 along directions of the inputs, in body axes.
 
     In the body no wide number is multiplied by another; in the columns of `Columns.turned`, seen
     in space, the attitude turns all uncertainty of the rates.
@@ -190,7 +211,10 @@ class TurnColumns:
     directions: Mapping[str, Sequence[arb]]
 
     def of(self, turn: Sequence[Any]) -> list[list[Any]]:
-        """Return the changes (4, m) of a turn, which is a quaternion (4)."""
+        """Return the derivatives (4, m) of a turn along each direction.
+
+        The turn is a quaternion (4).
+        """
         rotation = self.columns.rotation(turn)
         known = {**rotation, **self._given}
         found = []
@@ -207,7 +231,7 @@ class TurnColumns:
 
     @property
     def of_rates(self) -> list[list[Any]]:
-        """The changes of the rates (3, m)."""
+        """The derivatives (3, m) of the rates along each direction."""
         return [[change[f"d{x}"] for change, _ in self._changes] for x in RATES]
 
     @cached_property
@@ -219,11 +243,14 @@ class TurnColumns:
 
     @cached_property
     def _changes(self) -> list[tuple[Named, list[Any]]]:
-        """The changes and the momentum at t = 0 along each direction, without the turn."""
+        """The derivatives along each direction that do not depend on the turn.
+
+        They are those of the rates, moments and initial momentum.
+        """
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
     def _change(self, parts: Sequence[arb]) -> tuple[Named, list[Any]]:
-        """Return the changes along one direction of the inputs, and those of the momentum."""
+        """Return the derivatives of rates and momentum along one direction of the inputs."""
         share = dict(zip(self.directions, parts, strict=True))
         change: Named = {}
         ways = {
@@ -248,7 +275,7 @@ class TurnColumns:
 
 
 def combined(parts: Sequence[Any], values: Sequence[Any]) -> Any:
-    """Return the linear combination of the values."""
+    """Return a linear combination of values, without terms whose coefficient is zero."""
 
     def is_zero(value: Any) -> bool:
         return not value if isinstance(value, int) else isinstance(value, arb) and value.is_zero()
@@ -259,14 +286,20 @@ def combined(parts: Sequence[Any], values: Sequence[Any]) -> Any:
 
 @dataclass(frozen=True)
 class Point:
-    """Sensitivities of one motion of exact moments (3) and rates (3) and unit attitude (4)."""
+    """The sensitivities of one motion with exact moments and rates.
+
+    The initial attitude is a unit quaternion.
+    """
 
     inertia: Sequence[Fraction]
     omega0: Sequence[Fraction]
     start: Sequence[arb]
 
     def at(self, time: Fraction, attitude: Sequence[arb]) -> list[arb]:
-        """Return the numbers of `listed` at a time, from the attitude at that time."""
+        """Return the sensitivities at a time, given the attitude at that time.
+
+        They are the numbers of `listed`.
+        """
         t = ball(time)
         if not any(self.omega0):
             return listed(self._at_rest(t, attitude))
@@ -275,7 +308,10 @@ class Point:
         return listed({**rates, **self._columns.turned(t, rates, attitude)})
 
     def _at_rest(self, t: arb, attitude: Sequence[arb]) -> Named:
-        """Return the derivatives for a body at rest, which a small rate turns steadily."""
+        """Return the sensitivities of a body at rest.
+
+        A small rate turns it steadily.
+        """
         rotation = self._columns.rotation(attitude)
         known: Named = dict.fromkeys(NAMES, 0)
         for i in NUMBERS:
@@ -293,7 +329,10 @@ class Point:
 
     @cached_property
     def _parameters(self) -> list[arb]:
-        """p, r and p - r; exactly zero where they are zero."""
+        """The parameters p, r and p - r as balls.
+
+        They are exactly zero where they are zero.
+        """
         return list(map(ball, parameters(self.inertia, self.omega0, self._axes)))
 
     @cached_property
@@ -313,7 +352,9 @@ STAYS = {f"{x}{i}_by_eta{k}": int(x == "eta" and i == k)
 
 
 def listed(found: Mapping[str, Any]) -> list[arb]:
-    """List the derivatives of the small turn in space (3, 9) and of the rates (3, 9).
+    """List the derivatives of attitude and rates in a fixed order.
+
+    They are (3, 9) of a small turn in space and (3, 9) of the rates.
 
     These are by the small turn, rates and moments at t = 0; those by the time (3 each) follow.
     """

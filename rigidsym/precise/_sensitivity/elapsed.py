@@ -1,4 +1,6 @@
-"""The functions of elapsed time in the formulas of sensitivities, of one motion and over a box.
+"""Elliptic functions of the elapsed time in the formulas of sensitivities.
+
+They are evaluated for one motion and over a box.
 
 With p = lambda^2, r = m lambda^2 and 0 <= r <= p,
 
@@ -34,7 +36,7 @@ _POWER = {"power": power}
 
 
 class Elapsed(NamedTuple):
-    """The functions S, C, D, E and f at a time, by the names that formulas use."""
+    """The functions S, C, D, E and f of elapsed time, by the names that formulas use."""
 
     S_t: arb
     C_t: arb
@@ -44,7 +46,7 @@ class Elapsed(NamedTuple):
 
 
 def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
-    """Return the functions of elapsed time of one motion.
+    """Evaluate the functions of elapsed time for one motion.
 
     gap: p - r.  A zero p or gap must be exactly zero.
     """
@@ -64,21 +66,27 @@ def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
 
 
 def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
-    """Return True for a time within the first quarter of a period, where cn and dn have no zero."""
+    """Return True for a time within the first quarter of a period.
+
+    cn and dn have no zero there.
+    """
     if p.is_zero() or (gap.is_zero() and not r.is_zero()):
         return True
     return bool(abs(t) * p.sqrt() < quarter_period(gap / p))
 
 
 def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
-    """Return lambda, 0, m and 1 - m, which are cached as the same objects for all times."""
+    """Return lambda, 0, m and 1 - m of a motion.
+
+    They are cached as the same objects for all times.
+    """
     mc = arb(1) if r.is_zero() else gap / p
     return p.sqrt(), arb(0), 1 - mc, mc
 
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """A time, and the balls of p, r and p - r over all motions of a box.
+    """A time, and the ranges of p, r and p - r over all motions of a box.
 
     grows: True if cn and dn of the middle surely have no zero before the time.
     """
@@ -90,7 +98,9 @@ class Range:
     grows: bool = False
 
     def over(self, middle: Elapsed, deviation: arb_mat) -> tuple[Elapsed, arb_mat] | None:
-        """Return the functions, and slopes (5, 2) by p and p - r; None where no guess is right.
+        """Enclose the functions of elapsed time over the box, with their slopes.
+
+        The slopes (5, 2) are those by p and p - r.  Return None where no guess is right.
 
         `deviation` (2, 1) is p and p - r less their middles.  The box grows part by part, as slopes
         are smaller in its inner parts.
@@ -110,7 +120,7 @@ class Range:
     def _grown(
         self, start: Elapsed, inner: Elapsed, part: arb_mat
     ) -> tuple[Elapsed, arb_mat] | None:
-        """Return functions and slopes over a box one part larger, from the values so far."""
+        """Enclose functions and slopes over a box one part larger, from the values so far."""
         image = self._image(start, inner, part)
         for _ in range(TRIES):
             guess = list(map(wider, image))
@@ -127,7 +137,10 @@ class Range:
         return Elapsed(*map(intersection, found, self.limits))
 
     def slopes(self, values: Elapsed) -> arb_mat:
-        """Return the derivatives (5, 2) by p and p - r at all values."""
+        """Return the derivatives (5, 2) of the functions with respect to p and p - r.
+
+        They hold at all given values.
+        """
         known = {**values._asdict(), "F_t": values.f / values.D_t}
         given = {"p": self.p, "r": self.r, **known}
         # The integrals of fourth powers, by formulas and within bounds.
@@ -143,7 +156,7 @@ class Range:
         return arb_mat([[found[f"{x}_k"], -found[f"{x}_r"]] for x in names])
 
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:
-        """Return upper bounds of S^2 and (S/D)^2 up to the time.
+        """Return upper bounds of S^2 and (S/D)^2 from 0 to the time.
 
         Both grow until C or D is zero, so before that the last values are bounds; else 1/p and
         1/(p - r) are.  C and D surely have no zero if they have none at the middle, and none at the
@@ -160,7 +173,7 @@ class Range:
 
     @property
     def limits(self) -> Sequence[arb]:
-        """Bounds of the functions at all times; no number where there is none."""
+        """Bounds of the functions at all times, or NaN where there is none."""
         if not self.p > 0:
             return [arb.nan()] * 5
         most = (1 - self.r / self.p).upper().max(1).sqrt()
@@ -170,5 +183,5 @@ class Range:
 
 
 def wider(image: arb) -> arb:
-    """Return a guess a little wider than the image of the last guess."""
+    """Return a ball a little wider than the image of the last guess."""
     return image + arb(0, image.rad() * MORE + LEAST)

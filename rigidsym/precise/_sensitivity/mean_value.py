@@ -1,4 +1,4 @@
-"""Turns and rates of all motions of a box, by the mean value theorem.
+"""Enclosures of attitudes and rates over a box of inputs, by the mean value theorem.
 
     state  in  state(middle) + S (inputs - middle),
 
@@ -39,7 +39,9 @@ Turn = tuple[list[Sloped], list[list[Sloped]]]
 
 @dataclass(frozen=True)
 class MeanValue:
-    """All motions of a box at a time, at the working precision.
+    """The mean value form of all motions of a box at one time.
+
+    Numbers have the working precision.
 
     turn, omega: the turn since t = 0 (4) and the rates (3) of the middle.
     """
@@ -51,19 +53,22 @@ class MeanValue:
 
     @cached_property
     def _functions(self) -> Elapsed:
-        """The functions of elapsed time of the middle."""
+        """The functions of elapsed time for the motion of the middle."""
         return elapsed(self.t, *map(ball, self.box.parameters), Theta())
 
     @cached_property
     def _changes(self) -> Rows:
-        """The changes of turn and rates of the middle along the sides (7, m)."""
+        """The derivatives (7, m) of the middle's turn and rates along the sides."""
         rates = self.box.point.rates(self.t, self._functions._asdict())
         columns = TurnColumns(self.box.point, self.t, rates, self.box.directions)
         return [*columns.of(self.turn), *columns.of_rates]
 
     @cached_property
     def columns(self) -> TurnColumns | None:
-        """The changes of all motions; None without an enclosure of the rates."""
+        """The derivatives of all motions along the sides of the box.
+
+        None without an enclosure of the rates.
+        """
         functions = self._elapsed()
         if functions is None:
             return None
@@ -72,7 +77,10 @@ class MeanValue:
 
     @cached_property
     def turned(self) -> Turn | None:
-        """The turns of all motions with their changes; None where no guess is right."""
+        """The turns of all motions since t = 0, with their derivatives.
+
+        None where no guess of the derivatives is right.
+        """
         if self.columns is None:
             return None
         image = self._changes[:4]
@@ -87,7 +95,10 @@ class MeanValue:
         return None
 
     def _image(self, columns: TurnColumns, guess: Rows) -> Turn:
-        """Return the turn by a guess of its changes (4, m), and the changes that follow from it."""
+        """Return the turn that follows from a guess of its derivatives, and their new enclosure.
+
+        The derivatives have the shape (4, m).
+        """
         turn = []
         for start, row in zip(self.turn, guess, strict=True):
             whole = intersection(start + self.box.reach(row), ONE)
@@ -95,7 +106,10 @@ class MeanValue:
         return turn, columns.of(turn)
 
     def state(self) -> tuple[list[Sloped] | None, list[Sloped] | None]:
-        """Return the turn since t = 0 (4) and the rates (3), each None without an enclosure."""
+        """Return enclosures of the turn since t = 0 (4) and of the rates (3).
+
+        Each is None without an enclosure.
+        """
         if self.columns is None:
             return None, None
         wholes = [self.columns.rates[f"Omega{k}"].whole for k in NUMBERS]
@@ -108,7 +122,7 @@ class MeanValue:
         return [self._moved(*x) for x in given], rates
 
     def _moved(self, start: arb, row: Sequence[Sloped], whole: arb) -> Sloped:
-        """Return a number over the box, from its value at the middle and its derivatives.
+        """Enclose a number over the box from its value at the middle and its derivatives.
 
         On the straight line from the middle, half of the derivatives' deviations counts.
         """
@@ -117,7 +131,10 @@ class MeanValue:
         return Sloped.of(start, arb_mat([slopes]), known, self.box.sides)
 
     def _elapsed(self) -> dict[str, Sloped] | None:
-        """Return the functions of elapsed time over the box; None without an enclosure."""
+        """Enclose the functions of elapsed time over the box.
+
+        Return None without an enclosure.
+        """
         middles = self._functions
         if self.box.is_sphere:
             still = arb_mat(len(middles), self.box.sides.nrows())
@@ -141,7 +158,7 @@ class MeanValue:
 
     @np.errstate(all="ignore")
     def bends(self) -> np.ndarray:
-        """Return the changes of phases along the sides of the box (6, s + n), rad.
+        """Return how much the phases vary along the sides of the box (6, s + n), in rad.
 
         These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
         of a period, log(16 p/(p - r))/2 near the separatrix.

@@ -1,4 +1,4 @@
-"""States and sensitivities of all motions of a box, by the mean value form over parts of the box.
+"""States and sensitivities of all motions of a box, by mean value forms over its parts.
 
 A box is cut into parts where the mean value form of the whole box is too wide.  The excess of the
 form grows with the square of the box, so parts of it have less.  The part that reaches farthest
@@ -84,7 +84,10 @@ class Part:
 
     @np.errstate(all="ignore")
     def pieces(self) -> list[tuple[Slab, ...]]:
-        """Return the slabs of the pieces to cut the part into; none where cutting is no use."""
+        """Return the slabs of the pieces into which the part should be cut.
+
+        There are none where cutting is no use.
+        """
         count, radii = len(self.slabs), (self.ends[:, 1] - self.ends[:, 0]) / 2
         if not np.isfinite(radii).all():
             return []
@@ -112,7 +115,7 @@ class Part:
 
 
 def parts_of(enclose: Callable[[tuple[Slab, ...]], Part | None], least: float) -> list[Part]:
-    """Cut a box into parts until they are narrow enough, and return them.
+    """Cut a box into parts that are narrow enough for sharp enclosures.
 
     enclose: returns the part that some slabs cut out, and None for an empty one. least: a range
     that needs no parts.
@@ -131,7 +134,10 @@ def parts_of(enclose: Callable[[tuple[Slab, ...]], Part | None], least: float) -
 
 @np.errstate(all="ignore")
 def _worst(parts: Sequence[Part], least: float, gives_up: bool) -> int | None:
-    """Return the index of the part that reaches farthest beyond its first order, if one does."""
+    """Return the index of the part whose enclosure exceeds its first-order range most.
+
+    Return None if no part exceeds it.
+    """
     first = np.array([part.first for part in parts])
     ends = np.array([[[float(x.lower()), float(x.upper())] for x in p.state] for p in parts])
     low, high = first[:, :, 0].min(axis=0), first[:, :, 1].max(axis=0)
@@ -153,7 +159,7 @@ def _sliced(slab: Slab, gain: float) -> list[Slab]:
 
 @dataclass(frozen=True)
 class MeanStates(MotionInputs):
-    """States of all motions of a box of inputs, by mean values.
+    """Enclosures of all motions of a box of inputs, by the mean value theorem.
 
     bits: a precision that fits the radii of the inputs.
     """
@@ -161,7 +167,9 @@ class MeanStates(MotionInputs):
     bits: int
 
     def state(self, time: Fraction, check: Callable[[], None]) -> tuple[State, bool]:
-        """Return (q, omega) as balls, and whether every part of the box has an enclosure.
+        """Return attitude and rates at a time as balls that enclose all motions.
+
+        Whether every part of the box has an enclosure is returned as well.
 
         Balls of a part without one are [-1, 1], and rates keep to energy and momentum.  `check` is
         called before each part and at the end; an exception that it raises ends the work.
@@ -176,7 +184,10 @@ class MeanStates(MotionInputs):
     def _part(
         self, time: Fraction, check: Callable[[], None], slabs: tuple[Slab, ...]
     ) -> Part | None:
-        """Enclose the states of the part that slabs cut out; return None for an empty part."""
+        """Enclose the states of the part of the box that slabs cut out.
+
+        Return None for an empty part.
+        """
         check()
         bits = self._bits(time)
         with working(bits):
@@ -204,7 +215,10 @@ class MeanStates(MotionInputs):
         return [*[ONE] * 4, *rate_bounds(moments, factors, rates)]
 
     def sensitivities(self, time: Fraction) -> list[arb] | None:
-        """Return the numbers of `listed` for all motions of the box; None without an enclosure."""
+        """Return enclosures of the sensitivities of all motions of the box.
+
+        They are the numbers of `listed`.  Return None without an enclosure.
+        """
         bits = self._bits(time)
         if not any(self.omega0):
             with working(bits):
@@ -231,7 +245,7 @@ class MeanStates(MotionInputs):
 
     @property
     def reason(self) -> str:
-        """The reason why there is no enclosure."""
+        """The reason why there is no enclosure, as text."""
         if self.holds_rest:
             return "the box holds a body at rest, whose momentum has no direction"
         return TOO_UNCERTAIN
@@ -246,7 +260,7 @@ class MeanStates(MotionInputs):
         return unit(list(map(ball, self.attitude0)))
 
     def _mean(self, box: Box, time: Fraction, bits: int) -> MeanValue:
-        """Return the mean value form of a part at a time."""
+        """Return the mean value form of a part of the box at a time."""
         identity = tuple(map(Fraction, (1, 0, 0, 0)))
         inertia, omega0 = map(tuple, box.middles)
         digits = int(bits / BITS_PER_DIGIT)
@@ -264,7 +278,7 @@ class MeanStates(MotionInputs):
         return -(-(self.bits + GUARD_BITS + 2 * more) // STEP) * STEP
 
     def _box(self, bits: int) -> Box:
-        """Return the whole box, kept for each precision."""
+        """Return the whole box, cached for each precision."""
         return self._kept.setdefault(bits, Box(self.inertia, self.omega0))
 
     @cached_property
@@ -272,7 +286,7 @@ class MeanStates(MotionInputs):
         return {}
 
     def _turned(self, turn: Sequence[Sloped]) -> list[Sloped]:
-        """Return the product of the unit attitude at t = 0 and a turn, over a box of all inputs."""
+        """Multiply the unit attitude at t = 0 by a turn, over a box of all inputs."""
         open_ = [k for k, x in enumerate(self.attitude0) if radius(x)]
         body = turn[0].box.entries()
         spread = [ball(radius(self.attitude0[k])).upper() for k in open_]
@@ -298,7 +312,7 @@ class MeanStates(MotionInputs):
 
 
 def _ends(box: Box, value: Sloped | None, limit: arb) -> tuple[arb, tuple[float, float]]:
-    """Return the ball of a number over a box, and both ends of its first-order range."""
+    """Return the range of a number over a box, and both ends of its first-order range."""
     if value is None or not all(x.is_finite() for x in (value.whole, *value.slopes.entries())):
         return limit, (inf, -inf)
     slopes, count = value.slopes.entries(), box.sides.nrows()

@@ -1,4 +1,4 @@
-"""Arithmetic of the mean value form: numbers over a box of inputs with slopes.
+"""Arithmetic of numbers that are functions of a box of inputs, by their slopes.
 
 A quantity f has its value at the middle of the box, the ball of its values, and slopes s with
 
@@ -21,7 +21,7 @@ Operand = Union["Sloped", arb, int]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sloped:
-    """A number over a box of inputs.
+    """A number as a function of the inputs in a box, enclosed by its slopes.
 
     middle: its value at the middle of the box. slopes (1, n): by the inputs. whole: the ball of all
     values. box (n, 1): the inputs less their middles.
@@ -34,11 +34,11 @@ class Sloped:
 
     @classmethod
     def of(cls, middle: arb, slopes: arb_mat, whole: arb, box: arb_mat) -> "Sloped":
-        """Return the number with its values restricted to those that the slopes allow."""
+        """Create a number whose range is restricted to the values that its slopes allow."""
         return cls(middle, slopes, intersection(middle + (slopes * box)[0, 0], whole), box)
 
     def deviation(self) -> arb:
-        """Return the deviations from the middle that the slopes allow."""
+        """Return the range of deviations from the middle that the slopes allow."""
         return (self.slopes * self.box)[0, 0]
 
     def __neg__(self) -> "Sloped":
@@ -79,18 +79,21 @@ class Sloped:
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Sloped":
-        """Return the square root, which is NaN where the radicand may be negative."""
+        """Return the square root.
+
+        It is NaN where the radicand may be negative.
+        """
         middle, whole = self.middle.sqrt(), self.whole.sqrt()
         return self.of(middle, self.slopes / (middle + whole), whole, self.box)
 
     def square(self) -> "Sloped":
-        """Return the square, which is not negative."""
+        """Return the square, whose range is not negative."""
         slopes = self.slopes * (self.middle + self.whole)
         return self.of(self.middle * self.middle, slopes, balls.power(self.whole, 2), self.box)
 
 
 def power(x: Operand, exponent: int) -> "Sloped | arb":
-    """Return a power with a positive exponent, by squares and products."""
+    """Compute a positive integer power by repeated squaring."""
     if not isinstance(x, Sloped):
         return balls.power(arb(x), exponent)
     if exponent == 1:
