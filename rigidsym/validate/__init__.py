@@ -1,4 +1,4 @@
-"""Validation of the generated modules, and of a user's integrator.
+"""Validation of the generated modules and of users' integrators.
 
 Strata of cases, oracles, error measures, and reports.
 """

@@ -1,4 +1,4 @@
-"""Campaigns that compare the true errors of an application with the errors it promises.
+"""Validation campaigns that compare an application's true errors with those it promises.
 
 An application is a table of strata, each with a function that draws a case, and a measure.
 """
@@ -18,7 +18,10 @@ HEADS = ("stratum", "cases", "refused", "median", "worst", "worst case", "far of
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Result of one case: its true error over the promised error, None if it was refused."""
+    """Result of one case of an application.
+
+    share: the true error over the promised error, None if the case was refused.
+    """
 
     stratum: str
     index: int
@@ -39,7 +42,7 @@ class Goal:
     worst: float
 
     def broken(self, outcomes: Sequence[Outcome]) -> Iterator[str]:
-        """Yield a sentence for each part of the goal that is not reached."""
+        """Yield a sentence for each limit of the goal that the results exceed."""
         shares = [x.share for x in outcomes if x.share is not None]
         refused = len(outcomes) - len(shares)
         if refused > self.refused * len(outcomes):
@@ -54,7 +57,7 @@ class Goal:
 
 @dataclass(frozen=True, slots=True)
 class Application(Generic[Case]):
-    """Application under test: functions that draw the cases of each stratum, a measure, and a goal.
+    """Application under test, with its strata of cases, its error measure and its goal.
 
     measure: returns the true error of a case over the promised one, None if it was refused.
     """
@@ -65,13 +68,17 @@ class Application(Generic[Case]):
     goal: Goal
 
     def draw(self, stratum: str, index: int, seed: int) -> Case:
-        """Draw one case; the same seed, stratum and index always give the same case."""
+        """Draw one random case of a stratum.
+
+        The same seed, stratum and index always give the same case.
+        """
         return self.strata[stratum](Random(f"{self.name}:{stratum}:{index}:{seed}"))
 
     def outcomes(self, cases: int, seed: int, strata: Collection[str] = ()) -> Iterator[Outcome]:
-        """Yield the outcomes of `cases` cases in each stratum, or in those named.
+        """Draw and measure cases of each stratum, and yield their outcomes.
 
-        Raises InputError for a stratum that does not exist.
+        cases: the number in each stratum.  strata: names, all by default.  Raises InputError for a
+        stratum that does not exist.
         """
         for name in strata:
             if name not in self.strata:
@@ -83,7 +90,10 @@ class Application(Generic[Case]):
                 yield Outcome(stratum, index, share)
 
     def rows(self, outcomes: Sequence[Outcome]) -> Iterator[tuple[str, ...]]:
-        """Yield one table row per stratum, with the columns of `HEADS`."""
+        """Yield a table row with the results of each stratum.
+
+        The columns are those of `HEADS`.
+        """
         for stratum in dict.fromkeys(x.stratum for x in outcomes):
             every = [x for x in outcomes if x.stratum == stratum]
             found = sorted((x.share, x.index) for x in every if x.share is not None)

@@ -1,4 +1,4 @@
-"""Measures of errors, with their meanings and documented bounds."""
+"""Error measures, with their meanings and documented bounds."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ BOUND = 2e-15
 
 @dataclass(frozen=True, slots=True)
 class Measure:
-    """Measure of errors, with its documented bound, its meaning and its column title.
+    """Error measure, with its documented bound, its meaning and its column title.
 
     conditioned: the bound is times the condition number of the measured quantity.
     of_length: it is about the length of one quaternion, which is as wrong after a step as ever.
@@ -61,7 +61,7 @@ _TIMES = {"numpy-pi": 1.5, "c-pi": 1.5, "numpy-step": 0.5, "c-step": 0.5}
 
 
 def bounds_of(implementation: str) -> dict[str, float]:
-    """Return the documented bounds of one implementation, by measure.
+    """Return an implementation's documented error bounds by the name of the measure.
 
     >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
     (1e-15, 2e-15)

@@ -1,6 +1,6 @@
-"""Campaigns: cases measured in chunks by any executor, always with the same result.
+"""Validation campaigns, whose results do not depend on the executor that measures them.
 
-A campaign may be saved in a file, from which it is resumed.
+Cases are measured in chunks.  A campaign may be saved in a file, from which it is resumed.
 """
 
 import hashlib
@@ -45,7 +45,10 @@ Chunk = tuple[str, int, int]
 
 @dataclass(frozen=True, slots=True)
 class Campaign:
-    """Settings of a campaign; equal settings give equal results."""
+    """Settings of a validation campaign.
+
+    Equal settings give equal results.
+    """
 
     targets: tuple[str, ...]
     peers: tuple[str, ...]
@@ -67,7 +70,10 @@ class Campaign:
         peers: Sequence[str] = (),
         strata: Sequence[str] = (),
     ) -> "Campaign":
-        """Check the settings of a campaign; raise InputError for missing targets or peers."""
+        """Create a campaign from checked settings.
+
+        Raises InputError for missing targets or peers.
+        """
         targets, peers, strata = (
             (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
         )
@@ -92,43 +98,53 @@ class Campaign:
 
     @property
     def implementations(self) -> tuple[str, ...]:
-        """Names of the measured implementations: targets, then peers with PEER as a prefix."""
+        """The names of the measured implementations, which are targets and peers.
+
+        Peers come last and have PEER as a prefix.
+        """
         return (*self.targets, *(PEER + name for name in self.peers))
 
     @property
     def user_integrator(self) -> str | None:
-        """The name of a user's integrator, which means nothing in other processes."""
+        """The name of the user's integrator that is measured, or None.
+
+        The name means nothing in other processes.
+        """
         return next((name for name in self.peers if name not in PEERS), None)
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The implementations that have to keep the bounds; for peers, errors are only reported."""
+        """The implementations that have to keep the error bounds.
+
+        Errors of peers are only reported.
+        """
         user = self.user_integrator
         return (*self.targets, PEER + user) if user else self.targets
 
     @property
     def size(self) -> int:
-        """The number of cases."""
+        """The total number of cases in the campaign."""
         return sum(count(stratum, self.cases) for stratum in self.strata)
 
     def to_data(self) -> report_data.Data:
-        """Return the campaign as plain data."""
+        """Return the settings of the campaign as plain data."""
         values = ((x.name, getattr(self, x.name)) for x in fields(self))
         data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values}
         return data
 
     @classmethod
     def from_data(cls, data: report_data.Data) -> "Campaign":
-        """Return the campaign that `to_data` has written."""
+        """Create a campaign from the data that `to_data` returns."""
         values: Any = {name: tuple(x) if isinstance(x, list) else x for name, x in data.items()}
         return cls(**values)
 
 
 @dataclass(slots=True)
 class Progress:
-    """Results of a campaign so far: a tally, and the ranges of finished cases by stratum.
+    """Results of an unfinished validation campaign.
 
-    With a directory, it is saved in a file there: every few seconds, whole or not at all.
+    These are a tally, and the ranges of finished cases by stratum.  With a directory, they are
+    saved in a file there every few seconds, whole or not at all.
     """
 
     campaign: Campaign
@@ -139,7 +155,7 @@ class Progress:
 
     @classmethod
     def load(cls, directory: Path) -> "Progress":
-        """Load the unfinished campaign of a directory.
+        """Load the unfinished campaign that is saved in a directory.
 
         Raises InputError where there is none, or a damaged one.
         """
@@ -159,7 +175,7 @@ class Progress:
         return cls(campaign, Tally.from_data(data["tally"]), done, directory)
 
     def save(self, interval: float = 0.0) -> None:
-        """Write the file, unless it was written less than `interval` seconds ago.
+        """Save the unfinished campaign, at most once in `interval` seconds.
 
         Raises InputError where that fails, and keeps the old file.
         """
@@ -171,17 +187,17 @@ class Progress:
             self._saved = time.monotonic()
 
     def remove(self) -> None:
-        """Remove the file of a campaign whose report is written."""
+        """Remove the saved file of a finished campaign."""
         if self.directory:
             (self.directory / NAME).unlink(missing_ok=True)
 
     @property
     def cases(self) -> int:
-        """The number of cases that are done."""
+        """The number of finished cases."""
         return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
 
     def missing(self) -> Iterator[Chunk]:
-        """Yield the chunks that are left to do.
+        """Yield the chunks of cases that are not measured yet.
 
         Those of a stratum are missing at the time when the first of them is yielded, whatever is
         counted meanwhile.
@@ -195,7 +211,10 @@ class Progress:
                 begin = stop
 
     def take(self, chunk: Chunk, tally: Tally) -> None:
-        """Add a finished chunk; if interrupted, nothing of it is added."""
+        """Add the results of a finished chunk of cases.
+
+        If this is interrupted, nothing of it is added.
+        """
         stratum, *own = chunk
         merged = self.tally.copy()
         merged.merge(tally)
@@ -211,15 +230,16 @@ class Progress:
 
 
 def _seal(data: Mapping[str, object]) -> dict[str, str]:
-    """Return the schema of a file, and a digest that shows any change."""
+    """Return the schema and the digest to store in a campaign's file."""
     text = json.dumps(data, sort_keys=True)
     return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
 
 
 def complete(progress: Progress, place: Place, after: Callable[[], None] = lambda: None) -> None:
-    """Measure the missing cases of a campaign; call `after` whenever more are done.
+    """Measure the missing cases of a campaign, in chunks.
 
-    Whatever stops it, `progress` is whole: each case is in it once or not at all.
+    after: is called whenever more cases are done.  Whatever stops it, `progress` is whole: each
+    case is in it once or not at all.
     """
     chunks = progress.missing()
     pending: set[Future[tuple[Chunk, Tally]]] = set()
@@ -239,7 +259,10 @@ def complete(progress: Progress, place: Place, after: Callable[[], None] = lambd
 
 
 def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
-    """Measure the cases of a chunk; raise InputError where other modules are installed."""
+    """Measure the cases of a chunk, and return their tally.
+
+    Raises InputError if other modules are installed than the campaign measures.
+    """
     installed = {
         "version": (__version__, campaign.version),
         "digests": (tuple(map(digest, campaign.targets)), campaign.digests),
@@ -258,7 +281,7 @@ def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
 def add_case(
     tally: Tally, campaign: Campaign, stratum: str, index: int, implementations: Asked
 ) -> None:
-    """Measure one case and add its errors to a tally."""
+    """Measure one case, and add its errors to a tally."""
     sample = draw(stratum, index, campaign.seed)
     finding = measure_case(sample, campaign.digits, implementations)
     tally.count(finding.reference)

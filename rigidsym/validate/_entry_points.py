@@ -1,7 +1,8 @@
-"""Comparison of an engine's entry points: single times, grids, batches, and many times at once.
+"""Checks that all ways to call an engine return the same states.
 
-Callers also reuse arrays, pass outputs that are inputs, and mix bodies of all kinds.  All ways have
-to give the states at given times, within their errors.
+Entry points are single times, grids, batches, and many times at once.  Callers also reuse
+arrays, pass outputs that are inputs, and mix bodies of all kinds.  All ways have to give the states
+at given times, within their errors.
 """
 
 import math
@@ -45,14 +46,14 @@ LARGEST = 1020
 
 
 def is_due(index: int) -> bool:
-    """Return True if entry points are compared in a case of this index."""
+    """Return True if an engine's entry points are compared in the case of this index."""
     return index % SHARE in (0, 1)
 
 
 def differences(
     engine: Engine | Steps, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
 ) -> np.ndarray:
-    """Return the largest difference of each entry point from the states at given times.
+    """Return the largest difference of each entry point's states from those at given times.
 
     Differences are of angle, and of rates over their size.  body: inertia, rates and attitude as
     float64 arrays, or None where doubles are not exact.
@@ -80,7 +81,7 @@ def differences(
 
 
 def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
-    """Return the states of one body in a batch of three with different times.
+    """Compute the states of a body in a batch of three bodies with different times.
 
     The others are another body, and the body itself at rest.
     """
@@ -94,7 +95,10 @@ def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
 
 
 def _apart(found: States, expected: States) -> float:
-    """Return the largest angle between attitudes or relative difference of rates."""
+    """Return the largest difference between two arrays of states.
+
+    It is an angle between attitudes, or a relative difference of rates.
+    """
     (q, omega), (q_there, omega_there) = found, expected
     angle = 2 * lengths(q - q_there, 0.0)
     relative = lengths(omega - omega_there, 0.0) / lengths(omega_there)
@@ -102,7 +106,7 @@ def _apart(found: States, expected: States) -> float:
 
 
 def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[States, States]]:
-    """Yield pairs of states for ways to call an engine: the states found and those expected."""
+    """Call an engine in several ways, and yield the states found and those expected."""
     asked = np.append(times, 0.0)
     prepared = engine.prepare(*body)
     # The caller overwrites the arrays that it passed.
@@ -118,9 +122,9 @@ def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[
 
 
 def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States | None:
-    """Return states that are written to memory which one of the inputs shares.
+    """Compute states into an output array that shares memory with an input.
 
-    None where that is refused.
+    Returns None where that is refused.
     """
     count = 5
     given = [np.tile(array, (count, 1)) for array in body]
@@ -135,7 +139,7 @@ def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States
 
 
 def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, States]:
-    """Return states of a batch with impossible bodies, and those of each body alone."""
+    """Compute states in a batch that includes impossible bodies, and for each body alone."""
     inertia, omega0, attitude0 = body
     moments, rates = (COMPANY[:, k] * _size(x) for k, x in enumerate((inertia, omega0)))
     moments = np.vstack([batches.possible(moments, False, lenient=True), inertia])
@@ -158,9 +162,9 @@ def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, State
 
 
 def _size(values: np.ndarray) -> float:
-    """Return a power of two near the largest of these numbers, by which regimes do not change.
+    """Return a power of two near the largest of several numbers.
 
-    COMPANY times it is finite and has all of its digits.
+    Scaling by it does not change regimes.  COMPANY times it is finite and has all of its digits.
     """
     exponent = int(np.frexp(np.max(np.abs(values)))[1]) - 1
     return 2.0 ** max(-LARGEST, min(exponent, LARGEST))

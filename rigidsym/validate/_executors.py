@@ -1,4 +1,4 @@
-"""Executors that run chunks in this process, in others on this machine, or on a Dask cluster."""
+"""Executors that run work in this process, in local processes, or on a Dask cluster."""
 
 import logging
 import os
@@ -25,7 +25,7 @@ Found = TypeVar("Found")
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Executor with its name and the number of chunks that it gets at once."""
+    """Executor with its name and the number of chunks that are submitted ahead."""
 
     executor: Executor
     ahead: int
@@ -34,18 +34,21 @@ class Place:
     def submit(
         self, work: Callable[Arguments, Found], *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """Submit work to the executor; interrupts wait while it may start a process."""
+        """Submit work to the executor.
+
+        Interrupts are delayed while this may start a process.
+        """
         with undisturbed():
             return self.executor.submit(work, *args, **kwargs)
 
 
 class Here(Executor):
-    """An executor that runs work at once, in this process."""
+    """Executor that runs work immediately in this process."""
 
     def submit(
         self, fn: Callable[Arguments, Found], /, *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """Run the work at once, and return a future with its result or exception."""
+        """Run the work immediately, and return a future with its result or exception."""
         future: Future[Found] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
@@ -56,7 +59,7 @@ class Here(Executor):
 
 @contextmanager
 def undisturbed() -> Generator[None]:
-    """Delay interrupts until the block ends, and keep them from processes that it starts."""
+    """Delay interrupts until the block ends, and block them in processes that it starts."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -76,13 +79,19 @@ def undisturbed() -> Generator[None]:
 
 
 def processes(count: int) -> ProcessPoolExecutor:
-    """Return a pool of processes that are spawned, since forks would share locks and threads."""
+    """Return a pool of spawned processes.
+
+    Forked ones would share locks and threads.
+    """
     return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
 
 
 @contextmanager
 def local(workers: int | None = None) -> Generator[Place]:
-    """Use processes on this machine, one for each core by default."""
+    """Provide an executor that uses processes on this machine.
+
+    There is one for each core by default.
+    """
     count = workers or processors()
     if count == 1:
         yield Place(Here(), 1, "this process")
@@ -97,7 +106,10 @@ def local(workers: int | None = None) -> Generator[Place]:
 
 @contextmanager
 def cluster(address: str) -> Generator[Place]:
-    """Use a Dask cluster; raise InputError if its scheduler is not reached or has no worker."""
+    """Provide an executor that uses a Dask cluster.
+
+    Raises InputError if its scheduler is not reached or has no worker.
+    """
     if not re.fullmatch(r"(tcp|tls|ucx|ws|wss)://[^\s/]+:\d+", address):
         raise InputError("scheduler", address, "must be an address such as tcp://host:8786")
     try:
@@ -124,7 +136,7 @@ def cluster(address: str) -> Generator[Place]:
 
 
 def _begin() -> None:
-    """Make a worker ignore interrupts, and exit when its parent process ends."""
+    """Make a worker process ignore interrupts and exit when its parent process ends."""
     for number in _INTERRUPTS:
         signal.signal(number, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, _INTERRUPTS)

@@ -1,4 +1,4 @@
-"""Measurement of single cases, and case files.
+"""Measurement of single validation cases, and their case files.
 
 `rigidsym propagate` reads case files, too.
 """
@@ -29,9 +29,10 @@ Asked = Iterable[str] | Mapping[str, Implementation | Function]
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Result of one case: its true states, and the errors of each implementation by measure.
+    """Result of one validation case.
 
-    An implementation has no errors if no time is within its reach.
+    It has the true states, and the errors of each implementation by measure.  An implementation has
+    no errors if no time is within its reach.
     """
 
     reference: Reference
@@ -39,11 +40,14 @@ class Finding:
 
     @property
     def sample(self) -> Sample:
-        """The case."""
+        """The sample that was measured."""
         return self.reference.sample
 
     def to_data(self) -> dict[str, Any]:
-        """Return data of schema rigidsym.case/2: exact inputs, and errors in units of 2^-53."""
+        """Return the case's exact inputs and its errors as plain data.
+
+        The schema is rigidsym.case/2; errors are in units of 2^-53.
+        """
         reference = self.reference
         return {
             "schema": SCHEMA,
@@ -64,17 +68,17 @@ class Finding:
         }
 
     def shares(self, name: str) -> dict[str, float]:
-        """Return the largest error over its documented bound, by measure."""
+        """Return the largest ratio of error to documented bound for each measure."""
         errors = self.errors.get(name, {})
         return {measure: float(np.max(x.share, initial=0.0)) for measure, x in errors.items()}
 
     def share(self, name: str) -> float:
-        """Return the largest error over its documented bound, of all measures."""
+        """Return the largest ratio of error to documented bound over all measures."""
         return max(self.shares(name).values(), default=0.0)
 
 
 def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding:
-    """Enclose the states of a case and measure implementations against them.
+    """Compute the true states of a case, and measure the errors of implementations.
 
     Each implementation is measured at the times that are within its reach.
 
@@ -108,7 +112,10 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
 
 
 def hexadecimal(sample: Sample) -> Data:
-    """Return the exact numbers of a sample: doubles in hexadecimal, others as fractions."""
+    """Return the exact inputs and times of a sample as text.
+
+    Doubles are written in hexadecimal, other numbers as fractions.
+    """
     found: Any = {
         name: [str(x) if isinstance(x, Fraction) else float(x).hex() for x in getattr(sample, name)]
         for name in _FIELDS
@@ -126,14 +133,14 @@ def case_text(sample: Sample, remarks: Iterable[str] = ()) -> str:
 
 
 def file_name(sample: Sample) -> str:
-    """Return a file name made of stratum and index."""
+    """Return the name of a sample's case file, which has its stratum and index."""
     return f"{'-'.join(sample.stratum.replace(',', '').split())}-{sample.index}.toml"
 
 
 def read_case(path: str) -> Sample:
-    """Read the sample of a case file, with times rounded to doubles.
+    """Read a sample from a case file.
 
-    Raises InputError if it is no case file.
+    Times are rounded to doubles.  Raises InputError if it is no case file.
     """
     case = load_case(path)
     numbers = (tuple(map(_simplest_type, values)) for values in case.motion.exact.values())
@@ -141,6 +148,6 @@ def read_case(path: str) -> Sample:
 
 
 def _simplest_type(value: Fraction) -> float | Fraction:
-    """Return a float if it has exactly this value, else the fraction."""
+    """Convert a fraction to a float if that is exact, else return the fraction."""
     nearest = float(value) if abs(value) < 2**1023 else 0.0
     return nearest if Fraction(nearest) == value else value

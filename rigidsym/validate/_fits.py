@@ -1,4 +1,4 @@
-"""Campaign of fits of simulated attitudes for which linearised errors may be wrong.
+"""Validation of fits to simulated attitudes whose linearised errors may be wrong.
 
 Either the Mahalanobis distance of the true quantities is small by the covariance of the fit, or
 the fit flags its covariance.  A share is the square of that distance over the value that chi2 of as
@@ -29,8 +29,11 @@ _RANK = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion with rates of size 1 and a largest moment of 1, and attitudes (N, 4) seen at times
-    (N,), s, with errors of `SIGMA`."""
+    """A motion and simulated observations of its attitude.
+
+    The rates are of size 1 and the largest moment is 1.  Attitudes (N, 4) are seen at times (N,),
+    s, with errors of `SIGMA`.
+    """
 
     truth: TorqueFreeMotion
     times: np.ndarray
@@ -38,7 +41,7 @@ class Case:
 
 
 def simulated(stratum: str, random: Random) -> Case:
-    """Simulate observed attitudes of a motion that a stratum draws."""
+    """Draw a random motion of a stratum, and simulate observations of its attitude."""
     body = STRATA[stratum].body(random, random.randrange(100))
     inertia, omega = (np.array([float(x) for x in y]) for y in (body.inertia, body.omega0))
     moments, rates = inertia / np.max(inertia), omega / np.linalg.norm(omega)
@@ -54,10 +57,10 @@ def simulated(stratum: str, random: Random) -> Case:
 
 
 def measured(case: Case) -> float | None:
-    """Fit a case; return the squared distance of the true motion over the allowed value.
+    """Fit a case, and return the ratio of the fit's squared error to the allowed value.
 
-    None where the fit warns: by a flag, by residuals that are too large, or by other motions that
-    fit as well.
+    The error is the Mahalanobis distance of the true motion.  Returns None where the fit warns: by
+    a flag, by residuals that are too large, or by other motions that fit as well.
     """
     found = fit(case.times, attitudes=case.seen, sigma=SIGMA, starts=_STARTS, fastest=_FASTEST)
     said = found.agreement.message or found.nonlinearity.flagged or found.alternatives
@@ -70,9 +73,10 @@ def measured(case: Case) -> float | None:
 
 
 def distance(found: Fit, truth: TorqueFreeMotion) -> tuple[float, int]:
-    """Return the squared Mahalanobis distance of a fit from the truth, with degrees of freedom.
+    """Return the squared Mahalanobis distance of a fit from the truth.
 
-    It is that of all quantities that have standard deviations.
+    The second result is the number of degrees of freedom.  The distance is that of all quantities
+    that have standard deviations.
     """
     moments, omega, attitude = (np.array(x, float) for x in truth.exact.values())
     q, rates = found.motion(0.0)

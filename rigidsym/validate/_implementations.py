@@ -1,4 +1,4 @@
-"""Implementations under test by name: generated modules, steps and peers."""
+"""Implementations under test, which are generated modules, steps and peers."""
 
 import json
 import threading
@@ -32,23 +32,29 @@ _OTHERS = np.array(
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """Generated steps as an engine: each state is one step from the start."""
+    """Engine that computes each state by one generated step from the start."""
 
     stepper: Stepper
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion from moments (3,), rates (3,) and a quaternion (4,) of any length."""
+        """Prepare one motion, whose inputs are copied.
+
+        They are moments (3,), rates (3,) and a quaternion (4,) of any length.
+        """
         inertia, q, omega = (np.array([x], float) for x in (inertia, attitude0, omega0))
         return inertia, q, omega
 
     def states(self, prepared: Start, t: ArrayLike) -> States:
-        """Return (q, omega), (N, 4) and (N, 3), after steps of t (N,) s."""
+        """Compute the states after steps of different durations from the start.
+
+        These are q (N, 4) and omega (N, 3) after steps of t (N,) s.
+        """
         inertia, q, omega = prepared
         times = np.atleast_1d(np.asarray(t, float))
         return self._after(inertia, _rows(q, times), _rows(omega, times), times)
 
     def ways(self, prepared: Start, times: np.ndarray) -> Iterator[tuple[States, States]]:
-        """Yield pairs of states for ways to call steps: the states found and those expected."""
+        """Call steps in several ways, and yield the states found and those expected."""
         expected = self.states(prepared, times)
         # A call for each step.
         alone = [self._after(*prepared, times[k : k + 1]) for k in range(len(times))]
@@ -73,7 +79,7 @@ class Steps:
         return out
 
     def _among_others(self, prepared: Start, times: np.ndarray) -> States:
-        """Return states from a call in which every second body is one of another kind."""
+        """Compute states in a batch in which every second body is of another kind."""
         # Powers of two near the sizes, of which quarters are doubles of full length.
         sizes = [np.frexp(np.max(np.abs(x)) or 1.0)[1] - 4 for x in prepared]
         scales = 2.0 ** np.clip(np.array(sizes, float), -1000, 1000)
@@ -86,7 +92,7 @@ class Steps:
 
 
 def _rows(one: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """Repeat a row for each time."""
+    """Repeat a one-row array so that it has a row for each time."""
     return np.repeat(one, len(times), axis=0)
 
 
@@ -116,7 +122,10 @@ def check_target(target: str) -> None:
 
 
 def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
-    """Return the reason why each target cannot be measured here, "" if it can."""
+    """Return the reasons why targets cannot be measured on this machine, by target.
+
+    The reason is "" for a target that can be measured.
+    """
     found = {}
     for target in targets:
         try:
@@ -128,7 +137,10 @@ def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
 
 
 def implementation(name: str) -> Implementation:
-    """Return the engine of a target or "peer NAME"; raise InputError where there is none."""
+    """Return the implementation of a name, which is a target or "peer NAME".
+
+    Raises InputError where there is none.
+    """
     if name.startswith(PEER):
         return own_peer(name.removeprefix(PEER))
     if name in engines.STEPPERS:
@@ -137,7 +149,10 @@ def implementation(name: str) -> Implementation:
 
 
 def own_peer(name: str) -> Peer:
-    """Return this thread's peer of a name; raise InputError where there is none."""
+    """Return the peer of a name that belongs to this thread.
+
+    Raises InputError where there is none.
+    """
     # Peers serve one thread at a time, and workers of a cluster have several.
     return _peer(name, threading.get_ident())
 
@@ -148,7 +163,7 @@ def _peer(name: str, thread: int) -> Peer:
 
 
 def digest(target: str) -> str:
-    """Return the digest of an installed module."""
+    """Return the digest of an installed generated module."""
     package = resources.files("rigidsym.generated")
     text = package.joinpath(f"{target}.map.json").read_text(encoding="utf-8")
     return json.loads(text)["manifest"]["digest"]

@@ -1,4 +1,7 @@
-"""Measurement of errors of states, in units of 2^-53 and over the documented bounds."""
+"""Measurement of the errors of states.
+
+They are in units of 2^-53, and as ratios to the documented bounds.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -28,7 +31,11 @@ FARTHEST = 2.0**38
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Errors by one measure at times (N,), with condition numbers and shares of the bound."""
+    """Errors by one measure at several times.
+
+    units, condition and share (N,) are errors in units of 2^-53, condition numbers, and errors over
+    their bound.
+    """
 
     times: np.ndarray
     units: np.ndarray
@@ -37,14 +44,17 @@ class Errors:
 
     @property
     def values(self) -> np.ndarray:
-        """The errors (N,), in rad or relative as MEANINGS says."""
+        """The errors in rad or relative, as MEANINGS says."""
         return self.units * ULP
 
 
 def measure(
     reference: Reference, engine: Engine | Solver, bounds: Mapping[str, float] = BOUNDS
 ) -> dict[str, Errors]:
-    """Measure an engine or a peer on a sample; errors of states that it refuses are infinite."""
+    """Measure the errors of an engine or a peer on a sample.
+
+    Errors of states that it refuses are infinite.
+    """
     times = np.array(reference.sample.times, dtype=float)
     try:
         with np.errstate(all="ignore"):
@@ -98,7 +108,10 @@ def _measured(
 
 
 def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
-    """Prepare a sample's motion; return it with its inputs as doubles, or None if not exact."""
+    """Prepare a sample's motion by an engine, and return it with its inputs as doubles.
+
+    Instead of inputs that are not doubles it returns None.
+    """
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
     exactly = getattr(engine, "prepare_exactly", None)
@@ -109,12 +122,12 @@ def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | N
 
 
 def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Return the distances of rows from rows that are sums of two doubles."""
+    """Return the distances of vectors from exact vectors, which are sums of two doubles."""
     return lengths((given - exact[0]) - exact[1], 0.0)
 
 
 def _drifts(sample: Sample, times: np.ndarray, omega: np.ndarray) -> dict[str, Errors]:
-    """Return the relative drift of H and K^2 from their values at t = 0.
+    """Return the relative drift of energy and squared momentum from their initial values.
 
     Its condition number is |omega| times the gradient over the value; both are free of scale.
     """
@@ -138,7 +151,10 @@ def _errors(
     condition: ArrayLike = 1.0,
     allowance: float | np.ndarray = 1.0,
 ) -> Errors:
-    """Build the errors of a measure; NaN counts as infinite."""
+    """Return the `Errors` of a measure from the values at some times.
+
+    NaN counts as infinite.
+    """
     times, values = np.array(times, dtype=float), np.array(values, dtype=float)
     values = np.where(np.isnan(values), np.inf, values)
     condition = np.where(np.isnan(condition), 1.0, np.broadcast_to(condition, values.shape))
@@ -148,16 +164,20 @@ def _errors(
 
 @dataclass(frozen=True, slots=True)
 class Quadrature:
-    """Quadrature rule: times of the nodes (NODES,) and weights for exactly these times."""
+    """Quadrature rule over an interval of time.
+
+    It has the times of the nodes (NODES,) and weights for exactly these times.
+    """
 
     nodes: np.ndarray
     weights: np.ndarray
 
     @classmethod
     def over(cls, begin: float, rate: float) -> "Quadrature":
-        """Build the rule over LENGTH rad at `rate` rad/s that begins at a time.
+        """Create the quadrature rule that begins at a time and covers a given turn of the body.
 
-        It begins earlier where doubles are too far apart for nodes.
+        The turn is LENGTH rad at `rate` rad/s.  The rule begins earlier where doubles are too far
+        apart for nodes.
         """
         begin = float(np.clip(begin, -FARTHEST / rate, FARTHEST / rate))
         nodes = begin + (_LOBATTO + 1) * (LENGTH / rate / 2)
@@ -171,7 +191,10 @@ class Quadrature:
 
 
 def residual(quadrature: Quadrature, q: np.ndarray, omega: np.ndarray) -> float:
-    """Return |q(end) - q(begin) - integral of q (0, omega)/2| of the states at the nodes."""
+    """Return the residual of the integrated kinematic equation over a quadrature's interval.
+
+    It is |q(end) - q(begin) - integral of q (0, omega)/2|, for the states at the nodes.
+    """
     v = omega * quadrature.weights[:, None]
     scalar = -np.sum(q[:, 1:] * v, axis=-1, keepdims=True)
     turned = np.hstack([scalar, q[:, :1] * v + np.cross(q[:, 1:], v)])

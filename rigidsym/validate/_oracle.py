@@ -1,4 +1,4 @@
-"""Reference states of a sample: enclosures with condition numbers, checked by Taylor series.
+"""Reference states of samples, computed by enclosures and checked by Taylor series.
 
 A condition number is the length (Frobenius norm) of a matrix: relative changes of rates, moments
 and the time turn into the small turn of the attitude, in rad, or the change of the rates over
@@ -31,12 +31,13 @@ SECOND_SHARE = 256
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """True states of a sample at N times, q (2, N, 4) and omega (2, N, 3), as sums of two doubles.
+    """True states of a sample as sums of two doubles.
 
-    radius: bound on the errors of q, and of omega over |omega|, apart from the rounding of the
-    second of the doubles (2^-105, more only where omega is near the least double).
-    distance: from the separatrix, 0 on it and 1 where nothing cancels in K^2 - 2 H c_b.
-    rate: |omega0|, rad/s.  condition: numbers of angle and of omega, (N,) each.
+    q (2, N, 4), omega (2, N, 3): the states at N times.  radius: bound on the errors of q, and of
+    omega over |omega|, apart from the rounding of the second of the doubles (2^-105, more only
+    where omega is near the least double).  distance: from the separatrix, 0 on it and 1 where
+    nothing cancels in K^2 - 2 H c_b.  rate: |omega0|, rad/s.  condition: numbers of angle and of
+    omega, (N,) each.
     """
 
     sample: Sample
@@ -50,11 +51,11 @@ class Reference:
 
     @property
     def turned(self) -> np.ndarray:
-        """|omega0 t| (N,), rad."""
+        """The angles |omega0 t| by which the body turns until the times, rad."""
         return np.abs(self.sample.times) * self.rate
 
     def within(self, reach: float) -> "Reference":
-        """Return the reference at times until which the body turns by at most `reach` rad."""
+        """Return the reference at those times until which the body turns by at most `reach` rad."""
         near = self.turned <= reach
         if near.all():
             return self
@@ -69,7 +70,7 @@ class Reference:
 
 
 def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Reference:
-    """Enclose the states of a sample in balls of radius 10^-digits.
+    """Compute the true states of a sample by enclosures of radius 10^-digits.
 
     Without condition numbers, which are then NaN, it takes half the time.
     """
@@ -100,26 +101,30 @@ def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Referen
 
 
 def column_digits(sample: Sample, digits: int) -> int:
-    """Return the digits that columns need to be correct to `digits` in the inputs' own units."""
+    """Return the number of digits to which derivatives have to be computed for a sample.
+
+    Columns are then correct to `digits` in the inputs' own units.
+    """
     heavy = len(str(int(max(sample.inertia))))
     return digits + heavy + 2 * decades_below_one(sample.omega0)
 
 
 def precise_motion(sample: Sample) -> PreciseMotion:
-    """Return the motion of a sample with exact inputs."""
+    """Return the arbitrary-precision motion of a sample's exact inputs."""
     return PreciseMotion(*sample.exact)
 
 
 def decades_below_one(omega0: Numbers) -> int:
-    """Return the number of zeros after the decimal point of the largest rate."""
+    """Return how many decades the largest rate is below 1 rad/s, rounded up."""
     largest = max(abs(Fraction(x)) for x in omega0)
     return max(0, -math.floor(math.log10(largest))) if largest else 0
 
 
 def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
-    """Return the relative distance from the separatrix: 0 on it, 1 far away.
+    """Return the relative distance of a motion from the separatrix.
 
-    It is |K^2 - 2 H c_b| over the sum of the sizes of its terms.
+    It is 0 on the separatrix and 1 far away.  Its value is |K^2 - 2 H c_b| over the sum of the
+    sizes of its terms.
     """
     middle = sorted(inertia)[1]
     terms = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega0, strict=True))
@@ -127,7 +132,10 @@ def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
 
 
 def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
-    """Return the lengths (N,) of rows (N, k) without overflow, `of_zero` for rows of zeros."""
+    """Return the Euclidean norms of the rows of a matrix, without overflow.
+
+    of_zero: the result for rows of zeros.
+    """
     largest = np.max(np.abs(vectors), axis=-1, initial=0.0)
     scale = np.where(largest == 0, 1.0, largest)
     length = scale * np.linalg.norm(vectors / scale[:, None], axis=-1)
@@ -135,9 +143,10 @@ def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
 
 
 def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.ndarray]:
-    """Return the condition numbers of angle and omega, (N,) each; infinite beyond binary64.
+    """Return the condition numbers of attitude and rates at the times of a sample.
 
-    rows: of each time the list that `PreciseMotion.sensitivities` returns.
+    There are (N,) of each, infinite where they are beyond binary64. rows: of each time the list
+    that `PreciseMotion.sensitivities` returns.
     """
     inertia, omega0, _ = sample.exact
     given = list(map(ball, (*omega0, *inertia)))
@@ -156,21 +165,21 @@ def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.
 
 
 def _norms(rows: np.ndarray) -> np.ndarray:
-    """Return the lengths of rows, infinite if an entry is."""
+    """Return the Euclidean norms of rows, which are infinite if an entry is."""
     infinite = np.isinf(np.max(np.abs(rows), axis=1, initial=0.0))
     return np.where(infinite, np.inf, lengths(np.where(infinite[:, None], 0.0, rows), 0.0))
 
 
 def is_due(index: int) -> bool:
-    """Return True if Taylor series check a case of this index."""
+    """Return True if Taylor series check the true states in the case of this index."""
     return index % SECOND_SHARE in (0, 1)
 
 
 def disagreement(motion: PreciseMotion, backwards: bool) -> float:
-    """Return the distance of Taylor series from the enclosures, over AGREEMENT.
+    """Return the distance between Taylor series and enclosures, over the allowed distance.
 
-    The series of the equations of motion use no elliptic function.  Compared is the state after
-    SECOND_REACH radians.
+    The allowed distance is AGREEMENT.  The series of the equations of motion use no elliptic
+    function.  Compared is the state after SECOND_REACH radians.
     """
     inertia, omega0, attitude0 = motion.exact
     rate = math.hypot(*map(float, omega0)) or 1.0

@@ -1,4 +1,4 @@
-"""Report of a validation, as data, as Markdown and as tables for terminals."""
+"""Validation reports as data, as Markdown and as tables for terminals."""
 
 import json
 import re
@@ -34,7 +34,7 @@ Table = tuple[Sequence[str], Sequence[Sequence[str]]]
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """Broken bound, with the simplest case found that breaks it.
+    """Error beyond its documented bound, with the simplest case found in which it occurs.
 
     said: the message with which a user's integrator refused the case, if it did.
     """
@@ -49,12 +49,12 @@ class Failure:
 
     @property
     def file(self) -> str:
-        """The path of the simplest case in the directory of the report."""
+        """The path of the case file of the failure, relative to the report's directory."""
         return f"{FAILURES}/{self.target}/{file_name(self.simplest.sample)}"
 
     @property
     def line(self) -> str:
-        """One line on the broken bound: target, case, measure and error."""
+        """A line of text with the target, case, measure and error of the broken bound."""
         bound = bounds_of(self.target)[self.measure]
         condition = " times its condition" if self.measure in CONDITIONED else ""
         return (
@@ -79,7 +79,7 @@ class Worst:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class ValidationReport:
-    """Report of a campaign: results, worst cases and broken bounds."""
+    """Report of a validation campaign, with its results, worst cases and broken bounds."""
 
     campaign: Campaign
     tally: Tally
@@ -94,7 +94,7 @@ class ValidationReport:
 
     @property
     def complaints(self) -> tuple[str, ...]:
-        """The reasons why the report did not pass, one line each."""
+        """The reasons why the validation did not pass, one line each."""
         listed = {(failure.target, failure.stratum) for failure in self.failures}
         lines = [failure.line for failure in self.failures]
         for stratum in self.campaign.strata:
@@ -112,19 +112,22 @@ class ValidationReport:
         return tuple(lines)
 
     def share(self, name: str, stratum: str) -> float:
-        """Return the largest error over its bound in a stratum; infinite if untested."""
+        """Return an implementation's largest ratio of error to bound in a stratum.
+
+        It is infinite for a stratum that was not tested.
+        """
         expected = [m for m in MEASURES if m != "entry_points" or not name.startswith(PEER)]
         cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
     def agreement(self, stratum: str) -> float:
-        """Return the distance of the oracles in a stratum over the allowed distance."""
+        """Return the distance between the two oracles in a stratum, over the allowed distance."""
         cell = self.tally.cells.get((ORACLES, DISAGREEMENT, "stratum", stratum))
         return float("inf") if cell is None else cell.worst
 
     @property
     def command(self) -> str:
-        """The command that writes this report, or the call for a user's integrator."""
+        """The command that reproduces this report, or the Python call for a user's integrator."""
         campaign = self.campaign
         if user := campaign.user_integrator:
             drawn = f"cases={campaign.cases}, digits={campaign.digits}, seed={campaign.seed}"
@@ -134,14 +137,17 @@ class ValidationReport:
 
     @property
     def options(self) -> str:
-        """Targets and options of the campaign, as on the command line."""
+        """The targets and options of the campaign, as on the command line."""
         campaign = self.campaign
         partial = len(campaign.strata) < len(STRATA)
         chosen = [f"--stratum '{name}'" for name in campaign.strata] if partial else []
         return self._options(f"--cases {campaign.cases}", *chosen)
 
     def _options(self, first: str, *last: str) -> str:
-        """Return targets and options for a command, with some before and after the common ones."""
+        """Return a command line's targets and options, including additional ones.
+
+        first, last: those before and after the common options.
+        """
         campaign = self.campaign
         drawn = f"--digits {campaign.digits} --seed {campaign.seed}"
         peers = [f"--peer {name}" for name in campaign.peers]
@@ -149,7 +155,7 @@ class ValidationReport:
 
     @property
     def conclusion(self) -> str:
-        """The result in a sentence."""
+        """A sentence that states the result."""
         strata = self.campaign.strata
         shares = {x: max(self.share(x, name) for name in strata) for x in self.campaign.judged}
         used = ", ".join(f"{name} uses {share:.0%}" for name, share in shares.items())
@@ -190,7 +196,10 @@ class ValidationReport:
         return report_html(self)
 
     def to_data(self) -> report_data.Data:
-        """Return plain data of schema rigidsym.validation/3, with errors in units of 2^-53."""
+        """Return the report as plain data.
+
+        The schema is rigidsym.validation/3; errors are in units of 2^-53.
+        """
         campaign = self.campaign
         return {
             "schema": SCHEMA,
@@ -235,7 +244,7 @@ class ValidationReport:
         peer = name.startswith(PEER)
 
         def by_part(kind: str) -> report_data.Data:
-            """Return the cells of a view by part, then by measure."""
+            """Return the cells of a view in a dictionary by part, then by measure."""
             parts: dict[str, dict[str, report_data.Data]] = {}
             for measure in MEASURES:
                 for part, cell in view(name, measure, kind).items():
@@ -243,7 +252,7 @@ class ValidationReport:
             return parts
 
         def by_measure(kind: str) -> report_data.Data:
-            """Return the cells of a view by measure, then by part."""
+            """Return the cells of a view in a dictionary by measure, then by part."""
             return {m: {x: _cell(y) for x, y in view(name, m, kind).items()} for m in DRAWN}
 
         return {
@@ -268,7 +277,7 @@ class ValidationReport:
         }
 
     def _case(self, finding: Finding, file: str | None = None) -> report_data.Data:
-        """Return a case as plain data, with the command that measures it again."""
+        """Convert a case to plain data, with the command that measures it again."""
         sample, reference, campaign = finding.sample, finding.reference, self.campaign
         if user := campaign.user_integrator:
             drawn = f"draw({sample.stratum!r}, {sample.index}, {campaign.seed})"
@@ -289,7 +298,10 @@ class ValidationReport:
         }
 
     def to_json(self) -> str:
-        """Return the report as JSON; equal campaigns give equal text, apart from `run`."""
+        """Return the report as JSON.
+
+        Equal campaigns give equal text, apart from `run`.
+        """
         return as_json(self.to_data())
 
     def to_markdown(self) -> str:
@@ -297,7 +309,7 @@ class ValidationReport:
         return markdown(self.to_data())
 
     def summary(self) -> Table:
-        """Return a table of the results, with a row for each stratum.
+        """Return a table of the validation results, with a row for each stratum.
 
         For each implementation: worst angle and rates, and the part of a bound used.
         """
@@ -337,7 +349,7 @@ def case_table(finding: Finding) -> Table:
 
 
 def markdown(data: report_data.Data) -> str:
-    """Return the report as Markdown, from its data."""
+    """Convert the data of a validation report to Markdown."""
     bounds = (
         (
             head,
@@ -386,7 +398,7 @@ def markdown(data: report_data.Data) -> str:
 
 
 def _row(found: report_data.Data, stratum: report_data.Data) -> list[str]:
-    """Return the table row of an implementation in a stratum."""
+    """Return a table row with the errors of an implementation in a stratum."""
     name, share = stratum["name"], float(found["share"][stratum["name"]])
     errors = found["strata"].get(name, {})
     cells = [_shown(errors.get(measure), measure in DRAWN) for measure in MEASURES]
@@ -404,17 +416,17 @@ def _shown(cell: report_data.Data | None, conditioned: bool) -> str:
 
 
 def _variable(name: str) -> str:
-    """Return a Python identifier for the name of an integrator."""
+    """Convert the name of an integrator to a Python identifier."""
     return re.sub(r"\W", "_", name)
 
 
 def as_json(data: report_data.Data) -> str:
-    """Return the data of a report as JSON with sorted keys."""
+    """Convert the data of a report to JSON with sorted keys."""
     return json.dumps(data, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
 def _cell(cell: Cell) -> report_data.Data:
-    """Return a cell as plain data.
+    """Convert a cell of a tally to plain data.
 
     In cells of shares, `units` is the share of the bound, and `count` the errors beyond it.
     """
@@ -439,7 +451,7 @@ def _worst(found: Errors) -> report_data.Data:
 
 
 def _figure(value: report_data.Figure) -> report_data.Figure:
-    """Round a float to three digits; infinity and NaN become text for JSON."""
+    """Round a float to three digits for JSON, with text for infinity and NaN."""
     if not isinstance(value, float):
         return value
     text = f"{value:.3g}"

@@ -1,11 +1,11 @@
-"""Measurement of sensitivities against enclosures, column by column.
+"""Measurement of the errors of states' derivatives, column by column.
 
-A column is what the small turn eta, in rad, and the rates, over |omega0|, change by with an input,
-in units of the input's own: 1 rad of the attitude at t = 0, |omega0| of the rates, a moment of
-inertia, and 1/|omega0| of the time.  An error is the length of a column's difference over the
-length of the column.  Two lengths are at least something else: columns by the moments, which start
-at zero, are taken to be as long as after a turn of `EARLY`, and no column is below `LEAST`, because
-the squares of such changes leave binary64.
+The true derivatives are enclosures.  A column is what the small turn eta, in rad, and the rates,
+over |omega0|, change by with an input, in units of the input's own: 1 rad of the attitude at t = 0,
+|omega0| of the rates, a moment of inertia, and 1/|omega0| of the time.  An error is the length of a
+column's difference over the length of the column.  Two lengths are at least something else: columns
+by the moments, which start at zero, are taken to be as long as after a turn of `EARLY`, and no
+column is below `LEAST`, because the squares of such changes leave binary64.
 """
 
 import math
@@ -38,7 +38,10 @@ Sensitive = Callable[[Sample], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Wider:
-    """Wider bound of a stratum, with its reason and a case that comes near it."""
+    """Exceptional, wider error bound of a stratum.
+
+    It has a reason, and a case that comes near the bound.
+    """
 
     bound: float
     why: str
@@ -69,13 +72,13 @@ WIDER = {
 
 
 def bound_of(stratum: str) -> float:
-    """Return the documented bound of a stratum."""
+    """Return the documented bound on errors of derivatives in a stratum."""
     return WIDER[stratum].bound if stratum in WIDER else BOUND
 
 
 @dataclass(frozen=True, slots=True)
 class StratumErrors:
-    """Largest error of sensitivities in a stratum, with its case, column and time.
+    """Largest error of derivatives in a stratum, with its case, column and time.
 
     measured: the number of columns.  refused: the number of times without numbers.
     """
@@ -89,20 +92,26 @@ class StratumErrors:
     refused: int
 
     def row(self) -> tuple[str, ...]:
-        """Return the table row with the columns of `HEADS`."""
+        """Return the table row of these errors.
+
+        The columns are those of `HEADS`.
+        """
         sizes = f"{self.error:.1e}", f"{bound_of(self.stratum):.0e}"
         where = f"{self.stratum}:{self.case}", self.column, f"{self.time:.3g}"
         return *sizes, *where, str(self.measured), str(self.refused)
 
     @property
     def is_within(self) -> bool:
-        """True if columns were measured and all errors are within the documented bound."""
+        """True if derivatives were measured and all errors are within the documented bound."""
         return self.measured > 0 and self.error <= bound_of(self.stratum)
 
 
 @dataclass(frozen=True, slots=True)
 class ColumnsReference:
-    """Sample with true columns (N, 6, 10), and lengths (N, 10) to which errors are relative."""
+    """True derivatives of a sample's states, with the lengths to which errors are relative.
+
+    columns (N, 6, 10), lengths (N, 10).
+    """
 
     sample: Sample
     columns: np.ndarray
@@ -110,7 +119,7 @@ class ColumnsReference:
 
     @classmethod
     def of(cls, sample: Sample, digits: int = DIGITS) -> "ColumnsReference":
-        """Enclose the columns of a sample."""
+        """Compute the reference of a sample by enclosures."""
         found = enclosed(sample, digits)
         lengths, times = _lengths(found), np.array(sample.times)
         early = EARLY / (math.hypot(*map(float, sample.omega0)) or 1.0)
@@ -122,7 +131,7 @@ class ColumnsReference:
 
 
 def share(engine: Engine, reference: ColumnsReference) -> float:
-    """Return the largest error of an engine's columns over the bound in a case.
+    """Return the largest ratio of error to bound of an engine's derivatives in a case.
 
     It is infinite where a column is missing.
     """
@@ -138,7 +147,7 @@ def share(engine: Engine, reference: ColumnsReference) -> float:
 def references(
     cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
 ) -> dict[str, list[ColumnsReference]]:
-    """Compute the true columns of the first cases of each stratum."""
+    """Compute the true derivatives in the first cases of each stratum."""
     found: dict[str, list[ColumnsReference]] = {}
     for sample in samples(cases, seed):
         if not strata or sample.stratum in strata:
@@ -149,7 +158,7 @@ def references(
 def by_stratum(
     sensitive: Sensitive, truth: Mapping[str, Iterable[ColumnsReference]]
 ) -> Iterator[StratumErrors]:
-    """Yield the largest error of an implementation in each stratum.
+    """Yield the largest error of an implementation's derivatives in each stratum.
 
     sensitive: returns the columns (N, 6, 10) of a sample as `columns` does, NaN for none.
     """
@@ -169,9 +178,10 @@ def by_stratum(
 def errors(
     found: np.ndarray, expected: np.ndarray, lengths: np.ndarray | None = None
 ) -> np.ndarray:
-    """Return relative errors (N, 10) of columns (N, 6, 10); NaN where there are no numbers.
+    """Return the relative errors of the columns of derivatives.
 
-    Lengths are by default those of the expected columns.  Infinite numbers have infinite errors.
+    For columns (N, 6, 10) they are (N, 10), NaN where there are no numbers.  Lengths are by default
+    those of the expected columns.  Infinite numbers have infinite errors.
     """
     lengths = _lengths(expected) if lengths is None else lengths
     with np.errstate(all="ignore"):
@@ -181,13 +191,19 @@ def errors(
 
 
 def _lengths(expected: np.ndarray) -> np.ndarray:
-    """Return the lengths (N, 10) of columns (N, 6, 10)."""
+    """Return the lengths of the columns of derivatives.
+
+    For columns (N, 6, 10) they are (N, 10).
+    """
     with np.errstate(all="ignore"):
         return np.maximum(np.linalg.norm(expected, axis=1), LEAST)
 
 
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
-    """Enclose the true columns (N, 6, 10) of a sample."""
+    """Compute the true derivatives of a sample's states by enclosures.
+
+    The columns have the shape (N, 6, 10).
+    """
     motion, times, found = precise_motion(sample), list(map(Fraction, sample.times)), np.empty(0)
     # Short columns once more, to digits of LEAST.
     for more in (0, -math.floor(math.log10(LEAST))):
@@ -208,9 +224,10 @@ def columns(
     attitude_t: np.ndarray,
     rates_t: np.ndarray,
 ) -> np.ndarray:
-    """Assemble columns (N, 6, 10) in the inputs' own units.
+    """Combine derivatives to columns in the inputs' own units.
 
-    attitude and rates: sensitivities (N, 3, 9); attitude_t and rates_t: those by time (N, 3).
+    The columns have the shape (N, 6, 10). attitude and rates: sensitivities (N, 3, 9); attitude_t
+    and rates_t: those by time (N, 3).
     """
     rate = math.hypot(*map(float, sample.omega0)) or 1.0
     units = np.array([*[1.0] * 3, *[rate] * 3, *map(float, sample.inertia), 1 / rate])
@@ -223,7 +240,7 @@ def columns(
 
 
 def of_engine(engine: Engine | Solver) -> Sensitive:
-    """Return a function that computes the columns of a sample by an engine.
+    """Return a function that computes a sample's derivatives by an engine.
 
     Raises EngineError for a module that has none.
     """

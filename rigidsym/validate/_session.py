@@ -1,4 +1,7 @@
-"""Files of the command `validate`: unfinished campaigns, reports, cases and recorded errors."""
+"""Files of the command `validate`, such as unfinished campaigns and reports.
+
+Other ones are cases and recorded errors.
+"""
 
 import json
 import re
@@ -25,7 +28,7 @@ _CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
 
 
 def begin(chosen: Mapping[str, Any], directory: Path | None, resume: bool) -> Progress:
-    """Begin a new campaign, or resume the unfinished one of a directory.
+    """Begin a new validation campaign, or resume the unfinished one in a directory.
 
     chosen: arguments of `Campaign.of`; others have their defaults, or are those of the unfinished
     campaign.  Raises InputError where that is another campaign, or would be lost.
@@ -55,7 +58,7 @@ def _short(value: object) -> str:
 
 
 def write(report: ValidationReport, directory: Path) -> Path:
-    """Write a report and the case files of its failures; return the path of its page."""
+    """Write a report and the case files of its failures, and return the path of its page."""
     data = report.to_data()
     # Case files of an earlier report would be taken for this one's.
     for old in directory.glob(f"{FAILURES}/*/*.toml"):
@@ -69,7 +72,7 @@ def write(report: ValidationReport, directory: Path) -> Path:
 
 
 def replay(name: str, campaign: Campaign) -> Finding:
-    """Measure one case, given by a name such as "uniform:7" or by a case file.
+    """Measure one case, which is given by a name such as "uniform:7" or a case file.
 
     Raises InputError for names of neither.
     """
@@ -88,7 +91,7 @@ def replay(name: str, campaign: Campaign) -> Finding:
 
 
 def record(report: ValidationReport) -> Path:
-    """Record the worst errors by stratum, which codegen prints in the heads of modules.
+    """Record the worst errors by stratum for the headers of generated modules.
 
     They belong to one version of the code: its digest is kept with them, and a head has none where
     they belong to another version.  Raises InputError unless today's code was measured.

@@ -1,4 +1,4 @@
-"""Tallies: counts and worst errors of a campaign, in memory that does not grow with its cases.
+"""Tallies, which keep the counts and worst errors of a campaign in bounded memory.
 
 A tally is one flat table of cells.  Merging adds counts and takes the worst, so that tallies give
 the same result merged in any order and grouping.
@@ -26,7 +26,7 @@ DRAWN = ("angle", "omega")
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """Number of errors, with the worst of them, its place and its condition number."""
+    """Number of measured errors, with the worst of them, its place and its condition number."""
 
     count: int
     worst: float
@@ -34,26 +34,32 @@ class Cell:
     condition: float
 
     def merged(self, other: "Cell") -> "Cell":
-        """Return the cell of both; of equal errors it keeps the one whose place comes first."""
+        """Return the cell that combines two cells.
+
+        Of equal errors it keeps the one whose place comes first.
+        """
         worst = min(self, other, key=lambda cell: (-cell.worst, cell.place))
         return Cell(self.count + other.count, worst.worst, worst.place, worst.condition)
 
 
 @dataclass(slots=True)
 class Tally:
-    """Table of cells by key, with the numbers of cases and states by stratum."""
+    """Counts and worst errors of a campaign.
+
+    They are a table of cells by key, and the numbers of cases and states by stratum.
+    """
 
     cells: dict[Key, Cell] = field(default_factory=dict)
     cases: Counter[str] = field(default_factory=Counter)
     states: Counter[str] = field(default_factory=Counter)
 
     def count(self, reference: Reference) -> None:
-        """Count a case and its states."""
+        """Add a case and its states to the counts."""
         self.cases[reference.sample.stratum] += 1
         self.states[reference.sample.stratum] += len(reference.sample.times)
 
     def add(self, target: str, reference: Reference, errors: Mapping[str, Errors]) -> None:
-        """Add the errors of one case."""
+        """Add the errors of one case to the table."""
         sample, regime = reference.sample, reference.regime.value
         for measure, found in errors.items():
             worst = _cell(sample.stratum, sample.index, found, int(np.argmax(found.units)))
@@ -65,7 +71,10 @@ class Tally:
             self._draw(target, measure, reference, errors[measure])
 
     def _draw(self, target: str, measure: str, reference: Reference, found: Errors) -> None:
-        """Add each state to the views that are plotted: by decades, and by sizes of the error."""
+        """Add the error of each state to the views that are plotted.
+
+        These are by decades of properties, and by sizes of the error.
+        """
         sample, away = reference.sample, decade(reference.distance)
         for k in range(len(found.times)):
             cell = _cell(sample.stratum, sample.index, found, k)
@@ -76,29 +85,35 @@ class Tally:
             self.put((target, measure, f"sizes: {sample.stratum}", half_octave(cell.worst)), cell)
 
     def put(self, key: Key, cell: Cell) -> None:
-        """Merge a cell into the table."""
+        """Merge a cell into the table under a key."""
         known = self.cells.get(key)
         self.cells[key] = cell if known is None else known.merged(cell)
 
     def copy(self) -> "Tally":
-        """Return a copy; cells never change."""
+        """Return a copy of the tally.
+
+        It shares the cells, which never change.
+        """
         return Tally(dict(self.cells), self.cases.copy(), self.states.copy())
 
     def merge(self, other: "Tally") -> None:
-        """Add another tally, of other cases."""
+        """Add the tally of other cases."""
         for key, cell in other.cells.items():
             self.put(key, cell)
         self.cases.update(other.cases)
         self.states.update(other.states)
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
-        """Return the cells of a view by the names of its parts, sorted."""
+        """Return the cells of one view of the errors by the sorted names of its parts."""
         begin = (target, measure, view)
         found = sorted(key for key in self.cells if key[:3] == begin)
         return {key[3]: self.cells[key] for key in found}
 
     def to_data(self) -> dict[str, Any]:
-        """Return the tally as plain data: sorted, floats in hexadecimal."""
+        """Return the tally as sorted plain data.
+
+        Floats are in hexadecimal.
+        """
         rows = []
         for key, cell in sorted(self.cells.items()):
             numbers = cell.worst, cell.place[2], cell.condition
@@ -108,7 +123,7 @@ class Tally:
 
     @classmethod
     def from_data(cls, data: dict[str, Any]) -> "Tally":
-        """Return the tally that `to_data` has written."""
+        """Create a tally from the data that `to_data` returns."""
         cells = {}
         for *key, count, worst, name, index, time, condition in data["cells"]:
             place = (name, index, float.fromhex(time))
@@ -118,16 +133,19 @@ class Tally:
 
 
 def decade(value: float) -> str:
-    """Return the power of ten below a number; "0" for zero, "inf" for infinity."""
+    """Return the largest power of ten below a number, as text.
+
+    It is "0" for zero and "inf" for infinity.
+    """
     if not 0 < value < math.inf:
         return "inf" if value else "0"
     return f"1e{math.floor(math.log10(value)):+d}"
 
 
 def half_octave(units: float) -> str:
-    """Return the largest half-integer power of two below a number of units.
+    """Return the largest half-integer power of two below an error, as text.
 
-    "0" for less than a thousandth, where the radii of the balls begin to matter.
+    It is "0" for errors below a thousandth, where the radii of the balls begin to matter.
     """
     if not 2**-10 < units < math.inf:
         return "0" if units <= 2**-10 else "inf"
@@ -140,7 +158,10 @@ def _cell(stratum: str, index: int, found: Errors, k: int) -> Cell:
 
 
 def _beyond(worst: Cell, found: Errors) -> Cell:
-    """Return a cell with the largest share of the bound and the number of errors beyond it."""
+    """Return the cell of errors over their bound.
+
+    It has the largest share of the bound and the number of errors beyond it.
+    """
     k = int(np.argmax(found.share))
     place = (*worst.place[:2], float(found.times[k]))
     count = int(np.sum(found.share > 1))

@@ -1,4 +1,4 @@
-"""Campaign that compares errors of `integrate` with its tolerance, for difficult torques.
+"""Validation of the errors of `integrate` against its tolerance, for difficult torques.
 
 The reference is SciPy's Dormand-Prince method of order 8, restarted wherever the torque jumps or
 bends.
@@ -30,7 +30,7 @@ Vector = tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """Body under a torque, with the arguments of `integrate`.
+    """Body under a torque, with the arguments for `integrate`.
 
     breaks: times at which the torque is not smooth, s.  discontinuities: those that are passed on.
     """
@@ -49,7 +49,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """Random body, and a source of random torques on it."""
+    """Random body with a source of random torques."""
 
     inertia: Vector
     q0: Vector
@@ -75,7 +75,7 @@ class _Body:
         )
 
     def pushed(self, profile: Profile, breaks: Vector = (), seconds: float | None = None) -> "Case":
-        """Return a case with a torque whose size follows a profile of time.
+        """Return a case with a torque whose magnitude is a given function of time.
 
         It changes the rates by a part of themselves in one radian, or in `seconds`.
         """
@@ -106,7 +106,10 @@ class _Body:
 
 
 def kink(random: Random, at_rest: bool = False) -> Case:
-    """Draw a torque with kinks: a sine cut at zero, the modulus of a sine, or a zigzag."""
+    """Draw a case with a continuous torque that has kinks.
+
+    It is a sine cut at zero, the modulus of a sine, or a zigzag.
+    """
     body = _Body.drawn(random, at_rest)
     rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.7), random.uniform(0, 6)
     zeros = _zeros(rate, phase, body.span)
@@ -122,7 +125,10 @@ def kink(random: Random, at_rest: bool = False) -> Case:
 
 
 def jump(random: Random, at_rest: bool = False) -> Case:
-    """Draw a torque that jumps: between random levels, or by the sign of a sine."""
+    """Draw a case with a torque that jumps.
+
+    It jumps between random levels, or by the sign of a sine.
+    """
     body = _Body.drawn(random, at_rest)
     if random.random() < 0.3:
         rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.5), random.uniform(0, 6)
@@ -144,9 +150,10 @@ _PULSES: list[tuple[Profile, Vector]] = [
 
 
 def pulse(random: Random, at_rest: bool = False) -> Case:
-    """Draw a torque with short pulses: boxes, bells or half sines.
+    """Draw a case with a torque of short pulses.
 
-    They are 1/200 to 1/5 of the span wide at half their height.
+    Pulses are boxes, bells or half sines.  They are 1/200 to 1/5 of the span wide at half their
+    height.
     """
     body = _Body.drawn(random, at_rest)
     pulses = []
@@ -162,7 +169,10 @@ def pulse(random: Random, at_rest: bool = False) -> Case:
 
 
 def stiff(random: Random) -> Case:
-    """Draw a stiff torque: damping, a spring or an oscillation far faster than the body."""
+    """Draw a case with a stiff torque, which acts far faster than the body moves.
+
+    It is damping, a spring or an oscillation.
+    """
     body = _Body.drawn(random)
     begin, end = sorted(random.uniform(0, body.span) for _ in range(2))
     quick = 10 ** random.uniform(1, 2.5) / body.span
@@ -182,7 +192,7 @@ def stiff(random: Random) -> Case:
 
 
 def facing(random: Random) -> Case:
-    """Draw a torque that acts while one side of the body is lit.
+    """Draw a case with a torque that acts while one side of the body is lit.
 
     It has kinks or jumps that depend on the attitude.
     """
@@ -201,19 +211,22 @@ def facing(random: Random) -> Case:
 
 
 def rest(random: Random) -> Case:
-    """Draw a body at rest under a torque with kinks, jumps or pulses."""
+    """Draw a case of a body at rest under a torque with kinks, jumps or pulses."""
     return random.choice([kink, jump, pulse])(random, True)
 
 
 def smooth(random: Random) -> Case:
-    """Draw a smooth torque, for comparison."""
+    """Draw a case with a smooth torque, for comparison."""
     body = _Body.drawn(random)
     rate = body.rate * 10 ** random.uniform(-1, 0.5)
     return body.pushed(lambda t: math.sin(rate * t + 1.0))
 
 
 def measured(case: Case, engine: str = "c") -> float | None:
-    """Return the true error over the tolerance, or None if `integrate` refuses."""
+    """Integrate a case, and return its true error over the tolerance.
+
+    Returns None if `integrate` refuses.
+    """
     try:
         found = integrate(
             case.inertia,
@@ -234,7 +247,7 @@ def measured(case: Case, engine: str = "c") -> float | None:
 
 
 def error(case: Case, q: np.ndarray, omega: np.ndarray) -> float:
-    """Return the largest error of attitude, rad, or of the rates, relative."""
+    """Return the largest error of the attitude, rad, or of the rates, relative."""
     true_q, true_omega = reference(case)
     turns = np.linalg.norm(rotation_vectors(product(conjugate(true_q), q)), axis=-1)
     size = np.max(np.linalg.norm(true_omega, axis=-1))
@@ -243,7 +256,10 @@ def error(case: Case, q: np.ndarray, omega: np.ndarray) -> float:
 
 
 def reference(case: Case) -> tuple[np.ndarray, np.ndarray]:
-    """Return the true states at the times of a case: q (N, 4), omega (N, 3)."""
+    """Compute accurate reference states at the times of a case.
+
+    They are q (N, 4) and omega (N, 3).
+    """
     solve = needed("dop853", "scipy.integrate", "scipy")[0].solve_ivp
     inertia = np.array(case.inertia)
     state, states = np.array([*case.q0, *case.omega0]), []
@@ -286,7 +302,10 @@ def _unit(random: Random, size: int) -> Vector:
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Return the body components of a vector; Python's floats are faster than small arrays."""
+    """Convert the components of a vector from inertial to body axes.
+
+    This uses Python's floats, which are faster than small arrays.
+    """
     (a, b, c, d), (x, y, z) = q.tolist(), vector.tolist()
     u, v, w = 2 * (y * d - z * c), 2 * (z * b - x * d), 2 * (x * c - y * b)
     return np.array(

@@ -1,4 +1,4 @@
-"""Validation of generated modules and of a user's integrator, from cases to a report."""
+"""Public functions that validate generated modules and users' integrators."""
 
 import math
 import os
@@ -57,7 +57,7 @@ def validate(
     workers: int | None = 1,
     progress: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure generated modules on samples of all strata.
+    """Measure the errors of generated modules on samples of all strata.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def examine(
     double_cover_sign: bool | None = None,
     progress: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure a user's integrator as the generated modules are measured.
+    """Measure the errors of a user's integrator on samples of all strata.
 
     It has to keep the bounds of the generated modules for the report to pass; `by_stratum` of the
     report has its errors.  Exceptions, wrong shapes and NaN count as infinite errors, and their
@@ -147,10 +147,10 @@ def run(
     place: AbstractContextManager[executors.Place],
     show: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure the missing cases of a campaign and report; save what is done, however it ends.
+    """Measure the missing cases of a campaign, and return its report.
 
-    Raises InputError where workers or the scheduler are lost, KeyboardInterrupt where the user
-    stops it; the message says what is kept.
+    Finished cases are saved, however this ends.  Raises InputError where workers or the scheduler
+    are lost, KeyboardInterrupt where the user stops it; the message says what is kept.
     """
     campaign, begin = progress.campaign, time.perf_counter()
     before = sum(progress.tally.states.values())
@@ -192,9 +192,10 @@ def reported(
     user: Mapping[str, UserIntegrator] | None = None,
     messages: Mapping[tuple[str, int], str] | None = None,
 ) -> ValidationReport:
-    """Return the report of a campaign, for which its worst cases are measured again.
+    """Return the report of a campaign from its tally.
 
-    user: a user's integrator by its name; messages: its messages by case.
+    The worst cases are measured again for it.  user: a user's integrator by its name; messages: its
+    messages by case.
     """
 
     @cache
@@ -227,7 +228,7 @@ def reported(
 
 
 def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, int]) -> Finding:
-    """Measure the simplest case found that breaks a target's bound as this case does."""
+    """Find a simpler case that breaks the same bound of a target, and measure it."""
 
     def fails(sample: Sample) -> bool:
         return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
@@ -237,7 +238,7 @@ def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, in
 
 
 def simplest(sample: Sample, fails: Fails) -> Sample:
-    """Simplify a sample as long as it fails.
+    """Simplify a sample as long as it still fails.
 
     At most TRIALS neighbours are tried.
     """
@@ -251,9 +252,10 @@ def simplest(sample: Sample, fails: Fails) -> Sample:
 
 
 def _simpler(sample: Sample) -> Iterator[Sample]:
-    """Yield samples with one time only, without an attitude, or with one simpler number.
+    """Yield samples that are simpler than a given one in a single respect.
 
-    Simpler numbers are 0, 1, -1, and then decimals of few digits.
+    They have one time only, no attitude, or one simpler number.  Simpler numbers are 0, 1, -1, and
+    then decimals of few digits.
     """
     if len(sample.times) > 1:
         yield from (replace(sample, times=(t,)) for t in sample.times)
@@ -270,7 +272,7 @@ def _simpler(sample: Sample) -> Iterator[Sample]:
 
 
 def _is_bounded(sample: Sample) -> bool:
-    """Return True if a sample is in the domain of the documented bounds.
+    """Return True if the documented error bounds apply to a sample.
 
     Its body can exist, and its times are not beyond those that modules follow.
     """
@@ -286,7 +288,10 @@ def _is_bounded(sample: Sample) -> bool:
 def environment(
     campaign: Campaign, place: str, seconds: float, states: int
 ) -> dict[str, Figure | None]:
-    """Return the part of a report that differs from run to run: versions, machine, time, memory."""
+    """Return the part of a report that differs between runs.
+
+    It has versions, the machine, the time and the memory.
+    """
     compiler = {}
     if any(x.startswith("c") for x in campaign.targets):
         from rigidsym._engines.build import find
@@ -308,7 +313,10 @@ def environment(
 
 
 def _peak() -> int | None:
-    """Return the peak memory of this process and its children; None if the system has none."""
+    """Return the peak memory of this process and its children.
+
+    Returns None if the system does not measure it.
+    """
     try:
         import resource
     except ImportError:  # Windows

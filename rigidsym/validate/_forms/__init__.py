@@ -1,4 +1,4 @@
-"""Comparison of three forms of the solution by cost and error."""
+"""Comparison of the cost and the errors of three forms of the solution."""
 
 from rigidsym.validate._forms.compare import COLUMNS, STRATA_COLUMNS, FormCosts, compare_forms
 

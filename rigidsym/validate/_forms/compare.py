@@ -1,7 +1,8 @@
-"""Time, operations, size and error of each form of the solution near the separatrix.
+"""Measurement of the solution's forms by time, operations, size and error.
 
-Errors are measured in every stratum, too.  Times are medians of repetitions on this machine, and
-only their ratios mean anything: in C where a form is generated, and in NumPy for all three.
+Motions are near the separatrix.  Errors are measured in every stratum, too.  Times are medians of
+repetitions on this machine, and only their ratios mean anything: in C where a form is generated,
+and in NumPy for all three.
 """
 
 import json
@@ -49,9 +50,10 @@ _A_TERM, _SERIES = 3, 4
 
 @dataclass(frozen=True, slots=True)
 class FormCost:
-    """Cost of one form on one motion; figures that do not exist are None.
+    """Cost of one form of the solution for one motion.
 
-    plan_us: time of the plan in C, of Fourier series by mpmath.
+    Numbers that do not exist are None.  plan_us: time of the plan in C, of Fourier series by
+    mpmath.
     """
 
     form: str
@@ -67,7 +69,10 @@ class FormCost:
     omega: float | None
 
     def row(self) -> tuple[str, ...]:
-        """Return a row under `COLUMNS`."""
+        """Return the table row of these costs.
+
+        The columns are those of `COLUMNS`.
+        """
         numbers = _shown((self.operations, self.constant_bytes, self.terms), "d")
         times = _shown((self.plan_us, self.c_ns, self.numpy_ns), ".3g")
         errors = _shown((self.angle, self.omega), ".1e")
@@ -83,9 +88,10 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class StratumError:
-    """Worst errors of one form in a stratum, and the number of cases that it can compute.
+    """Worst errors of one form of the solution in a stratum.
 
-    angle: rad.  omega: over |omega|.  None where it serves no case.
+    served: the number of cases that the form can compute.  angle: rad.  omega: over |omega|. None
+    where it serves no case.
     """
 
     stratum: str
@@ -96,13 +102,16 @@ class StratumError:
     omega: float | None
 
     def row(self) -> tuple[str, ...]:
-        """Return a row under `STRATA_COLUMNS`."""
+        """Return the table row of these errors.
+
+        The columns are those of `STRATA_COLUMNS`.
+        """
         served = f"{self.served} of {self.cases}"
         return self.stratum, self.form, served, *_shown((self.angle, self.omega), ".1e")
 
 
 def _shown(figures: Iterable[float | None], spec: str) -> list[str]:
-    """Format figures; None becomes an empty string."""
+    """Format numbers, with an empty string for None."""
     return ["" if x is None else format(x, spec) for x in figures]
 
 
@@ -111,7 +120,10 @@ STRATA_COLUMNS = ("stratum", "form", "served", "angle, rad", "rates")
 
 @dataclass(frozen=True, slots=True)
 class FormCosts:
-    """Costs by form and motion, sizes of the generated C, and errors by stratum."""
+    """Results of the comparison of the solution's forms.
+
+    They are costs by form and motion, sizes of the generated C, and errors by stratum.
+    """
 
     code_bytes: dict[str, int]
     costs: tuple[FormCost, ...]
@@ -119,7 +131,7 @@ class FormCosts:
 
     @property
     def conclusion(self) -> str:
-        """A recommendation, in a sentence."""
+        """A sentence that recommends one form of the solution."""
         c_ns = {(x.form, x.away): x.c_ns for x in self.costs if x.c_ns is not None}
         ratio = [c_ns[PI, away] / c_ns[THETA, away] for form, away in c_ns if form == PI]
         last = [one for one in self.costs if one.form == FOURIER and one.terms]
@@ -132,11 +144,14 @@ class FormCosts:
         )
 
     def to_json(self) -> str:
-        """Return the schema rigidsym.forms/1."""
+        """Return the results as JSON.
+
+        The schema is rigidsym.forms/1.
+        """
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
 
     def to_markdown(self) -> str:
-        """Return both tables as Markdown."""
+        """Return the tables of costs and errors as Markdown."""
         costs = table(COLUMNS, [one.row() for one in self.costs])
         errors = table(STRATA_COLUMNS, [one.row() for one in self.strata])
         sizes = ", ".join(f"{form} {size}" for form, size in self.code_bytes.items())
@@ -144,7 +159,10 @@ class FormCosts:
         return "\n".join(parts)
 
     def to_svg(self) -> str:
-        """Draw time, work and error against the distance from the separatrix, and by stratum."""
+        """Plot time, operations and errors as SVG.
+
+        They are drawn against the distance from the separatrix, and by stratum.
+        """
         drawn: list[tuple[str, str, Callable[[FormCost], float | None]]] = [
             ("A state in NumPy", "ns", lambda one: one.numpy_ns),
             ("Operations of a state", "number", lambda one: one.operations),
@@ -168,7 +186,10 @@ class FormCosts:
 def compare_forms(
     progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
 ) -> FormCosts:
-    """Measure all forms; without a C compiler, figures of C are None."""
+    """Measure the costs and errors of all forms of the solution.
+
+    Without a C compiler, the numbers for C are None.
+    """
     costs = []
     for motion in map(_Motion.off, AWAY):
         costs += [_generated(form, motion) for form in (THETA, PI)]
@@ -194,7 +215,7 @@ def compare_forms(
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """Motion near the separatrix, with its true states at some times."""
+    """Motion near the separatrix, with its true states at several times."""
 
     away: float
     precise: PreciseMotion
@@ -216,7 +237,7 @@ class _Motion:
 
     @property
     def branch(self) -> str:
-        """The branch of the generated modules that computes this motion."""
+        """The branch of a generated module that computes this motion."""
         return "circular" if self.parameter <= 0.5 else "hyperbolic"
 
 
@@ -272,32 +293,35 @@ def _fourier(motion: _Motion) -> FormCost:
 
 
 def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
-    """Return the worst angle in rad, and the worst rates over their size."""
+    """Return the largest errors of the attitude, rad, and of the rates, relative."""
     angle = 2 * np.linalg.norm(found[0] - true[0], axis=-1)
     rate = np.linalg.norm(found[1] - true[1], axis=-1) / np.linalg.norm(true[1], axis=-1)
     return float(np.max(angle)), float(np.max(rate))
 
 
 def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepared) -> float:
-    """Return the time per state in nanoseconds, for many states at once."""
+    """Measure an engine's time per state in nanoseconds, for many states at once."""
     times = np.linspace(0.0, _SPAN, _TIMES)
     return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES
 
 
 def _seconds(run: Callable[[], object]) -> float:
-    """Return the median time of some runs after a first one that is not counted."""
+    """Return the median run time of a function in seconds, after one run to warm up."""
     return median(repeat(run, number=1, repeat=_REPEATS + 1)[1:])
 
 
 def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
-    """Count sums, products, quotients, roots and exponentials of one state on a branch."""
+    """Count the arithmetic operations that a state takes on a branch of a generated module.
+
+    These are sums, products, quotients, roots and exponentials.
+    """
     known = {function.name: function for function in functions(sealed(), form)}
     lets = (let for part in parts for let in known[f"_{branch}_{part}"].lets)
     return sum(_operations(let.expression, known) for let in lets)
 
 
 def _operations(expression: Expression, known: Mapping[str, Function]) -> int:
-    """Count operations of an expression and of the known functions that it calls."""
+    """Count the operations of an expression and of the generated functions that it calls."""
     found = sum(_operations(part, known) for part in children(expression))
     match expression:
         case Operation() | Call("sqrt" | "exp", _):
@@ -308,12 +332,15 @@ def _operations(expression: Expression, known: Mapping[str, Function]) -> int:
 
 
 def constant_bytes(form: str, branch: str) -> int:
-    """Return the size in bytes of the constants that a prepared motion keeps."""
+    """Return the size of a prepared motion's constants in bytes."""
     by_name = {function.name: function for function in functions(sealed(), form)}
     return 8 * len(flat_results(by_name[f"_{branch}_constants"]))
 
 
 def code_bytes(form: str) -> int:
-    """Return the size of the C source, without its header file."""
+    """Return the size of a form's generated C source in bytes.
+
+    The header file does not count.
+    """
     files = generate("c", form=form).files
     return sum(len(text.encode()) for name, text in files.items() if name.endswith(".c"))

@@ -1,4 +1,4 @@
-"""States by Fourier series, evaluated with NumPy.
+"""Computation of states by Fourier series in NumPy.
 
 sn, cn and dn are multiples of series with the ledger's coefficients a(k), q being the nome of m.
 The factors follow from values that are 1: sn a quarter period after u = 0, cn and dn at u = 0.
@@ -38,7 +38,7 @@ _LIMIT = [[mpmath.mpf(0)], *([mpmath.mpf(1)] for _ in range(3))]
 
 @dataclass(frozen=True, slots=True)
 class Fourier:
-    """Prepared Fourier series of one motion."""
+    """Fourier series of one motion, prepared for evaluation."""
 
     v: tuple[float, float, float]
     psi: tuple[float, float, float]
@@ -48,11 +48,11 @@ class Fourier:
 
     @property
     def terms(self) -> int:
-        """The number of terms of each of the four series."""
+        """The number of terms of each Fourier series."""
         return len(self.series[0])
 
     def states(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return (q, omega) at times t (N,): (N, 4) and (N, 3)."""
+        """Return the states at times t (N,), which are q (N, 4) and omega (N, 3)."""
         v, half_psi = (np.pi * _reduced(t, *rate) for rate in (self.v, self.psi))
         rest, sn, cn, dn = self.series
         x, twice = np.cos(2 * v), np.sin(2 * v)
@@ -75,10 +75,16 @@ class Fourier:
 
 
 class Series:
-    """Engine by Fourier series, which refuses motions that need more than MOST terms."""
+    """Engine that computes states by Fourier series.
+
+    It refuses motions that need more than MOST terms.
+    """
 
     def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Fourier:
-        """Plan a motion from exact numbers or float64."""
+        """Compute the Fourier series of a motion from its inputs.
+
+        These are exact numbers or float64.
+        """
         exact = fractions(inertia), fractions(omega0), fractions(attitude0)
         series = plan(PreciseMotion(*exact))
         if series is None:
@@ -88,13 +94,13 @@ class Series:
     prepare_exactly = prepare
 
     def states(self, prepared: Fourier, t: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return (q, omega) at times (N,)."""
+        """Return the states of a prepared motion at times t (N,)."""
         return prepared.states(t)
 
 
 @cache
 def state() -> Callable[..., tuple[np.ndarray, ...]]:
-    """Return the function that computes states, generated from the ledger's formulas."""
+    """Generate the function that computes states from Fourier sums, by the ledger's formulas."""
     function = fourier.state(sealed())
     namespace: dict[str, Any] = dict(vars(torque_free))
     exec("\n".join(emit.function_lines(function).text), namespace)
@@ -102,9 +108,9 @@ def state() -> Callable[..., tuple[np.ndarray, ...]]:
 
 
 def plan(motion: PreciseMotion) -> Fourier | None:
-    """Compute the series of a motion with as many terms as doubles need.
+    """Compute the Fourier series of a motion with as many terms as doubles need.
 
-    None for more than MOST terms, and where rates are constant or not periodic.
+    Returns None for more than MOST terms, and where rates are constant or not periodic.
     """
     if motion.polhode.regime.steady or motion.polhode.regime == Regime.SEPARATRIX:
         return None
@@ -122,7 +128,10 @@ def plan(motion: PreciseMotion) -> Fourier | None:
 
 
 def _series(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> list[list[mpmath.mpf]] | None:
-    """Return the coefficients of all series, or None if they need more than MOST terms."""
+    """Return the coefficients of a motion's Fourier series.
+
+    Returns None if they need more than MOST terms.
+    """
     if known["m_c"] == 1:
         return _LIMIT
     formulas = sequence("theta").up_to(frozenset(_OF_SHIFT))
@@ -135,7 +144,10 @@ def _series(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> list[list[mp
 
 
 def _quarter_period(mc: mpmath.mpf) -> mpmath.mpf:
-    """K(m) = pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5)."""
+    """Return the quarter period K(m) of the Jacobi elliptic functions.
+
+    It is pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5), with mc = 1 - m.
+    """
     return mpmath.pi / (2 * mpmath.agm(1, mpmath.sqrt(mc)))
 
 
@@ -162,7 +174,10 @@ def _made(
     rates: tuple[mpmath.mpf, mpmath.mpf],
     series: list[list[mpmath.mpf]],
 ) -> Fourier:
-    """Assemble the prepared series from the rates of v and psi/2 in half turns."""
+    """Assemble the prepared Fourier series from their coefficients and rates.
+
+    rates: those of v and psi/2, in half turns.
+    """
     polhode, (v, half_psi) = motion.polhode, rates
     v_0 = known["phase"] * v / known["mu"]
     start = sum(c * mpmath.sin(2 * k * mpmath.pi * v_0) for k, c in enumerate(series[0], 1))
@@ -202,7 +217,10 @@ def _coefficient(e: int, x: mpmath.mpf) -> mpmath.mpf:
 
 
 def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
-    """Return (hi + lo) t + start reduced to one turn, with an exact product of t and hi."""
+    """Compute an angle (hi + lo) t + start, reduced to one turn.
+
+    The product of t and hi is exact.
+    """
     upper = 134217729.0 * t - (134217729.0 * t - t)
     upper_hi = 134217729.0 * hi - (134217729.0 * hi - hi)
     product = hi * t
@@ -212,10 +230,11 @@ def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
 
 
 def _clenshaw(coefficients: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the last two sums b_0, b_1 of Clenshaw's recurrence in x = cos 2v.
+    """Return the last two sums of Clenshaw's recurrence for Fourier series.
 
-    The sum of c_k cos 2kv is b_0 - x b_1, that of c_k sin (2k + 2)v over sin 2v is b_0, and those
-    of c_k sin and cos (2k + 1)v over sin v and cos v are b_0 + b_1 and b_0 - b_1.
+    They are b_0 and b_1, for x = cos 2v.  The sum of c_k cos 2kv is b_0 - x b_1, that of c_k sin
+    (2k + 2)v over sin 2v is b_0, and those of c_k sin and cos (2k + 1)v over sin v and cos v are
+    b_0 + b_1 and b_0 - b_1.
     """
     one, other = np.zeros_like(x), np.zeros_like(x)
     for coefficient in coefficients[::-1]:

@@ -1,4 +1,4 @@
-"""Detection of faults: a faulty module is measured until a case breaks a bound.
+"""Detection of faults by measuring faulty modules until an error bound is broken.
 
 Faults in states and steps are looked for in states, those in sensitivities in their columns.  The
 installed modules stay as they are.
@@ -43,22 +43,22 @@ _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 
 def mutated_engine(fault: Fault) -> Engine | Steps:
-    """Return an engine that runs the module with a fault."""
+    """Return an engine that runs a generated module with an injected fault."""
     return on_text(fault.target, faulty(fault), fault.options)
 
 
 def faulty(fault: Fault) -> str:
-    """Return the text of the installed module with a fault."""
+    """Return the source text of the installed module with an injected fault."""
     return fault.applied(installed(FILES[fault.target]))
 
 
 def installed(name: str) -> str:
-    """Return the text of a generated file of the package."""
+    """Return the text of a generated file that is installed with the package."""
     return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
 
 
 def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | Steps:
-    """Return the engine of a target that runs another text of its module.
+    """Return a target's engine that runs a changed source text of its module.
 
     options: of the compiler, beyond the usual ones.
     """
@@ -76,7 +76,10 @@ def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | S
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """The first case of a stratum in which a fault breaks a bound, and the measures that do."""
+    """The first case of a stratum in which a fault breaks an error bound.
+
+    measures: those whose bounds are broken.
+    """
 
     stratum: str
     index: int
@@ -86,7 +89,7 @@ class Detection:
 def references(
     stratum: str, cases: int, digits: int, seed: int, shown_in: str = "states"
 ) -> list[Any]:
-    """Compute the true states, steps or sensitivities of a stratum's cases.
+    """Compute the true states or sensitivities of a stratum's cases.
 
     shown_in: "states" and "steps" have a `Reference` for each case, "sensitivities" a
     `ColumnsReference`; see `Fault.shown_in`.
@@ -100,7 +103,7 @@ def references(
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
-    """Return the first detection of a fault in each stratum that detects it."""
+    """Return the first detection of a fault in each stratum where it is detected."""
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
     found = (first(engine, stratum, bounds) for stratum in strata)
     return [detection for detection in found if detection]
@@ -111,7 +114,7 @@ def first(
     stratum: Sequence[AnyReference],
     bounds: Mapping[str, float] = BOUNDS,
 ) -> Detection | None:
-    """Return the first case in which an engine breaks a bound or raises an unexpected error."""
+    """Return the first case in which an engine breaks a bound or raises an unexpected exception."""
     for reference in stratum:
         if measures := broken(engine, reference, bounds):
             return Detection(reference.sample.stratum, reference.sample.index, measures)
@@ -121,7 +124,7 @@ def first(
 def broken(
     engine: Engine | Solver | Steps, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
-    """Return the measures by which an engine breaks its bounds in a case."""
+    """Return the names of the measures whose bounds an engine breaks in a case."""
     try:
         with np.errstate(all="ignore"):
             if isinstance(reference, ColumnsReference):

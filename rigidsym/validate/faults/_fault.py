@@ -1,4 +1,4 @@
-"""Faults as small changes of generated text, and the table of faults written by hand."""
+"""Faults, which are small changes of generated text, and those written by hand."""
 
 import re
 import tomllib
@@ -41,16 +41,17 @@ _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
 
 
 class StaleFaultError(ValueError):
-    """A fault whose old text is not in the generated text, or more than once."""
+    """Error for a fault whose old text is not in the generated text exactly once."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """A replacement of `old` by `new` in one paragraph of a target's module.
+    """Replacement of a piece of text in one paragraph of a generated module.
 
-    The paragraph is the one that begins with `paragraph`; it ends with the next empty line.
-    options: of the compiler, beyond the usual ones.  in_sensitivities: states do not show the
-    fault.  change: for a drawn fault, what is changed, as HARMLESS names it.
+    old, new: the text before and after.  The paragraph is the one that begins with `paragraph`; it
+    ends with the next empty line.  options: of the compiler, beyond the usual ones.
+    in_sensitivities: states do not show the fault.  change: for a drawn fault, what is changed, as
+    HARMLESS names it.
     """
 
     target: str
@@ -65,7 +66,7 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """The kind of numbers that show the fault: states, sensitivities or steps."""
+        """The kind of results that the fault changes, which is states, sensitivities or steps."""
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 
@@ -77,11 +78,14 @@ class Fault:
 
     @property
     def line(self) -> str:
-        """Target and name."""
+        """The target and the name of the fault as one line of text."""
         return f"{self.target}: {self.name}"
 
     def applied(self, text: str) -> str:
-        """Return the faulty text; raise StaleFaultError if `old` is not there exactly once."""
+        """Return the text of a module after this fault is injected.
+
+        Raises StaleFaultError if `old` is not there exactly once.
+        """
         begin = self._only(text, self.paragraph, FILES[self.target])
         end = text.find("\n\n", begin)
         place = text[begin : end if end >= 0 else len(text)]
@@ -89,7 +93,7 @@ class Fault:
         return text[:at] + self.new + text[at + len(self.old) :]
 
     def _only(self, text: str, part: str, where: str) -> int:
-        """Return the position of the single occurrence of a part."""
+        """Return the position of the only occurrence of a part in a text."""
         if (count := text.count(part)) != 1:
             raise StaleFaultError(f"{self.line}: {part!r} is {count} times in {where}, not once")
         return text.index(part)

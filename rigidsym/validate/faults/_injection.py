@@ -1,4 +1,4 @@
-"""Injection of all faults, measured in processes that may crash, and its report."""
+"""Injection of faults in processes that may crash, and its report."""
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -35,20 +35,23 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Result of one fault: its detections, at most one per stratum."""
+    """Result of the injection of one fault.
+
+    It has at most one detection for each stratum.
+    """
 
     fault: Fault
     detections: tuple[Detection, ...]
 
     @property
     def strata(self) -> tuple[str, ...]:
-        """The strata that caught it."""
+        """The names of the strata that detected the fault."""
         return tuple(detection.stratum for detection in self.detections)
 
 
 @dataclass(frozen=True, slots=True)
 class FaultReport:
-    """Report on the detection of all faults of some targets."""
+    """Report on the detection of injected faults."""
 
     targets: tuple[str, ...]
     strata: tuple[str, ...]
@@ -59,18 +62,18 @@ class FaultReport:
 
     @property
     def passed(self) -> bool:
-        """True if there are faults of every target, and some stratum caught each of them."""
+        """True if there are faults of every target, and each is detected by some stratum."""
         named = {outcome.fault.target for outcome in self.outcomes}
         return named == set(self.targets) and not self.missed
 
     @property
     def missed(self) -> tuple[Fault, ...]:
-        """Faults that no stratum caught."""
+        """The faults that no stratum detected."""
         return tuple(outcome.fault for outcome in self.outcomes if not outcome.detections)
 
     @property
     def conclusion(self) -> str:
-        """The result in a sentence."""
+        """A sentence that states the result."""
         total, best = len(self.outcomes), max(self.strata, key=self.caught)
         sharpest = f"{best} alone notices {self.caught(best)}"
         if self.missed:
@@ -80,15 +83,18 @@ class FaultReport:
         return f"Each of {total} faults is noticed, by {fewest} {strata} or more; {sharpest}."
 
     def caught(self, stratum: str) -> int:
-        """Return how many faults a stratum caught."""
+        """Return the number of faults that a stratum detected."""
         return sum(stratum in outcome.strata for outcome in self.outcomes)
 
     def alone(self, stratum: str) -> int:
-        """Return how many faults no other stratum caught."""
+        """Return the number of faults that only this stratum detected."""
         return sum((stratum,) == outcome.strata for outcome in self.outcomes)
 
     def to_data(self) -> dict[str, Any]:
-        """Return the report in the schema rigidsym.faults/2."""
+        """Return the report as plain data.
+
+        The schema is rigidsym.faults/2.
+        """
         total = len(self.outcomes)
         return {
             "schema": SCHEMA,
@@ -120,11 +126,11 @@ class FaultReport:
         }
 
     def to_json(self) -> str:
-        """Return `to_data` as text."""
+        """Return the report as JSON."""
         return json.dumps(self.to_data(), indent=1, sort_keys=True) + "\n"
 
     def to_markdown(self) -> str:
-        """Return tables of the catches of each stratum and of each fault as Markdown."""
+        """Return the report as Markdown tables of strata and of faults."""
         total = len(self.outcomes)
         strata = [(x, f"{self.caught(x)} of {total}", str(self.alone(x))) for x in self.strata]
         faults = []
@@ -144,7 +150,10 @@ class FaultReport:
         )
 
     def _which(self, strata: tuple[str, ...]) -> str:
-        """Return a short list of strata, or of the missing ones if those are fewer."""
+        """Format a list of strata briefly.
+
+        The missing ones are listed if they are fewer.
+        """
         if len(strata) <= _NAMED:
             return ", ".join(strata) or "NOT CAUGHT"
         others = [name for name in self.strata if name not in strata]
@@ -162,7 +171,9 @@ def inject(
     faults: Sequence[Fault] | None = None,
     strata: Sequence[str] = tuple(STRATA),
 ) -> FaultReport:
-    """Measure each fault of the targets on `cases` cases of each stratum, or all it has.
+    """Inject faults into generated modules, and report which strata detect them.
+
+    Each fault is measured on `cases` cases of each stratum, or on all cases if there are fewer.
 
     Parameters
     ----------
@@ -215,7 +226,10 @@ def inject(
 def _until_a_crash(
     pool: ProcessPoolExecutor, faults: Sequence[Fault], enclosed: References
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
-    """Yield faults with their detections until a process crashes, None if it may be the cause."""
+    """Measure faults in parallel processes until one crashes, and yield their detections.
+
+    Detections are None for a fault that may have caused the crash.
+    """
     waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
     lost = False
     while running or (waiting and not lost):
@@ -234,7 +248,10 @@ def _until_a_crash(
 
 
 def _alone(fault: Fault, enclosed: References) -> list[Detection]:
-    """Measure a fault that may crash, in a process that is replaced when it does."""
+    """Measure a fault that may crash in a process of its own.
+
+    The process is replaced after a crash.
+    """
     found = []
     with ExitStack() as pools:
         pool = pools.enter_context(processes(1))

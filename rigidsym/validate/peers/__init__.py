@@ -1,4 +1,4 @@
-"""Other programs for the same motions, measured on the same strata.
+"""Other programs that compute the same motions, for comparison on the same cases.
 
 Each is run at the best settings that we found for it, on float64 numbers as a user would give them.
 """
@@ -23,7 +23,7 @@ PEERS = tuple(_MAKERS)
 
 
 def peer(name: str) -> Peer:
-    """Return the peer of a name in PEERS.
+    """Return the peer program of a name in PEERS.
 
     Packages are imported only here, and Java starts with the first motion of a process, so that
     workers forked before each have their own.

@@ -1,4 +1,7 @@
-"""Numerical integrators: the equations of motion, SciPy's DOP853 and LSODA, and heyoka."""
+"""Peers that integrate the equations of motion by SciPy or heyoka.
+
+SciPy's methods are DOP853 and LSODA.
+"""
 
 import math
 import warnings
@@ -14,10 +17,10 @@ from rigidsym.validate.peers._protocol import Start, checked, needed
 
 
 def rates(y: Sequence[Any], c: Sequence[Any], half: Any = 0.5) -> list[Any]:
-    """Return the derivatives of q and omega by the equations of motion (3) and (5).
+    """Return the time derivatives of a state by the equations of motion.
 
-    y is q, scalar first, then omega; c are the moments.  All are numbers of any kind, or
-    heyoka's expressions; half is 1/2 of that kind.
+    These are (3) and (5) of the paper.  y is q, scalar first, then omega; c are the moments.  All
+    are numbers of any kind, or heyoka's expressions; half is 1/2 of that kind.
 
     >>> rates([1.0, 0.0, 0.0, 0.0, 0.0, 0.5, 2.0], [1.0, 2.0, 3.0])
     [-0.0, 0.0, 0.25, 1.0, -1.0, 0.0, -0.0]
@@ -33,14 +36,14 @@ def rates(y: Sequence[Any], c: Sequence[Any], half: Any = 0.5) -> list[Any]:
 
 
 class Integrator(ABC):
-    """Base of solvers that integrate in one direction from t = 0."""
+    """Abstract solver that integrates in one direction from t = 0."""
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
-        """Check the start of a motion, as `Peer` does."""
+        """Check the inputs of a motion, as `Peer` does."""
         return Start.of(inertia, omega0, attitude0)
 
     def states(self, prepared: Start, t: ArrayLike) -> States:
-        """Return states at times in any order, as `Peer` does.
+        """Compute the states at times in any order, as `Peer` does.
 
         From the first row of `follow` that is missing or has no number, states are NaN.
         """
@@ -62,9 +65,11 @@ class Integrator(ABC):
 
     @abstractmethod
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """Return rows (n, 7) at n times that leave zero, each farther than the one before.
+        """Integrate a motion from t = 0 in one direction of time.
 
-        There are fewer rows where it gets no farther, or an error of arithmetic, value or run time.
+        Returns rows (n, 7) of states at n times, each farther from zero than the one before.  There
+        are fewer rows if the solver gets no farther or has an error of arithmetic, value or run
+        time.
         """
 
 
@@ -77,7 +82,10 @@ _TOLERANCE = 100 * float(np.finfo(float).eps)
 
 
 class ScipyPeer(Integrator):
-    """SciPy's `solve_ivp` by one of its methods, at a relative tolerance of 2.2e-14."""
+    """Peer that uses one method of SciPy's `solve_ivp`.
+
+    The relative tolerance is 2.2e-14.
+    """
 
     reach, double_cover_sign = _REACH, True
 
@@ -87,7 +95,7 @@ class ScipyPeer(Integrator):
         self._solve = module.solve_ivp
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """Follow a motion by one call of `solve_ivp`."""
+        """Integrate a motion by one call of `solve_ivp`."""
         size, left = math.hypot(*start.omega0) or 1.0, _MOST_EVALUATIONS
 
         def derivative(t: float, y: np.ndarray) -> list[float]:
@@ -121,9 +129,10 @@ _MOST_STEPS = 20 * int(_FAR)
 
 
 class HeyokaPeer(Integrator):
-    """heyoka's `taylor_adaptive` at tolerance 1e-16, its best, compiled once for all bodies.
+    """Peer that uses heyoka's `taylor_adaptive`, compiled once for all bodies.
 
-    The tolerance is relative to the largest of q and omega: at fast rates q is less accurate.
+    The tolerance is 1e-16, heyoka's best.  It is relative to the largest of q and omega: at
+    fast rates q is less accurate.
     """
 
     name, reach, double_cover_sign = "heyoka", _FAR, True
@@ -137,7 +146,7 @@ class HeyokaPeer(Integrator):
         self._integrator = heyoka.taylor_adaptive(system, blank, tol=1e-16, pars=[1.0] * 3)
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """Follow a motion by one run of the compiled integrator."""
+        """Integrate a motion by one run of the compiled heyoka integrator."""
         self._integrator.time = 0.0
         self._integrator.pars[:] = start.inertia
         self._integrator.state[:] = start.state

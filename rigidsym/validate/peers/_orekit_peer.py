@@ -1,4 +1,4 @@
-"""Peer by Orekit's `TorqueFree`: closed forms of rates and angles, in Java."""
+"""Peer that uses the closed-form solution `TorqueFree` of Orekit, in Java."""
 
 import math
 import os
@@ -31,9 +31,9 @@ JavaObject: TypeAlias = Any
 
 
 class OrekitPeer:
-    """`TorqueFree` evaluated at each time alone; Java starts with the first motion.
+    """Peer that evaluates Orekit's `TorqueFree` at each time.
 
-    It returns rotations, which have no double-cover sign.
+    Java starts with the first motion.  The peer returns rotations, which have no double-cover sign.
     """
 
     # Nothing is integrated over time.
@@ -47,11 +47,14 @@ class OrekitPeer:
             raise InputError("peer", self.name, "needs Java (JAVA_HOME may name it)") from None
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> JavaObject:
-        """Return a `TorqueFree`, for which Java is started."""
+        """Return the `TorqueFree` object of a motion.
+
+        Java is started for it.
+        """
         return started().motion(Start.of(inertia, omega0, attitude0))
 
     def states(self, prepared: JavaObject, t: ArrayLike) -> States:
-        """Return states as `Peer` does, NaN where Orekit fails."""
+        """Compute the states at times, with NaN where Orekit fails."""
         java = started()
         rows = [java.state(prepared, time) for time in checked(t).tolist()]
         found = np.array(rows, float).reshape(-1, 7)
@@ -60,7 +63,7 @@ class OrekitPeer:
 
 @dataclass(frozen=True, slots=True)
 class _Java:
-    """Java of one process, with the classes of Orekit that a motion needs.
+    """Java virtual machine of one process, with the Orekit classes that a motion needs.
 
     The epoch and the frame need none of Orekit's data files.
     """
@@ -72,7 +75,10 @@ class _Java:
     frame: JavaObject
 
     def motion(self, start: Start) -> JavaObject:
-        """Return a `TorqueFree`; raise EngineError with Orekit's message."""
+        """Create the `TorqueFree` object of a motion.
+
+        Raises EngineError with Orekit's message.
+        """
         new, vector = self.classes, self.classes["vector"]
         axes = zip(start.inertia, (vector.PLUS_I, vector.PLUS_J, vector.PLUS_K), strict=True)
         # Hipparchus turns v to conj(q) v q: of our q that is inertial to body, as Orekit means it.
@@ -86,7 +92,7 @@ class _Java:
             raise EngineError("orekit", _line(error)) from None
 
     def state(self, motion: JavaObject, time: float) -> list[float]:
-        """Return q and omega, or NaN."""
+        """Compute the state at a time as a list of q and omega, or of NaN if Orekit fails."""
         try:
             found = motion.getAttitude(None, self.epoch.shiftedBy(time), self.frame)
         except self.failure:
@@ -96,7 +102,10 @@ class _Java:
 
 
 def started() -> _Java:
-    """Return Java of this process; raise EngineError if it does not start."""
+    """Return the Java virtual machine of this process, which is started if necessary.
+
+    Raises EngineError if it does not start.
+    """
     java = _java()
     if java.process != os.getpid():
         raise EngineError("orekit", "Java does not outlive a fork: nothing may use it before")
@@ -105,7 +114,7 @@ def started() -> _Java:
 
 @cache
 def _java() -> _Java:
-    """Start Java and load the classes that a motion needs."""
+    """Start the Java virtual machine, and load the Orekit classes that a motion needs."""
     (package, _), (jpype, _) = _packages()
     try:
         package.initVM()
@@ -117,7 +126,10 @@ def _java() -> _Java:
 
 
 def _packages() -> tuple[tuple[ModuleType, str], tuple[ModuleType, str]]:
-    """Return Orekit's and JPype's modules and versions; importing them does not start Java."""
+    """Import Orekit's and JPype's Python modules, and return them with their versions.
+
+    This does not start Java.
+    """
     orekit = needed("orekit", "orekit_jpype", "orekit-jpype")
     return orekit, needed("orekit", "jpype", "jpype1")
 

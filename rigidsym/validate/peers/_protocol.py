@@ -1,4 +1,4 @@
-"""Interface of peers, and checks of their inputs."""
+"""Interface of peer programs, and checks of their inputs."""
 
 import math
 from dataclasses import dataclass
@@ -16,26 +16,32 @@ Floats = tuple[float, ...]
 
 
 class Solver(Protocol):
-    """A program that computes the states of a motion.
+    """Interface of a program that computes the states of a motion.
 
     Conventions and units are those of `rigidsym._engines.Engine`.
     """
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion from moments (3,), rates (3,) and a quaternion (4,) of any length."""
+        """Prepare one motion from its inputs.
+
+        They are moments (3,), rates (3,) and a quaternion (4,) of any length.
+        """
         ...
 
     def states(self, prepared: Prepared, t: ArrayLike) -> States:
-        """Return (q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
+        """Compute the states of a prepared motion at times.
+
+        They are q (N, 4) and omega (N, 3) at t (N,), in any order and of any sign.
+        """
         ...
 
 
 class Peer(Solver, Protocol):
-    """Another program that computes the states of a motion, with its name and limits.
+    """Interface of a peer, which is another program with a name and limits.
 
-    Nothing is rescaled or corrected on the way, but the attitude at t = 0 is normalised.  Both
-    methods raise EngineError for what the peer refuses; a state that it fails to reach is NaN.  One
-    thread at a time.
+    It computes the states of a motion.  Nothing is rescaled or corrected on the way, but the
+    attitude at t = 0 is normalised.  Both methods raise EngineError for what the peer refuses; a
+    state that it fails to reach is NaN. One thread at a time.
 
     name: as in PEERS.  version: of its package.  reach: the largest |omega0 t| (rad) at which it is
     measured, since more takes too long.  double_cover_sign: True if q is continuous from attitude0
@@ -49,7 +55,10 @@ class Peer(Solver, Protocol):
 
 
 def needed(peer: str, module: str, package: str) -> tuple[ModuleType, str]:
-    """Import a module and return it with its package's version; raise InputError if missing."""
+    """Import a module that a peer needs, and return it with its package's version.
+
+    Raises InputError if it is missing.
+    """
     try:
         return import_module(module), metadata.version(package)
     except ImportError:
@@ -58,7 +67,10 @@ def needed(peer: str, module: str, package: str) -> tuple[ModuleType, str]:
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """Moments (3), rates (3) and a unit quaternion (4) at t = 0."""
+    """Checked inputs of a motion for a peer.
+
+    They are moments (3), rates (3) and a unit quaternion (4) at t = 0.
+    """
 
     inertia: Floats
     omega0: Floats
@@ -66,7 +78,10 @@ class Start:
 
     @classmethod
     def of(cls, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> "Start":
-        """Check the inputs of a peer; raise EngineError if they are no motion."""
+        """Check the inputs of a motion, and normalise its quaternion.
+
+        Raises EngineError if they are no motion.
+        """
         moments, rates = _vector("inertia", inertia, 3), _vector("omega0", omega0, 3)
         quaternion = _vector("attitude0", attitude0, 4)
         if min(moments) <= 0:
@@ -82,12 +97,18 @@ class Start:
 
     @property
     def state(self) -> Floats:
-        """The state (7,): attitude, then rates."""
+        """The initial state, with the attitude before the rates.
+
+        It has 7 numbers.
+        """
         return (*self.attitude0, *self.omega0)
 
 
 def checked(t: ArrayLike) -> np.ndarray:
-    """Return times as an array (N,); raise EngineError unless they are finite."""
+    """Convert times to an array (N,) of finite numbers.
+
+    Raises EngineError for others.
+    """
     times = _numbers("t", t)
     if times.ndim != 1:
         raise EngineError("t", f"shape {times.shape}: must be (N,)")

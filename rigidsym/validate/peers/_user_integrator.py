@@ -1,4 +1,7 @@
-"""User's integrators as peers, whose exceptions become results of the report."""
+"""Adapter that measures a user's integrator as a peer.
+
+Exceptions of the integrator become results of the report.
+"""
 
 import math
 import re
@@ -28,7 +31,10 @@ _NAME = re.compile(r"[\w.+-]+( [\w.+-]+)*")
 
 @dataclass(slots=True)
 class UserIntegrator:
-    """Peer by a user's integrator, whose exceptions are refusals with a message in `said`."""
+    """Peer that calls a user's integrator.
+
+    Exceptions of the integrator are refusals with a message in `said`.
+    """
 
     peer: Solver
     name: str
@@ -45,7 +51,7 @@ class UserIntegrator:
         reach: float | None = None,
         double_cover_sign: bool | None = None,
     ) -> "UserIntegrator":
-        """Make a peer of a callable, or of an object with the methods of `Peer`.
+        """Create a peer from a function or from an object with the methods of `Peer`.
 
         An argument that is None is taken from the object where it has it.  Raises InputError for
         other objects, and for names and reaches that a peer cannot have.
@@ -72,17 +78,17 @@ class UserIntegrator:
         )
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion, as `Peer` does."""
+        """Prepare one motion by the user's integrator."""
         return _tried(self.said, lambda: self.peer.prepare(inertia, omega0, attitude0))
 
     def states(self, prepared: Prepared, t: ArrayLike) -> States:
-        """Return states of the right shapes, as `Peer` does."""
+        """Compute states by the user's integrator, and check their shapes."""
         return _tried(self.said, lambda: shaped(self.peer.states(prepared, t), np.size(t)))
 
 
 @dataclass(frozen=True, slots=True)
 class _OfFunction(Integrator):
-    """Solver by a user's function, which is called once for each direction of time.
+    """Solver that calls a user's function once for each direction of time.
 
     A state at t = 0 is the given one.  Where the function fails on one side, its states are NaN.
     """
@@ -91,13 +97,19 @@ class _OfFunction(Integrator):
     said: list[str]
 
     def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
-        """Call the function with arrays of its own, which it may overwrite."""
+        """Integrate a motion by the user's function.
+
+        The function is given arrays of its own, which it may overwrite.
+        """
         given = [np.array(x) for x in (start.inertia, start.omega0, start.attitude0, times)]
         return np.hstack(_tried(self.said, lambda: shaped(self.function(*given), times.size)))
 
 
 def shaped(states: object, count: int) -> States:
-    """Return (q, omega) as float64 arrays (N, 4) and (N, 3); raise EngineError for all else."""
+    """Convert a user's result to float64 arrays of attitudes (N, 4) and rates (N, 3).
+
+    Raises EngineError for all else.
+    """
     if not isinstance(states, Sequence | np.ndarray) or len(states) != 2:
         raise EngineError("integrator", f"gives {type(states).__name__}: must be (q, omega)")
     return _rows("q", states[0], (count, 4)), _rows("omega", states[1], (count, 3))
@@ -116,7 +128,10 @@ def _rows(field: str, values: object, shape: tuple[int, int]) -> np.ndarray:
 
 
 def _tried(said: list[str], work: Callable[[], Given]) -> Given:
-    """Run the user's code; keep the message of any exception and raise EngineError instead."""
+    """Run a user's code, and convert its exceptions to EngineError.
+
+    The message of an exception is kept in `said`.
+    """
     try:
         return work()
     except Exception as error:

@@ -1,4 +1,4 @@
-"""Named strata of cases: the motions where a numeric module could go wrong.
+"""Strata, which are named sets of random motions that test numeric modules.
 
 Every case is drawn from its own generator, seeded by seed, stratum and index, so that any case can
 be drawn again alone.  Numbers are doubles or fractions and are taken at their exact value; all
@@ -16,14 +16,14 @@ __all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "sample
 
 
 def count(stratum: str, cases: int) -> int:
-    """Return `cases`, or the size of the stratum if it is smaller."""
+    """Return how many cases a stratum has, at most `cases`."""
     size = STRATA[stratum].size
     return cases if size is None else min(cases, size)
 
 
 @cache
 def in_doubles() -> tuple[str, ...]:
-    """Return the strata whose numbers are all doubles."""
+    """Return the names of the strata whose inputs are all doubles."""
     return tuple(name for name in STRATA if draw(name, 0, 0).in_doubles)
 
 
@@ -35,7 +35,9 @@ def samples(cases: int, seed: int) -> Iterator[Sample]:
 
 
 def draw(stratum: str, index: int, seed: int) -> Sample:
-    """Draw one sample of a stratum; the same arguments always give the same sample.
+    """Draw one random sample of a stratum.
+
+    The same arguments always give the same sample.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Strata: functions that draw bodies and rates, and the table of all strata.
+"""The table of all strata, and the functions that draw their motions.
 
 A nearly symmetric body circulates about one of its two similar axes only where it hardly turns
 about the third; in some cases it does that little, by the root of what the moments differ by.
@@ -37,18 +37,18 @@ SIGNS = tuple(product((1, -1), repeat=3))
 
 
 def body(random: Random) -> list[float]:
-    """Draw three moments of a positive mass distribution."""
+    """Draw random principal moments that a rigid body can have."""
     x, y, z = (random.uniform(0.05, 1) for _ in range(3))
     return [y + z, z + x, x + y]
 
 
 def rates(random: Random) -> list[float]:
-    """Draw three rates."""
+    """Draw three random body rates."""
     return [random.gauss(0, 1) for _ in range(3)]
 
 
 def decimals(random: Random) -> list[Fraction]:
-    """Draw three exact decimals."""
+    """Draw three random decimals with exact values."""
     return [Fraction(random.choice((-1, 1)) * random.randint(1, 999), 1000) for _ in range(3)]
 
 
@@ -70,12 +70,12 @@ def _ordered(
 
 
 def uniform(random: Random, index: int) -> Motion:
-    """Draw any body, with any rates."""
+    """Draw a motion with a random body and random rates."""
     return mixed(random, body(random), rates(random))
 
 
 def every_order_and_sign(random: Random, index: int) -> Motion:
-    """Draw the 48 combinations of axis orders and signs of the rates in turn."""
+    """Draw motions with each of the 48 orders of axes and signs of rates in turn."""
     order = index % len(ORDERS)
     sign = (index // len(ORDERS) + order) % len(SIGNS)
     positive = [random.uniform(0.1, 1) for _ in range(3)]
@@ -88,7 +88,7 @@ def rest(random: Random, index: int) -> Motion:
 
 
 def scaled(inertia: float, rate: float) -> Body:
-    """Return a function that draws any body in other units of inertia and rates."""
+    """Return a function that draws random motions scaled in inertia and rates."""
 
     def draw(random: Random, index: int) -> Motion:
         motion = uniform(random, index)
@@ -99,7 +99,10 @@ def scaled(inertia: float, rate: float) -> Body:
 
 
 def any_scale(random: Random, index: int) -> Motion:
-    """Draw moments by 1e-200 to 1e200 and rates by 1e-250 to 1e250, independently."""
+    """Draw a motion with moments and rates of extremely different scales.
+
+    Moments are scaled by 1e-200 to 1e200, and rates by 1e-250 to 1e250.
+    """
     inertia = 10.0 ** spread(index, -200, 200)
     rate = 10.0 ** spread(index, 250, -250, base=3)
     return scaled(inertia, rate)(random, index)
@@ -113,7 +116,10 @@ _GRID = 2.0**-40
 
 
 def symmetric(random: Random, index: int) -> Motion:
-    """Draw a symmetric body, prolate or oblate in turn, and often with rates of zero."""
+    """Draw a motion of a symmetric body, prolate or oblate in turn.
+
+    Some rates are often zero.
+    """
     third = random.uniform(0.1, 0.99) if index % 2 else random.uniform(1.01, 2)
     pattern = PATTERNS[index // 4 % len(PATTERNS)] if index // 2 % 2 else PATTERNS[0]
     omega = [x * some for x, some in zip(rates(random), pattern, strict=True)]
@@ -123,18 +129,18 @@ def symmetric(random: Random, index: int) -> Motion:
 
 
 def sphere(random: Random, index: int) -> Motion:
-    """Draw three equal moments."""
+    """Draw a motion of a body with three equal moments."""
     return Motion((random.uniform(0.1, 2),) * 3, tuple(rates(random)))
 
 
 def flat(random: Random, index: int) -> Motion:
-    """Draw a flat body: two of its moments add up to the third exactly."""
+    """Draw a motion of a flat body, two of whose moments add up exactly to the third."""
     x, y = (random.randint(2**35, 2**40) * _GRID for _ in range(2))
     return mixed(random, [x, y, x + y], rates(random))
 
 
 def spin(random: Random, index: int) -> Motion:
-    """Draw a spin about one axis, each axis in turn."""
+    """Draw a spin of a random body about one axis, each axis in turn."""
     omega = [0.0, 0.0, 0.0]
     omega[index % 3] = random.gauss(0, 1)
     return mixed(random, sorted(body(random)), omega)
@@ -149,7 +155,10 @@ _FAINTEST = Fraction(1, 10**125)
 
 
 def near_prolate(random: Random, index: int) -> Motion:
-    """Draw a body whose larger moments differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a motion of a nearly prolate body.
+
+    The relative difference of its larger moments is 1e-1 to 2e-16.
+    """
     split = decade(index, 1, _LAST)
     lone, *others = rates(random)
     lone *= random.choice((1, 1, math.sqrt(split)))
@@ -157,7 +166,10 @@ def near_prolate(random: Random, index: int) -> Motion:
 
 
 def near_oblate(random: Random, index: int) -> Motion:
-    """Draw a body whose smaller moments differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a motion of a nearly oblate body.
+
+    The relative difference of its smaller moments is 1e-1 to 2e-16.
+    """
     split = decade(index, 1, _LAST)
     *others, lone = rates(random)
     lone *= random.choice((1, 1, math.sqrt(split)))
@@ -165,13 +177,19 @@ def near_oblate(random: Random, index: int) -> Motion:
 
 
 def near_sphere(random: Random, index: int) -> Motion:
-    """Draw a body whose three moments differ by 1e-1 to 2e-16 of themselves."""
+    """Draw a motion of a nearly spherical body.
+
+    The relative differences of its moments are 1e-1 to 2e-16.
+    """
     size = decade(index, 1, 15)
     return mixed(random, [1 + size * random.uniform(-1, 1) for _ in range(3)], rates(random))
 
 
 def nearest_symmetric(random: Random, index: int) -> Motion:
-    """Draw a body with two moments that differ by a power of ten from 1e-17 to 1e-300."""
+    """Draw a motion of a body closer to a symmetric one than doubles can be.
+
+    Two moments differ by a power of ten from 1e-17 to 1e-300.
+    """
     third = random.choice((random.randint(15, 95), random.randint(115, 200)))
     split = exact_decade(index, 17, 300)
     *others, lone = decimals(random)
@@ -181,14 +199,20 @@ def nearest_symmetric(random: Random, index: int) -> Motion:
 
 
 def nearest_sphere(random: Random, index: int) -> Motion:
-    """Draw a body whose moments differ by multiples of a power of ten, 1e-17 to 1e-250."""
+    """Draw a motion of a body closer to a spherical one than doubles can be.
+
+    Its moments differ by multiples of a power of ten, 1e-17 to 1e-250.
+    """
     step = exact_decade(index, 17, 250)
     inertia = _sized(random, [1 + k * step for k in random.sample(range(-9, 10), 3)])
     return mixed(random, inertia, decimals(random))
 
 
 def exact_decimals(random: Random, index: int) -> Motion:
-    """Draw decimals: moments that differ by 1e-2 to 1e-19, or a motion on the separatrix."""
+    """Draw a motion whose inputs are exact decimals.
+
+    Moments differ by 1e-2 to 1e-19, or the motion is on the separatrix.
+    """
     if index % 3 == 0:
         inertia = [Fraction(x, 10) for x in (4, 5, 9)]
         omega = [Fraction(3, 10), Fraction(random.randint(-99, 99), 100), Fraction(1, 10)]
@@ -200,13 +224,19 @@ def exact_decimals(random: Random, index: int) -> Motion:
 
 
 def _sized(random: Random, inertia: list[Fraction]) -> list[Fraction]:
-    """Multiply moments by a random decimal, so that no difference is a sum of two doubles."""
+    """Multiply moments by a random decimal.
+
+    No difference of them is then a sum of two doubles.
+    """
     size = Fraction(random.randint(1, 999), 1000)
     return [size * moment for moment in inertia]
 
 
 def near_spin(axis: int, last: float) -> Body:
-    """Return a function that draws spins about one axis, tilted by 1e-1 to 10^-last."""
+    """Return a function that draws slightly tilted spins about one axis.
+
+    The tilt is 1e-1 to 10^-last.
+    """
 
     def draw(random: Random, index: int) -> Motion:
         tilt = decade(index, 1, last)
@@ -220,14 +250,20 @@ def near_spin(axis: int, last: float) -> Body:
 
 
 def rod(random: Random, index: int) -> Motion:
-    """Draw a rod: one moment is 1e-1 to 1e-15 of the others."""
+    """Draw a motion of a rod, one moment of which is far smaller than the others.
+
+    It is 1e-1 to 1e-15 of them.
+    """
     thin = decade(index, 1, 15)
     inertia = [thin, 1.0, 1 + thin * random.uniform(0.1, 0.9)]
     return mixed(random, inertia, rates(random))
 
 
 def needle(random: Random, index: int) -> Motion:
-    """Draw a needle in exact decimals: one moment is 1e-1 to 1e-59 of the others."""
+    """Draw a motion of an extremely thin rod in exact decimals.
+
+    One moment is 1e-1 to 1e-59 of the others.
+    """
     thin = exact_decade(index, 1, 59)
     inertia = [thin, Fraction(1), 1 + thin * Fraction(random.randint(1, 10), 10)]
     return mixed(random, _sized(random, inertia), rates(random))
@@ -243,9 +279,9 @@ Point = tuple[list[int], tuple[int, int]]
 
 @cache
 def points() -> tuple[Point, ...]:
-    """Return bodies of coprime whole moments with whole rates on the separatrix.
+    """Return bodies with whole moments and whole rates that are exactly on the separatrix.
 
-    Moments are at most _MOST; the rates x, z are the least that are whole.
+    Moments are coprime and at most _MOST; the rates x, z are the least that are whole.
     """
     found = []
     for high in range(3, _MOST + 1):
@@ -261,7 +297,10 @@ def points() -> tuple[Point, ...]:
 
 
 def _on_separatrix(random: Random) -> tuple[list[float], list[float]]:
-    """Draw doubles exactly on the separatrix, with axes sorted by inertia."""
+    """Draw moments and rates as doubles that are exactly on the separatrix.
+
+    Axes are sorted by inertia.
+    """
     whole, (x, z) = random.choice(points())
     moment, rate = ((random.getrandbits(_BITS) | 1) * 2.0**-_BITS for _ in range(2))
     middle = random.choice((0.0, 1e-3, 1.0, 1.0, 1e3)) * random.gauss(0, 1)
@@ -269,12 +308,15 @@ def _on_separatrix(random: Random) -> tuple[list[float], list[float]]:
 
 
 def separatrix(random: Random, index: int) -> Motion:
-    """Draw a motion of doubles exactly on the separatrix."""
+    """Draw a motion that is exactly on the separatrix and whose inputs are doubles."""
     return mixed(random, *_on_separatrix(random))
 
 
 def beside_separatrix(random: Random, index: int) -> Motion:
-    """Draw a motion on the separatrix, and change one number by one ulp."""
+    """Draw a motion one ulp beside the separatrix.
+
+    One number of a motion on the separatrix is changed.
+    """
     inertia, omega = _on_separatrix(random)
     numbers = random.choice((inertia, omega))
     k = random.choice((0, 1, 2)) if numbers is inertia else random.choice((0, 2))
@@ -283,7 +325,10 @@ def beside_separatrix(random: Random, index: int) -> Motion:
 
 
 def near_separatrix(random: Random, index: int) -> Motion:
-    """Draw a motion with one rate 1e-1 to 1e-16 of itself off the separatrix."""
+    """Draw a motion near the separatrix.
+
+    One rate is off the separatrix by 1e-1 to 1e-16 of itself.
+    """
     low, middle, high = sorted(body(random))
     fast = random.uniform(0.3, 1)
     slow = fast * math.sqrt(high * (high - middle) / (low * (middle - low)))
@@ -292,7 +337,10 @@ def near_separatrix(random: Random, index: int) -> Motion:
 
 
 def nearest_separatrix(random: Random, index: int) -> Motion:
-    """Draw a motion with one rate 1e-17 to 1e-250 of itself off the separatrix."""
+    """Draw a motion closer to the separatrix than doubles can be.
+
+    One rate is off the separatrix by 1e-17 to 1e-250 of itself.
+    """
     inertia, (x, z) = random.choice(points())
     distance = random.choice((-1, 1)) * exact_decade(index, 17, 250)
     middle = Fraction(random.randint(1, 999), 100)
@@ -300,10 +348,11 @@ def nearest_separatrix(random: Random, index: int) -> Motion:
 
 
 def branch_switch(random: Random, index: int) -> Motion:
-    """Draw a motion whose k_1^2 is near 1/2, where the modules change their series.
+    """Draw a motion near the switch between the two kinds of series in numeric modules.
 
-    k_1 is the modulus after one Landen step.  The modules use circular series up to k_1^2 = 1/2 and
-    hyperbolic ones beyond: the truncation errors of both are largest there.
+    Its k_1^2 is near 1/2. k_1 is the modulus after one Landen step.  The modules use circular
+    series up to k_1^2 = 1/2 and hyperbolic ones beyond: the truncation errors of both are largest
+    there.
     """
     c_a, c_b, c_d = moments = sorted(body(random), reverse=random.choice((True, False)))
     k_1 = math.sqrt((1 + random.choice((-1, 1)) * decade(index, 0.5, 16)) / 2)
@@ -316,7 +365,11 @@ def branch_switch(random: Random, index: int) -> Motion:
 
 
 def with_quarter_periods(random: Random, index: int) -> Motion:
-    """Draw any body, or one near the separatrix or near a symmetric one; some rates start at 0."""
+    """Draw a motion to be tested at its quarter periods.
+
+    The body is any one or nearly symmetric, or the motion is near the separatrix.  Some rates start
+    at 0.
+    """
     bodies = uniform, near_separatrix, near_prolate, near_oblate
     motion = bodies[index % len(bodies)](random, index // len(bodies))
     if index % 5:
@@ -348,19 +401,28 @@ ATTITUDES = tuple(
 
 
 def special_values(random: Random, index: int) -> Motion:
-    """Draw small whole moments and simple rates, with equal ones, zeros and negative zeros."""
+    """Draw a motion with small whole moments and simple rates.
+
+    There are equal ones, zeros and negative zeros among them.
+    """
     inertia, omega = VALUES[index * _STRIDE % len(VALUES)]
     return Motion(tuple(map(float, inertia)), omega)
 
 
 def special_attitudes(random: Random, index: int) -> Motion:
-    """Draw any body with a special attitude: no turn or half a turn, of any length."""
+    """Draw a motion with a special initial attitude, such as half a turn.
+
+    Attitudes are no turn or half a turn, with quaternions of any length.
+    """
     motion = uniform(random, index)
     return Motion(motion.inertia, motion.omega0, ATTITUDES[index * 31 % len(ATTITUDES)])
 
 
 def extreme_scales(random: Random, index: int) -> Motion:
-    """Draw whole moments times powers of two, up to the limits of doubles."""
+    """Draw a motion with moments and rates up to the limits of doubles.
+
+    Moments are whole numbers times powers of two.
+    """
     whole, _ = VALUES[random.randrange(len(VALUES))]
     exponent = round(spread(index, -1074, 1018))
     inertia = [math.ldexp(x, exponent) for x in whole]

@@ -1,8 +1,8 @@
-"""Published motions, and times at zeros of rates and at quarter periods.
+"""Published motions, and functions that draw special times of a motion.
 
-A rate about the middle axis is zero where the argument of the Jacobi functions is an even number
-of quarter periods K(m), and a third one where it is an odd number; the rate about the axis that
-the motion circulates about never is.
+These are at zeros of rates and at quarter periods.  A rate about the middle axis is zero where the
+argument of the Jacobi functions is an even number of quarter periods K(m), and a third one where it
+is an odd number; the rate about the axis that the motion circulates about never is.
 """
 
 import math
@@ -25,32 +25,35 @@ _DIGITS = 25
 
 
 def paper(random: Random, index: int) -> Motion:
-    """Return the paper's body, its decimals rounded to doubles."""
+    """Return the motion of the paper's spacecraft, with its decimals rounded to doubles."""
     exact = paper_case().motion.exact
     return Motion(*(tuple(map(float, values)) for values in exact.values()))
 
 
 def paper_times(random: Random, index: int, motion: Motion) -> Floats:
-    """Return every tenth of the paper's times, and late ones."""
+    """Return every tenth of the paper's times, followed by late times."""
     return tuple(map(float, paper_case().times[::10])) + late(Random("paper"), motion, 50)
 
 
 @cache
 def published() -> tuple[dict[str, Any], ...]:
-    """Return the entries of published.toml, in its order, with numbers as they were printed."""
+    """Return the motions in published.toml, with numbers as they were printed."""
     text = resources.files("rigidsym.validate.strata").joinpath("published.toml").read_text("utf-8")
     return tuple(tomllib.loads(text)["motion"])
 
 
 def published_motion(random: Random, index: int) -> Motion:
-    """Return the index-th published motion; decimals become doubles where these are equal."""
+    """Return the published motion of an index.
+
+    Decimals become doubles where these are equal.
+    """
     entry = published()[index]
     exact = ([Fraction(x) for x in entry[name]] for name in ("inertia", "omega0", "attitude0"))
     return Motion(*(tuple(float(x) if Fraction(float(x)) == x else x for x in y) for y in exact))
 
 
 def published_times(random: Random, index: int, motion: Motion) -> Floats:
-    """Return the published times of a motion and their negatives, and late times."""
+    """Return the published times of a motion, their negatives, and late times."""
     known = {sign * float(Fraction(t)) for t in published()[index]["times"] for sign in (-1, 1)}
     listed = (0.0, *sorted(known))
     some = (listed + turns(50)(random, index, motion)[1:])[: max(len(listed), _ENOUGH)]
@@ -58,14 +61,19 @@ def published_times(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def zeros(random: Random, index: int, motion: Motion) -> Floats:
-    """Return times on both sides of zeros of the rates, from one ulp to 1e-9 away.
+    """Return times just before and after the zeros of body rates.
 
-    The last zero of each rate, where an ulp is a hundredth of a radian, is enclosed by two more.
+    They are one ulp to 1e-9 away.  The last zero of each rate, where an ulp is a hundredth of a
+    radian, is enclosed by two more.
     """
     quarter, origin = _quarter_and_origin(motion)
 
     def zero(number: int) -> mpf:
-        """Return a zero of the rate about the middle axis (even numbers) or of the third one."""
+        """Return the time of a zero of a body rate.
+
+        The rate is that about the middle axis for even numbers, and that about the third axis for
+        odd ones.
+        """
         with mp.workdps(_DIGITS + 5):
             return origin + number * quarter
 
@@ -83,7 +91,7 @@ def zeros(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def quarters(random: Random, index: int, motion: Motion) -> Floats:
-    """Return times on both sides of early and late multiples of the quarter period."""
+    """Return times just before and after early and late multiples of the quarter period."""
     quarter, _ = _quarter_and_origin(motion)
     last = int(MAX_ANGLE / (motion.turning * float(quarter)))
     numbers = [1, random.randint(2, 8), int(last ** random.random()), int(last**0.5), last]
@@ -96,7 +104,7 @@ def quarters(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def _quarter_and_origin(motion: Motion) -> tuple[mpf, mpf]:
-    """Return the quarter period and the time of argument zero, both in s."""
+    """Return the quarter period, and the time at which the elliptic functions' argument is 0, s."""
     exact = PreciseMotion(fractions(motion.inertia), fractions(motion.omega0), fractions(IDENTITY))
     known = exact.constants(("lambda_", "u", "k_c"), _DIGITS)
     with mp.workdps(_DIGITS + 5):
@@ -105,6 +113,6 @@ def _quarter_and_origin(motion: Motion) -> tuple[mpf, mpf]:
 
 
 def _neighbours(time: mpf) -> tuple[float, float]:
-    """Return the doubles on both sides of a time, the nearest first."""
+    """Return the doubles just before and after a time, the nearest first."""
     nearest = float(time)
     return nearest, math.nextafter(nearest, math.inf if nearest < time else -math.inf)

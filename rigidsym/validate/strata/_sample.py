@@ -1,4 +1,4 @@
-"""Types of strata and samples, numbers spread over ranges, and times by angle."""
+"""Classes of strata and samples, and functions that draw numbers and times."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -26,7 +26,10 @@ _LATEST = 2.0**1023
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """Motion that a stratum draws: inertia (3), rates (3) and perhaps an attitude (4)."""
+    """Inputs of a motion that a stratum draws.
+
+    They are inertia (3), rates (3) and perhaps an attitude (4).
+    """
 
     inertia: Numbers
     omega0: Numbers
@@ -34,13 +37,16 @@ class Motion:
 
     @property
     def turning(self) -> float:
-        """|omega0|, or 1 at rest."""
+        """The magnitude of the initial rates, or 1 at rest."""
         return math.hypot(*self.omega0) or 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """Case of a stratum: inertia (3), rates (3), attitude (4) and times."""
+    """Case of a stratum, with the inputs of a motion and times.
+
+    The inputs are inertia (3), rates (3) and attitude (4).
+    """
 
     stratum: str
     index: int
@@ -51,7 +57,10 @@ class Sample:
 
     @property
     def name(self) -> str:
-        """The stratum and the index, as `rigidsym validate --case` takes them."""
+        """The name of the sample, which has the stratum and the index.
+
+        `rigidsym validate --case` takes it.
+        """
         return f"{self.stratum}:{self.index}"
 
     @property
@@ -61,7 +70,7 @@ class Sample:
 
     @property
     def in_doubles(self) -> bool:
-        """True if all of its numbers are doubles."""
+        """True if all inputs are doubles."""
         numbers = (*self.inertia, *self.omega0, *self.attitude0)
         return not any(isinstance(x, Fraction) for x in numbers)
 
@@ -72,9 +81,10 @@ Times = Callable[[Random, int, Motion], Floats]
 
 @dataclass(frozen=True, slots=True)
 class Stratum:
-    """Source of cases by index, with a line `about` on what it covers.
+    """Named set of cases, which are drawn by index.
 
-    size: how many different cases there are, or None for any number.
+    about: a line on what the set covers.  size: how many different cases there are, or None for any
+    number.
     """
 
     name: str
@@ -85,14 +95,14 @@ class Stratum:
 
 
 def fractions(values: Numbers) -> Exact:
-    """Return the exact values of numbers."""
+    """Convert numbers to fractions of the same value."""
     return tuple(Fraction(x) for x in values)
 
 
 def stepped(sample: Sample) -> Sample:
-    """Return the sample in doubles, with times halved until |omega0 t| <= 2 pi.
+    """Return a sample with inputs in doubles and times within one turn of the body.
 
-    A step is measured on such samples.
+    Times are halved until |omega0 t| <= 2 pi.  A step is measured on such samples.
     """
     inertia, omega0, attitude0 = (
         tuple(map(float, x)) for x in (sample.inertia, sample.omega0, sample.attitude0)
@@ -128,17 +138,26 @@ def spread(index: int, first: float, last: float, base: int = 2) -> float:
 
 
 def decade(index: int, first: float, last: float) -> float:
-    """Return a term of a sequence of doubles, 10^-first to 10^-last, evenly over decades."""
+    """Return a term of a sequence of doubles that is spread evenly over decades.
+
+    Its terms are 10^-first to 10^-last.
+    """
     return 10.0 ** -spread(index, first, last)
 
 
 def exact_decade(index: int, first: int, last: int) -> Fraction:
-    """Return a term of a sequence of exact powers of ten, 10^-first to 10^-last."""
+    """Return a term of a sequence of exact negative powers of ten.
+
+    Its terms are 10^-first to 10^-last.
+    """
     return Fraction(1, 10 ** round(spread(index, first, last)))
 
 
 def turns(most: float) -> Times:
-    """Return a function that draws early times, up to `most` rad, and late times."""
+    """Return a function that draws early and late times of a motion.
+
+    The body turns by up to `most` rad until the early times.
+    """
 
     def times(random: Random, index: int, motion: Motion) -> Floats:
         sign = random.choice((-1, 1))
@@ -151,14 +170,17 @@ def turns(most: float) -> Times:
 
 
 def late(random: Random, motion: Motion, first: float) -> Floats:
-    """Draw late times, from `first` rad of turning to the last allowed."""
+    """Draw late times of a motion, up to the last that numeric modules allow.
+
+    The body turns by at least `first` rad until then.
+    """
     angles = [first * (MAX_ANGLE / first) ** random.random() for _ in range(_LATE)]
     angles.append(MAX_ANGLE * random.uniform(0.5, 1))
     return _alternating(random.choice((-1, 1)), angles, motion)
 
 
 def _alternating(sign: int, angles: Sequence[float], motion: Motion) -> Floats:
-    """Return the times at which the body has turned by these angles, with alternating signs.
+    """Return times by which the body has turned by given angles, with alternating signs.
 
     Times end with the doubles: rates below 1e-294 rad/s turn less far than others.
     """
