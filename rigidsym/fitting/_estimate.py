@@ -206,7 +206,7 @@ def _pure_spin(axis: int, point: Point, anywhere: bool) -> Point:
 
 
 def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
-    """Return the motion of a point and its chi2 as an alternative.
+    """Return the motion and the chi2 of a point in parameter space.
 
     size: the largest moment, where neither the observations nor a prior determine it.
     """
@@ -218,7 +218,7 @@ def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
 
 
 def _from_zero(problem: Problem, point: Point, residuals: np.ndarray) -> TorqueFreeMotion:
-    """Return the motion of a point with its state at t = 0.
+    """Return the motion of a point in parameter space, with its state at t = 0.
 
     The state has as many digits as the observations resolve.
 

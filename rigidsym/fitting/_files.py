@@ -41,7 +41,7 @@ class File:
     epoch: str | None = None
 
     def arguments(self) -> dict[str, Any]:
-        """Return the arguments of `rigidsym.fit`."""
+        """Return the content of the file as keyword arguments of `rigidsym.fit`."""
         return {**self.observations, **self.options}
 
 

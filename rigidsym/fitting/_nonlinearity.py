@@ -88,7 +88,7 @@ NAMES = (
 
 @dataclass(frozen=True, slots=True)
 class Quantities:
-    """The quantities of a fit that users see, as functions of nearby motions.
+    """The quantities that a fit reports, as functions of nearby motions.
 
     The chi2 of these motions is computed as well.
 

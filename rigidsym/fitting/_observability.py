@@ -148,7 +148,7 @@ class Observability:
 
     @cached_property
     def null(self) -> np.ndarray:
-        """Return orthonormal directions (k, p) that are unobservable at any of the points.
+        """Return orthonormal directions (k, p) that are unobservable at the minimum or near it.
 
         They are in units of the natural sizes.
         """
@@ -201,7 +201,7 @@ def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
 
 
 def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
-    """Increase the variances in covariances where other variances are much larger.
+    """Raise variances in covariance matrices to other variances that are much larger.
 
     Covariances have the shape (..., k, k), the other variances (..., k).
 

@@ -99,7 +99,7 @@ class Observations(ABC):
     @property
     @abstractmethod
     def unrelated(self) -> float:
-        """Return the mean square of the residuals of an unrelated motion."""
+        """Return the mean square of the residuals of a motion unrelated to the data."""
 
     @abstractmethod
     def _read(self, values: np.ndarray) -> np.ndarray:
@@ -605,7 +605,7 @@ def _needed(where: str, table: Mapping[str, Any], key: str) -> Any:
 
 
 def _mean_square(rows: np.ndarray) -> float:
-    """Return the mean square of the lengths of rows.
+    """Return the mean squared length of the rows of an array.
 
     Zero is replaced by the smallest normal double.
     """

@@ -135,7 +135,7 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """Return the points displaced by the parameters of `linear_derivatives`.
+        """Return points displaced by steps of the parameters that `linear_derivatives` uses.
 
         The parameters x have the shape (..., count).
 
@@ -153,7 +153,7 @@ class Parameters:
         return replace(self.moved(point, level), moments=moments)
 
     def inner(self, point: Point) -> Point:
-        """Move the moments of a flat body inwards until its shape can change."""
+        """Replace a flat body by a slightly thicker one, whose shape can change."""
         if not self.shape:
             return point
         own, total = _second_moments(point.moments)

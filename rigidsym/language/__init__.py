@@ -1,1 +1,4 @@
-"""Expression trees, which proofs and numerical code share, with evaluation and printing."""
+"""Expression trees, shared by proofs and numerical code.
+
+They can be parsed, evaluated and printed as text or LaTeX.
+"""

@@ -1,4 +1,4 @@
-r"""LaTeX of names, expressions, statements and hypotheses.
+r"""Conversion of names, expressions, statements and hypotheses to LaTeX.
 
 MathJax, KaTeX and Matplotlib can all read it.  A name is read from its parts, so that phi1 is
 \phi_{1} and c_a_squared is c_{a}^{2}; the tables have what the parts do not say.  `Printer` writes
@@ -38,7 +38,10 @@ _FORMS: dict[str, Callable[[str, str], str]] = {
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """The LaTeX form of a name, split into a head, which takes exponents, and an argument."""
+    """The LaTeX form of a name, split into a head and an argument.
+
+    The head takes exponents.
+    """
 
     head: str
     argument: str = ""
@@ -136,7 +139,7 @@ def place(factor: Expression) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class Printer:
-    r"""Printer of expression trees in LaTeX.
+    r"""A printer that converts expression trees to LaTeX.
 
     rank: the sort key of factors in a product.  most: the number of terms of a sum that are shown,
     with \cdots in the place of the others; None for all.
@@ -146,7 +149,7 @@ class Printer:
     most: int | None = MOST_TERMS
 
     def of(self, expression: Expression) -> str:
-        """Return an expression tree in LaTeX."""
+        """Convert an expression tree to LaTeX."""
         match expression:
             case Number(value):
                 return str(value)
@@ -323,7 +326,7 @@ of = Printer().of
 
 
 def latex(text: str) -> str:
-    r"""Return an expression of the ledger in LaTeX.
+    r"""Convert an expression of the ledger to LaTeX.
 
     >>> latex("(c2 - c3)/c1*Omega2**2")
     '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'

@@ -83,7 +83,10 @@ class Theorem:
 
 
 def read(text: str) -> dict[str, Theorem]:
-    """Parse the blocks of a specification; raise ValueError for a malformed one."""
+    """Parse the blocks of a specification.
+
+    Raises ValueError for a malformed block.
+    """
     blocks: dict[str, Theorem] = {}
     for head, clauses in _blocks(text):
         kind, _, rest = head.partition(" ")
@@ -159,7 +162,7 @@ def _statement(item: str) -> Statement:
 
 
 def written(statement: Statement) -> str:
-    """Return a statement as text."""
+    """Format a statement as text."""
     relation, lhs, rhs = statement
     if relation == ">=":
         return f"{lhs} >= 0"
@@ -253,7 +256,7 @@ class Proved:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
     def modelled(self, name: str) -> list[str]:
-        """Return a context and all contexts that it is a model of, directly or indirectly."""
+        """Return a context and all contexts of which it is a model, directly or indirectly."""
         places = [name]
         for place in places:
             places += (other for other in self._models.get(place, ()) if other not in places)

@@ -93,7 +93,7 @@ class _Reader:
         return f"√{inside}" if len(inside) == 1 else f"√({inside})"
 
     def words(self) -> str:
-        """Return the characters of a group such as \text{...}, blanks included."""
+        """Return the characters of a group in braces, blanks included."""
         while (token := self.next()) == " ":
             pass
         if token != "{":
@@ -122,7 +122,10 @@ class _Reader:
 
 
 def _letter(form: str, name: str) -> str:
-    """Return a letter by its Unicode name; raise ValueError for an unknown name."""
+    """Look up a letter by its Unicode name.
+
+    Raises ValueError for an unknown name.
+    """
     size = "CAPITAL" if name[:1].isupper() else "SMALL"
     known = "LAMDA" if name.lower() == "lambda" else name.upper()
     try:

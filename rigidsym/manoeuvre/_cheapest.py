@@ -100,7 +100,7 @@ class Bursts:
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return for each motion the larger ratio of its peak rate and burst to their limits."""
+        """Return for each motion the larger of peak rate and burst relative to their limits."""
         needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
             needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))

@@ -88,7 +88,10 @@ def _inverse(problem: Problem) -> np.ndarray:
 
 
 def quadratic_form(problem: Problem) -> np.ndarray:
-    """Return the matrix A = R J R^T - J, whose cone m A m = 0 has the directions."""
+    """Return the matrix A of the cone m A m = 0 of momentum directions.
+
+    A = R J R^T - J.
+    """
     inverse = _inverse(problem)
     return (problem.rotation * inverse) @ problem.rotation.T - np.diag(inverse)
 

@@ -67,7 +67,7 @@ class Samples:
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
-    """Return initial rates (N, 3) near those of every motion to the target up to a momentum.
+    """Return approximate initial rates (N, 3) of all motions to the target up to a momentum.
 
     Raises TooManyError where there are too many motions of that momentum.
     """
@@ -183,7 +183,9 @@ class Search:
         return np.concatenate([at, nearer[close]])
 
     def _crossings(self, begin: Samples, end: Samples, wanted: np.ndarray) -> np.ndarray:
-        """Return the initial rates at which half angles have made a wanted part of their change.
+        """Return the initial rates at which half angles have given values between two samples.
+
+        wanted: the fractions of the change of the half angle from sample to sample.
 
         The zero is found by regula falsi, in its Illinois variant.
         """

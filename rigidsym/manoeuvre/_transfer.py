@@ -66,7 +66,7 @@ def robustness(motion: TorqueFreeMotion, burst: np.ndarray, duration: float) -> 
 
 
 def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
-    """Return the exponent of e by which errors grow during a motion.
+    """Return the exponent x of the factor e^x by which errors grow during a motion.
 
     It is 0 where they grow linearly.
 
@@ -176,7 +176,7 @@ class Transfer:
 
     @property
     def growth_exponent(self) -> float:
-        """Exponent of e by which errors grow during the motion.
+        """Exponent x of the factor e^x by which errors grow during the motion.
 
         It is 0 where they grow linearly.
         """

@@ -25,7 +25,7 @@ FEW_STEPS = 100
 
 @dataclass(frozen=True)
 class BoxedMotion(MotionInputs):
-    """All motions whose inputs lie in a box, because some inputs are uncertain."""
+    """The set of all motions whose uncertain inputs lie in a box."""
 
     def enclosures(
         self,
@@ -66,7 +66,7 @@ class BoxedMotion(MotionInputs):
             yield [*q, *omega, *found]
 
     def _best(self, precision: AdaptivePrecision, time: Fraction) -> State:
-        """Return the sharpest enclosure of the state that is known.
+        """Return the sharpest available enclosure of the state.
 
         It follows from the mean value theorem, over parts of the box if necessary.
 

@@ -267,7 +267,7 @@ def _shown(motion: Sequence[Sequence[Fraction]]) -> dict[str, list[str]]:
 
 
 def _exactly(value: Fraction) -> str:
-    """Format a rational exactly.
+    """Format a rational number exactly.
 
     It is a decimal where that is exact and short, else a fraction.
     """

@@ -48,7 +48,7 @@ ROUNDING, WIDEST_TURN = 2.0**-20, 3
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """All bodies and initial rates of a box, and their flow.
+    """The set of all bodies and initial rates in a box, with its flow.
 
     They are deviations r (6) from the middle of the box.
 
@@ -85,7 +85,7 @@ class Cloud:
         return Cloud(turn * self.middle, turn * self.spread, turn * self.frame, self.rest)
 
     def states(self, bodies: Bodies) -> arb_mat:
-        """Return a box that contains the set.
+        """Return a box that contains all states of the set.
 
         It keeps to the bounds of rates and of unit quaternions.
         """
@@ -244,7 +244,7 @@ def bits_for(given: MotionInputs, digits: int) -> int:
 
 
 def _scale(size: arb) -> Fraction:
-    """Round a size up to a number of few bits.
+    """Round a size up to a number with few bits.
 
     Return 1 for zero.
     """

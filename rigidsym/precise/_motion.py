@@ -158,7 +158,7 @@ class PreciseMotion(MotionInputs):
         return {}
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle only the inputs.
+        """Pickle the motion by its inputs alone.
 
         A process that gets equal inputs again keeps their constants.
         """

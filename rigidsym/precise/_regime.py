@@ -46,7 +46,7 @@ class MotionInputs:
 
     @property
     def exact(self) -> ExactInputs:
-        """Inertia, omega0 and attitude0 as rationals.
+        """The inertia, initial rates and initial attitude as rationals.
 
         Raises InputError for uncertain inputs.
         """

@@ -193,7 +193,10 @@ class Theorem1:
         return {name: found[name] for name in (f"p_{x}" for x in _ABD)}
 
     def _flips(self, t: Point) -> int:
-        """Count the zeros of Omega2, at arguments 2 n K, while Omega3 < 0."""
+        """Count the zeros of Omega2 at which Omega3 is negative.
+
+        They are at arguments 2 n K.
+        """
         (a, *_), c, w, sine = self.polhode.axes, self.inertia, self.omega0, self._sines[1]
         if a == 1:
             return 0

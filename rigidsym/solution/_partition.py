@@ -168,7 +168,9 @@ def _splits(proved: Mapping[str, Record]) -> tuple[dict[str, Split], list[str]]:
 
 
 def _quantities(splits: Collection[str], contexts: Mapping[str, Record]) -> FormulaSequence:
-    """Return the formulas of the quantities that decide, from the root context.
+    """Return the formulas of the quantities whose signs decide the kind of a motion.
+
+    They are the definitions of the root context.
 
     Raises LedgerError unless every split context has the same definitions.
     """
@@ -198,7 +200,7 @@ def check_order(
 
 
 def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
-    """Return the leaf of a given name, read from the ledger."""
+    """Read one leaf of the partition from the ledger."""
     theorem = specified[name]
     required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
     stating = [
@@ -214,9 +216,9 @@ def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
 
 
 def decisions(partition: Partition) -> tuple[Formula, ...]:
-    """Return the partition as formulas whose last one is the side of a motion.
+    """Return formulas that decide the side of a motion.
 
-    `Leaf` explains the side.
+    The last formula sets the side, which `Leaf` explains.
 
     Raises LedgerError for a quantity that might have either sign.
     """
@@ -267,7 +269,10 @@ def _chosen(split: Split) -> Expression:
 
 
 def handedness(a: int, b: int, d: int) -> int:
-    """Return the Levi-Civita symbol of three axes, each 0, 1 or 2."""
+    """Return the Levi-Civita symbol of three axis indices.
+
+    Each is 0, 1 or 2.
+    """
     return (b - a) * (d - a) * (d - b) // 2
 
 

@@ -1,4 +1,7 @@
-"""Special functions that SymPy lacks: Jacobi's elliptic functions, Legendre's Pi and thetas."""
+"""Special functions that SymPy lacks, such as Jacobi's elliptic functions.
+
+Legendre's Pi of Jacobi's argument and theta functions are the others.
+"""
 
 from rigidsym.language.functions import _jacobi as jacobi
 from rigidsym.language.functions import _thetas as thetas

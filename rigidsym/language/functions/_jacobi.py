@@ -86,7 +86,10 @@ class _Jacobi(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """Return the derivative with respect to argument 1, which is u, or 2, which is m."""
+        """Return the derivative with respect to u or m.
+
+        argindex: 1 for u, 2 for m.
+        """
         rule = _RULES[type(self).__name__]
         if argindex not in (1, 2):
             raise ArgumentIndexError(self, argindex)
@@ -176,7 +179,10 @@ def _am_dm(u: Any, m: Any) -> Any:
 
 
 def _tilt(u: Any, m: Any) -> Any:
-    """Return W = (cn D + sn dn) / (2 (1 - m)), a factor in d/dm of dn and epsilon."""
+    """Return W = (cn D + sn dn) / (2 (1 - m)), a factor of derivatives with respect to m.
+
+    The derivatives are those of dn and epsilon.
+    """
     sn, cn, dn = _functions(u, m)
     if _is_one(m):
         return (u * cn + sn / cn) / 4

@@ -1,4 +1,4 @@
-r"""Real and imaginary parts of Jacobi's theta functions, for SymPy: `theta_re` and `theta_im`.
+r"""Real and imaginary parts of Jacobi's theta functions for SymPy.
 
 `theta_re(k, x, y, q, r)` is the real part of the r-th derivative of theta_k(z | q) in z, at
 z = x + i y (DLMF 20.2(i)); k is 1 to 4, x, y and the nome 0 <= q < 1 are real.  Parts, not the
@@ -41,7 +41,10 @@ class _Part(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """Return the derivative with respect to x, y or q, which are arguments 2, 3 and 4."""
+        """Return the derivative with respect to x, y or q.
+
+        argindex: 2, 3 or 4.
+        """
         k, x, y, q, r = self._values()
         if argindex == 2:
             return type(self)(k, x, y, q, r + 1)

@@ -171,7 +171,7 @@ def eigenaxis(case: Case, profile: Profile) -> Track:
 
 
 def _track(case: Case, motion: Guess) -> Track:
-    """Convert a dimensionless motion to a track in the case's time and inertial frame.
+    """Convert a dimensionless motion to a track in seconds and inertial axes.
 
     The motion is a function of times from 0 to 1, with attitudes relative to the start.
     """

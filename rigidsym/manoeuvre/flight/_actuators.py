@@ -54,7 +54,10 @@ class Burns:
 
     @property
     def overlap(self) -> bool:
-        """True if any burn of the last burst begins before all burns of the first have ended."""
+        """True if burns of the two bursts overlap in time.
+
+        This is so where any burn of the last begins before all those of the first have ended.
+        """
         first, last = self.spans
         return bool(last[:, 0].min() < first[:, 1].max())
 

@@ -207,7 +207,10 @@ class Spacecraft:
 
 @dataclass(frozen=True, slots=True)
 class Disturbances:
-    """Switches of the disturbance torques, all of which the paper has."""
+    """Switches of the four disturbance torques.
+
+    The paper has all of them.
+    """
 
     drag: Switch = True
     gravity_gradient: Switch = True

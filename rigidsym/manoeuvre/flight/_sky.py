@@ -1,4 +1,4 @@
-"""Ephemerides of the orbit, the Sun, the rotating Earth and its magnetic field.
+"""Models of the orbit, the Sun, the rotating Earth and its magnetic field.
 
 Sources of constants: WGS 84 (mu, radius, rotation); IAU 2012 and 2015 resolutions (astronomical
 unit, radius and irradiance of the Sun).
@@ -97,7 +97,7 @@ def _utc(epoch: datetime) -> tuple[float, float]:
 
 @contextmanager
 def _unwarned() -> Generator[None]:
-    """Silence warnings about dates with uncertain leap seconds or Sun."""
+    """Silence warnings about dates for which leap seconds or the Sun are uncertain."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", erfa.ErfaWarning)
         yield

@@ -35,7 +35,7 @@ _PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
 
 @dataclass(frozen=True)
 class Slab:
-    """A slab low <= direction . d <= high of the space of inputs.
+    """A slab of the space of inputs, low <= direction . d <= high.
 
     Its numbers are taken at their exact binary value.
 
@@ -71,7 +71,7 @@ class Box:
 
     @property
     def names(self) -> list[str]:
-        """The names of the open, that is uncertain, inputs."""
+        """The names of the open (uncertain) inputs."""
         return [INPUTS[k] for k in self.open]
 
     @cached_property
@@ -161,7 +161,7 @@ class Box:
 
     @cached_property
     def sides(self) -> arb_mat:
-        """The variables (s + n, 1) to which slopes refer.
+        """The variables (s + n, 1) with respect to which slopes are taken.
 
         They are the deviations of inputs along the slabs' directions, and those of all inputs.
         """
@@ -197,7 +197,7 @@ class Box:
         return dict(zip(self.names, self.by_sides.tolist(), strict=True))
 
     def reach(self, slopes: Sequence[arb]) -> arb:
-        """Return the range over the part of a number with given slopes.
+        """Return the range of a number with given slopes over the part of the box.
 
         The slopes (s + n) are those by the sides.
 
@@ -320,7 +320,7 @@ def _share(
     along: arb,
     side: arb,
 ) -> float:
-    """Return the best multiple of a slab's direction to move from the slopes to the slab.
+    """Return the multiple of a slab's direction that gives a number the narrowest range.
 
     It is counted along the slab instead of in the slopes.
 

@@ -120,7 +120,10 @@ class Range:
     def _grown(
         self, start: Elapsed, inner: Elapsed, part: arb_mat
     ) -> tuple[Elapsed, arb_mat] | None:
-        """Enclose functions and slopes over a box one part larger, from the values so far."""
+        """Enclose the functions of elapsed time and their slopes over a larger box.
+
+        The box is one part larger than that of the values so far.
+        """
         image = self._image(start, inner, part)
         for _ in range(TRIES):
             guess = list(map(wider, image))

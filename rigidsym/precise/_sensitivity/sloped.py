@@ -1,4 +1,4 @@
-"""Arithmetic of numbers that are functions of a box of inputs, by their slopes.
+"""Interval arithmetic with slopes, for numbers that depend on a box of inputs.
 
 A quantity f has its value at the middle of the box, the ball of its values, and slopes s with
 
@@ -79,7 +79,7 @@ class Sloped:
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Sloped":
-        """Return the square root.
+        """Return the square root of the number.
 
         It is NaN where the radicand may be negative.
         """
@@ -87,7 +87,7 @@ class Sloped:
         return self.of(middle, self.slopes / (middle + whole), whole, self.box)
 
     def square(self) -> "Sloped":
-        """Return the square, whose range is not negative."""
+        """Return the square of the number, whose range is not negative."""
         slopes = self.slopes * (self.middle + self.whole)
         return self.of(self.middle * self.middle, slopes, balls.power(self.whole, 2), self.box)
 

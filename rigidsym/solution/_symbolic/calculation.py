@@ -136,7 +136,10 @@ def evaluated(expression: Expression, known: Mapping[str, Any]) -> Any:
     """Evaluate an expression of the ledger in SymPy, given the values of its names."""
 
     def argument(sn: Any, cn: Any, dn: Any) -> Any:
-        """Return the argument u of sn(u, m) = sn for cn >= 0."""
+        """Return the argument u at which Jacobi's function sn(u, m) has a given value.
+
+        cn >= 0 is assumed.
+        """
         m = known["m"]
         return atanh(sn) if m == 1 else elliptic_f(asin(sn), m)
 

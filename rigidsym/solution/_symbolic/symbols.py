@@ -33,7 +33,9 @@ def named(name: str) -> Any:
 
 
 class Constant(AtomicExpr):
-    """A number with a name: `Constant("k_1", value)` is printed as k_1.
+    """A SymPy number that is printed as a name.
+
+    `Constant("k_1", value)` is printed as k_1.
 
     The value is exact, may contain other constants, and is evaluated once for each precision.  To
     SymPy the constant is an atom and a number: it has no parts, free symbols or derivative.

@@ -1,4 +1,6 @@
-"""Theorem 1 in SymPy: rates by Lemma 1, phi1 by Pi, then (18) and (37).
+"""The solution of the paper's Theorem 1 in SymPy.
+
+Rates follow from Lemma 1, phi1 from Pi, and the attitude from (18) and (37).
 
 With free symbols it is the paper's solution on one interval, over complex numbers.  With a motion's
 numbers it holds at all times, and is real:
@@ -133,7 +135,10 @@ def _third_kind_across(work: Calculation) -> Expr:
 def _followed(
     work: Calculation, given: ExactMotion, moving: dict[str, Any], third: dict[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the quaternion of (18) at t = 0 and at all times, continuous at zeros of Omega3."""
+    """Return the quaternion of equation (18) at all times, continuous at zeros of Omega3.
+
+    The quaternion at t = 0 is returned first.
+    """
     right = _by_angles(work, moving)
     start = _by_angles(work, {"t": S.Zero, "Pi": S.Zero})
     (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
@@ -162,7 +167,7 @@ def _followed(
 
 
 def _left(right: dict[str, Any]) -> dict[str, Any]:
-    """Return the quaternion of (18) for an angle phi3 that is larger by pi.
+    """Return the quaternion of equation (18) for an angle phi3 that is larger by pi.
 
     -F4 takes the place of F3, and F3 that of F4.
     """
@@ -171,13 +176,16 @@ def _left(right: dict[str, Any]) -> dict[str, Any]:
 
 
 def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
-    """Evaluate the quaternion of (18), with axes 1, 2, 3 named a, b, d."""
+    """Evaluate the quaternion of equation (18), with axes 1, 2, 3 named a, b, d."""
     found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
 
 def _turned(work: Calculation, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
-    """Multiply by the constant quaternion of (37), so that the attitude starts as given."""
+    """Multiply the quaternion of equation (18) by a constant to match the initial attitude.
+
+    The constant is the quaternion of equation (37).
+    """
     given = {f"q_{x}": work.known[f"q{k}"] for k, x in enumerate(_ABD)}
     front = work.work_out("pull_back", {**start, **given, "epsilon": S.One})
     for x in _ABD:
