@@ -355,7 +355,7 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
 
 
 def shown(values: Sequence[Number]) -> str:
-    """Format numbers for messages, as a list with 12 digits each."""
+    """Format numbers as a list for messages, with 12 digits each."""
     texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
     return f"[{', '.join(texts)}]"
 

@@ -219,7 +219,7 @@ class TorqueFreeMotion:
     def sensitivity(
         self, t: ArrayLike, errors: str = "raise", columns: Iterable[str] | None = None
     ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-        """Return the states at times, and their derivatives by all inputs.
+        """Return the states at times, and their derivatives with respect to all inputs.
 
         The derivatives are in closed form, at all times and in every regime.  Errors are below
         1e-13 of a column: of the rotation, and of the rates over |omega0|, by a change of omega0 or
@@ -499,7 +499,7 @@ class TorqueFreeMotion:
 
     @property
     def nutation(self) -> tuple[float, float]:
-        """The smallest and largest angle between circulation axis and angular momentum, rad.
+        """The smallest and largest angle of the circulation axis from the angular momentum, rad.
 
         That axis has the largest or the smallest moment; the angle is from its end that is nearer
         to the momentum.  Both are equal for symmetric bodies, and zero where the rates are
@@ -674,7 +674,7 @@ class TorqueFreeMotion:
         return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def _by_balls(self, method: str | None) -> "PreciseMotion":
-        """Return the arbitrary-precision motion of a method that has error bounds.
+        """Return the arbitrary-precision motion for a method that has error bounds.
 
         Raises InputError for other methods.
         """

@@ -116,7 +116,7 @@ class PrincipalAxes:
         )
 
     def _by_tensor(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the derivatives of the principal axes and moments by the tensor's entries.
+        """Return the derivatives of axes and moments with respect to the tensor's entries.
 
         Both have the shape (3, 6).
         """

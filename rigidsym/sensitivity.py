@@ -1,4 +1,4 @@
-"""The class `Sensitivity`, the derivatives of states by the inputs of a motion."""
+"""The class `Sensitivity`, which has derivatives with respect to a motion's inputs."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from rigidsym.errors import InputError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sensitivity:
-    """Derivatives of states by the inputs of a motion.
+    """Derivatives of states with respect to the inputs of a motion.
 
     In shapes, ... is the shape of the bodies, then of the times.
 

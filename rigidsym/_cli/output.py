@@ -133,7 +133,7 @@ def page(text: str) -> None:
 
 
 def deliver(options: Namespace, result: Any, show: Callable[[], None]) -> None:
-    """Output a command's result to the files and in the format that the user chose.
+    """Write or print the result of a command as its options ask.
 
     With -o DIR the result is written there.  It is printed as JSON or by `show`.  The paths of
     written files are printed to stderr.

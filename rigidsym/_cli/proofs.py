@@ -68,7 +68,7 @@ def _chapters(derivation: "Derivation") -> None:
 
 
 def _mutants(derivation: "Derivation") -> None:
-    """Print how many altered facts (mutants) were counted in this run and in an earlier one."""
+    """Print the number of mutants, and how many facts were not tested again in this run."""
     facts = derivation.mutants
     if not facts:
         return
@@ -121,7 +121,7 @@ def _compared(ledger: str) -> str:
 
 
 def check(options: Namespace) -> int:
-    """Check the proofs in a ledger, and print its number of facts of each grade.
+    """Check the proofs in a ledger, and print how many facts have each grade.
 
     Returns 1 if the ledger is not accepted.
     """
@@ -209,7 +209,7 @@ def export(options: Namespace) -> int:
 
 
 def _exported(written: "Export") -> None:
-    """Print the number of facts exported to Coq by each rule, and the facts left out."""
+    """Print how many facts of each rule were exported to Coq, and which were left out."""
     from rigidsym.proof._coq import SUPPOSED
 
     total = sum(written.exported.values())

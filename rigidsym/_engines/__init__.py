@@ -48,9 +48,9 @@ _WARNED: dict[str, Any] = {}
 
 
 def engine(name: str) -> Engine:
-    """Return the engine of a name, or NumPy's engine if there is no C compiler.
+    """Return the engine with a given name, or NumPy's engine if there is no C compiler.
 
-    Names are those in EVERY. Warns if there is no C compiler.  The first call for C's may compile,
+    Names are those in EVERY.  Warns if there is no C compiler.  The first call for C's may compile,
     for a second or two.  Raises InputError for other names.
     """
     found = _compiled_or_reason(name) if checked(name).startswith("c") else ""
@@ -58,15 +58,15 @@ def engine(name: str) -> Engine:
 
 
 def exactly(name: str) -> Engine:
-    """Return the engine of a name, without a substitute.
+    """Return the engine with a given name, or raise InputError if it is unavailable.
 
-    Raises InputError if it needs a C compiler that is missing.
+    An engine is unavailable if it needs a C compiler that is missing.
     """
     return _exactly(checked(name))
 
 
 def stepper(name: str) -> Stepper:
-    """Return the stepper of an engine's name, or NumPy's stepper if there is no C compiler.
+    """Return the stepper of an engine, or NumPy's stepper if there is no C compiler.
 
     Warns if there is no C compiler.
     """
@@ -75,9 +75,9 @@ def stepper(name: str) -> Stepper:
 
 
 def exact_stepper(name: str) -> Stepper:
-    """Return the stepper of a name, without a substitute.
+    """Return the stepper with a given name, or raise InputError if it is unavailable.
 
-    Names are those in STEPPERS. Raises InputError if it needs a C compiler that is missing.
+    Names are those in STEPPERS.  A stepper is unavailable if it needs a C compiler that is missing.
     """
     return _exactly(checked(name, STEPPERS))
 
@@ -115,7 +115,7 @@ def _exactly(name: str) -> Any:
 
 
 def _numpy(name: str) -> Any:
-    """Return the NumPy engine or stepper of a name."""
+    """Return the NumPy engine or stepper with a given name."""
     if "-" not in name:
         return _NUMPY
     if name in STEPPERS:

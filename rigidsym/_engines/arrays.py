@@ -54,7 +54,7 @@ class Batch(NamedTuple):
 
     @property
     def times(self) -> np.ndarray:
-        """The times as a matrix of one row for all bodies or of a row for each.
+        """The times as a matrix with one row for all bodies or one row per body.
 
         Its shape is (1, N) or (B, N).
         """
@@ -124,7 +124,7 @@ def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def row_or_rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Convert vectors to a matrix of one row for all bodies or of a row for each.
+    """Convert vectors to a matrix with one row for all bodies or one row per body.
 
     Its shape is (1, N) if all bodies share the vector, else (B, N).
     """
@@ -184,7 +184,7 @@ def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool
 
 
 def columns(names: Iterable[str] | None) -> tuple[str, ...]:
-    """Check the names of derivatives' columns, and return them in the order of COLUMNS.
+    """Check the names of columns of derivatives, and sort them as in COLUMNS.
 
     None stands for all columns.  Raises InputError for other names.
     """
@@ -203,7 +203,7 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
 
 
 def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
-    """Return the trailing shapes of the arrays of states and of their derivatives.
+    """Return the trailing axes of the arrays for states and their derivatives.
 
     Those of derivatives are left out if `columns` is None.
     """

@@ -153,7 +153,7 @@ class Engine(ABC):
         lenient: bool,
         columns: tuple[str, ...] | None,
     ) -> None:
-        """Compute the states of a batch and their derivatives into given arrays.
+        """Compute the states of a batch and their derivatives, and write them to arrays.
 
         Without derivatives `columns` is None.
         """

@@ -94,7 +94,7 @@ def number(name: str, value: ArrayLike) -> float:
 
 
 def floats(value: object, length: int) -> tuple[float, ...] | None:
-    """Convert a vector of plain numbers to floats without the full checks.
+    """Convert a vector of plain numbers to floats without full checks.
 
     Returns None for a vector that needs them.
     """
@@ -113,7 +113,7 @@ def floats(value: object, length: int) -> tuple[float, ...] | None:
 
 
 def moments(value: object) -> tuple[float, ...] | None:
-    """Convert plain moments of inertia to floats without the full checks.
+    """Convert plain moments of inertia to floats without full checks.
 
     Where a rounded sum is above a double, so is the exact sum; and three moments that are each
     below the sum of the others are positive.  Returns None for moments that need them, or that no
@@ -219,7 +219,7 @@ def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
 
 
 def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
-    """Return the leading shape of an argument, which is that of the bodies.
+    """Return the leading shape of an array, which is the shape of its bodies.
 
     It has all axes but the last, or all axes of dt.
     """

@@ -237,7 +237,7 @@ def cache_directory() -> Path:
 
 
 def is_whole(path: Path) -> bool:
-    """Return True if a cached file has the digest that its name says."""
+    """Return True if the digest of a cached file agrees with the one in its name."""
     try:
         return path.stem.rsplit("-", 1)[1] == _digest(path.read_bytes())
     except OSError:

@@ -49,7 +49,7 @@ class _Layout:
 
 @cache
 def _layout(names: tuple[str, ...] | None) -> _Layout:
-    """Return the memory layout of states and of their derivatives' named columns.
+    """Return the memory layout of states with the named columns of derivatives.
 
     None stands for states without derivatives.
     """
@@ -100,7 +100,7 @@ class CEngine(Engine):
         tail: tuple[int, ...],
         *unit: float,
     ) -> Prepared:
-        """Compute the constants of a motion by one of two C functions.
+        """Compute the constants of a motion by a given C function.
 
         Inputs have the shapes (3, *tail) or (4, *tail).
         """
@@ -199,7 +199,7 @@ class CEngine(Engine):
         lenient: bool,
         layout: _Layout,
     ) -> None:
-        """Compute states of one motion into given arrays.
+        """Compute the states of one motion, and write them to arrays.
 
         Threads share the times t.
         """
@@ -291,7 +291,7 @@ class CEngine(Engine):
 
 
 def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> list[int]:
-    """Share the computation of states among threads, and return the error code of each piece.
+    """Divide the computation of states among threads, and return their error codes.
 
     cost: the cost of each state in plain states.
     """

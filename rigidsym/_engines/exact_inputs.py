@@ -62,9 +62,10 @@ def exact_inputs(
 
 
 def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
-    """Convert derivatives by scaled moments to derivatives by moments in kg m^2.
+    """Undo the scaling of the moments in derivatives with respect to them.
 
-    The arrays are changed in place.  `exact_inputs` has divided the moments by a power of two.
+    Moments are then in kg m^2.  The arrays are changed in place.  `exact_inputs` has divided the
+    moments by a power of two.
     """
     unit = 2.0 ** _over_power_of_two(inertia)[1]
     for derivatives in found[2:4]:

@@ -86,7 +86,7 @@ class Stepper(ABC):
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """Compute the states of many bodies after a time step into given arrays.
+        """Compute the states of many bodies after a time step, and write them to arrays.
 
         out: the arrays, which may be (q, omega) themselves; B: the number of bodies.  inertia (B,
         3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece of memory.
@@ -153,7 +153,7 @@ class NumpyStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Advance one body by a time step of the NumPy module.
+        """Advance one body by one time step, using the NumPy module.
 
         Returns None for a body that the module refuses.
         """
@@ -220,7 +220,7 @@ class CStepper(Stepper):
         dt: float,
         out: Outputs = None,
     ) -> States | None:
-        """Advance one body by a time step of the C library.
+        """Advance one body by one time step, using the C library.
 
         Returns None for a body that the library refuses.
         """
@@ -267,7 +267,7 @@ class CStepper(Stepper):
     def _run(
         self, piece: Callable[[int, int], tuple[int, int] | None], count: int, parts: int, some: int
     ) -> None:
-        """Share the computation of many bodies among threads.
+        """Divide the computation of many bodies among threads.
 
         Raises EngineError for the first refused body.
         """

@@ -137,7 +137,7 @@ def _check_order(instants: Sequence[Sequence[int]]) -> None:
 
 
 def text_value(field: str, text: str) -> str:
-    """Return a text value that the CCSDS standard allows.
+    """Check that the CCSDS standard allows a text value, and return it.
 
     Raises InputError for other values (6.6, 6.8.6 to 6.8.8).
     """
@@ -154,7 +154,7 @@ def text_value(field: str, text: str) -> str:
 
 
 def _segment(track: Track, instants: Sequence[int], names: Message, rates: bool) -> list[str]:
-    """Return the lines of one message segment, which are its metadata and its data.
+    """Return the metadata and data lines of one message segment.
 
     Metadata are those of table 4-3, and data those of table 4-4. USEABLE_START_TIME and
     USEABLE_STOP_TIME are optional: the states are good to both ends.

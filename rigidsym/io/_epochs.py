@@ -84,7 +84,7 @@ def parse(field: str, text: str, system: str) -> int:
 
 
 def later(instant: int, seconds: float) -> int:
-    """Add seconds, rounded to a tick of 1e-14 s, to an instant.
+    """Add seconds to an instant, and round the sum to a tick of 1e-14 s.
 
     A double is taken as its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
     gives the same double.

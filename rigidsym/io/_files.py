@@ -45,7 +45,10 @@ def read_text(field: str, path: str | Path) -> str:
 
 
 def parse_toml(field: str, text: str) -> TomlTable:
-    """Parse TOML text; raise InputError if it is not TOML."""
+    """Parse TOML text.
+
+    Raises InputError if it is not TOML.
+    """
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
@@ -121,7 +124,10 @@ def write_bytes(path: Path, data: bytes) -> Path:
 
 
 def remove(path: Path) -> None:
-    """Remove a file if it exists; raise InputError on failure."""
+    """Remove a file if it exists.
+
+    Raises InputError if that fails.
+    """
     try:
         path.unlink(missing_ok=True)
     except OSError as error:

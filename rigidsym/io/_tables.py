@@ -27,7 +27,7 @@ Row = tuple[Number, list[Number], list[Number]]
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Table of states, with a row of time, attitude and rates for each.
+    """Table with the time, the attitude and the body rates of each state.
 
     Numbers are decimal strings or balls; `parts` has the names of a ball's parts.
     """

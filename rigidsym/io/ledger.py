@@ -1,4 +1,4 @@
-"""Access to the package's files of proofs: the ledger, its seal, and the specification."""
+"""Functions that read the installed ledger of proofs, its seal and its specification."""
 
 import hashlib
 import json

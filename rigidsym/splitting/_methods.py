@@ -106,7 +106,7 @@ METHODS = {
 
 
 def checked(name: str) -> Method:
-    """Return the splitting method of a name.
+    """Return the splitting method with a given name.
 
     Raises InputError for an unknown name.
     """

@@ -78,7 +78,7 @@ class KeplerOrbit:
 
     @property
     def axes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Unit vectors of the orbital plane, in inertial axes.
+        """Orthonormal vectors that span the orbital plane, in inertial axes.
 
         The first (3,) points towards periapsis, the second one is 90 degrees ahead of it.
         """
@@ -108,7 +108,7 @@ class KeplerOrbit:
         return along * self.axes[0] + across * self.axes[1]
 
     def tide(self, t: float) -> np.ndarray:
-        """Return the vector v that determines the gravity gradient at a time.
+        """Return the position at a time, scaled for the gravity gradient torque.
 
         It is the position relative to the mass point, scaled by sqrt(3 mu / r^5). A body's gravity
         gradient is v x I v, N m, where v are its components (3,) in body axes.
@@ -117,7 +117,7 @@ class KeplerOrbit:
 
     @property
     def numbers(self) -> np.ndarray:
-        """The orbit's numbers as the fields of the C struct `torque_free_orbit`.
+        """The orbit's parameters in the order of the C struct `torque_free_orbit`.
 
         The array has the shape (11,).
         """
@@ -130,9 +130,10 @@ class KeplerOrbit:
 
 
 def tidal(mu: float, position: np.ndarray) -> np.ndarray:
-    """Scale a position relative to a mass point to the vector v of its gravity gradient.
+    """Scale a position relative to a mass point by sqrt(3 mu / r^5).
 
-    It is the position (3,), m, times sqrt(3 mu / r^5).
+    position: (3,), m; r is its length.  With the result v, the gravity gradient of a body is v x I
+    v.
     """
     r = math.hypot(*position)
     return math.sqrt(3 * mu / r) / (r * r) * position

@@ -106,7 +106,7 @@ class Panels(Mesh):
 
     @property
     def ratio(self) -> float:
-        """The factor by which errors decrease when steps are halved, over all panels."""
+        """The factor by which the errors of all panels decrease when steps are halved."""
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
@@ -236,12 +236,12 @@ class Panels(Mesh):
         return self._splitting.advance(state, begin, length / 2**level, 0, 2**level)
 
     def _apart(self, one: State, other: State, begin: float) -> float:
-        """Estimate the error at the end of the run from two states at the end of a panel."""
+        """Estimate the final error of the run from two states at the end of a panel."""
         turns = _lengths(rotation_vectors(product(conjugate(one.q), other.q)))
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
     def _reach(self, begin: float) -> np.ndarray:
-        """Return the error at the end of the run per change of the rates, s.
+        """Return the sensitivity of the final error to a change of the rates, s.
 
         It turns the body until the end of the run, and it is a part of the body's rates.
         """
@@ -274,7 +274,7 @@ class Panels(Mesh):
         return self._splitting.probe(times, states.q, states.omega)
 
     def _weights(self, begin: float, torques: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Return the error at the end of the run per impulse, rad/(N m s).
+        """Return the sensitivity of the final error to an impulse, rad/(N m s).
 
         It has the shape (..., 1).  This also updates the largest rates of the bodies.
         """

@@ -143,7 +143,7 @@ class Splitting:
         return self.bodies.drift(state, pending * step) if pending else state
 
     def _kicked(self, state: State, t: float, dt: float) -> State:
-        """Change the rates by the torque of dt seconds at fixed attitude and time."""
+        """Change the rates by a torque that acts for dt seconds at fixed attitude and time."""
         q, omega = state.q, state.omega
         k1 = self.acceleration(t, q, omega)
         if not self.rate_dependent:

@@ -27,7 +27,7 @@ class Mesh:
     steps: list[float]
 
     def piece(self, t: float, state: State) -> tuple[float, float]:
-        """Return the end and the step of the interval that contains t, s."""
+        """Return the end and the step size, in s, of the interval that contains t."""
         k = bisect_right(self.edges, t)
         end = self.edges[k] if k < len(self.edges) else np.inf
         return end, self.steps[max(k, 1) - 1]

@@ -259,7 +259,7 @@ def complete(progress: Progress, place: Place, after: Callable[[], None] = lambd
 
 
 def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
-    """Measure the cases of a chunk, and return their tally.
+    """Measure the cases of a chunk, and return a tally of their errors.
 
     Raises InputError if other modules are installed than the campaign measures.
     """

@@ -32,12 +32,12 @@ _OTHERS = np.array(
 
 @dataclass(frozen=True, slots=True)
 class Steps:
-    """Engine that computes each state by one generated step from the start."""
+    """Engine that computes each state by a single time step from the start."""
 
     stepper: Stepper
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
-        """Prepare one motion, whose inputs are copied.
+        """Prepare one motion by copying its inputs.
 
         They are moments (3,), rates (3,) and a quaternion (4,) of any length.
         """
@@ -137,7 +137,7 @@ def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
 
 
 def implementation(name: str) -> Implementation:
-    """Return the implementation of a name, which is a target or "peer NAME".
+    """Return the implementation with a given name, which is a target or "peer NAME".
 
     Raises InputError where there is none.
     """
@@ -149,7 +149,7 @@ def implementation(name: str) -> Implementation:
 
 
 def own_peer(name: str) -> Peer:
-    """Return the peer of a name that belongs to this thread.
+    """Return this thread's instance of a peer program.
 
     Raises InputError where there is none.
     """

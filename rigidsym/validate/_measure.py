@@ -31,7 +31,7 @@ FARTHEST = 2.0**38
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """Errors by one measure at several times.
+    """Errors of states by one measure at several times.
 
     units, condition and share (N,) are errors in units of 2^-53, condition numbers, and errors over
     their bound.
@@ -44,7 +44,10 @@ class Errors:
 
     @property
     def values(self) -> np.ndarray:
-        """The errors in rad or relative, as MEANINGS says."""
+        """The errors at all times, in rad or relative.
+
+        MEANINGS says which.
+        """
         return self.units * ULP
 
 

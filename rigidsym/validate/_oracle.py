@@ -51,11 +51,11 @@ class Reference:
 
     @property
     def turned(self) -> np.ndarray:
-        """The angles |omega0 t| by which the body turns until the times, rad."""
+        """The angles |omega0 t| by which the body has turned at each time, rad."""
         return np.abs(self.sample.times) * self.rate
 
     def within(self, reach: float) -> "Reference":
-        """Return the reference at those times until which the body turns by at most `reach` rad."""
+        """Restrict the reference to times at which the body has turned by at most `reach` rad."""
         near = self.turned <= reach
         if near.all():
             return self

@@ -244,7 +244,7 @@ class ValidationReport:
         peer = name.startswith(PEER)
 
         def by_part(kind: str) -> report_data.Data:
-            """Return the cells of a view in a dictionary by part, then by measure."""
+            """Return the errors of one view as nested dictionaries, by part and measure."""
             parts: dict[str, dict[str, report_data.Data]] = {}
             for measure in MEASURES:
                 for part, cell in view(name, measure, kind).items():
@@ -252,7 +252,7 @@ class ValidationReport:
             return parts
 
         def by_measure(kind: str) -> report_data.Data:
-            """Return the cells of a view in a dictionary by measure, then by part."""
+            """Return the errors of one view as nested dictionaries, by measure and part."""
             return {m: {x: _cell(y) for x, y in view(name, m, kind).items()} for m in DRAWN}
 
         return {

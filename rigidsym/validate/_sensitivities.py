@@ -224,7 +224,7 @@ def columns(
     attitude_t: np.ndarray,
     rates_t: np.ndarray,
 ) -> np.ndarray:
-    """Combine derivatives to columns in the inputs' own units.
+    """Combine derivatives into columns, in the inputs' own units.
 
     The columns have the shape (N, 6, 10). attitude and rates: sensitivities (N, 3, 9); attitude_t
     and rates_t: those by time (N, 3).

@@ -34,7 +34,7 @@ class Cell:
     condition: float
 
     def merged(self, other: "Cell") -> "Cell":
-        """Return the cell that combines two cells.
+        """Return the cell that combines this cell with another.
 
         Of equal errors it keeps the one whose place comes first.
         """
@@ -71,7 +71,7 @@ class Tally:
             self._draw(target, measure, reference, errors[measure])
 
     def _draw(self, target: str, measure: str, reference: Reference, found: Errors) -> None:
-        """Add the error of each state to the views that are plotted.
+        """Add the error of each state to the groups that are plotted.
 
         These are by decades of properties, and by sizes of the error.
         """
@@ -104,7 +104,10 @@ class Tally:
         self.states.update(other.states)
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
-        """Return the cells of one view of the errors by the sorted names of its parts."""
+        """Return the cells that group errors by one property of the cases.
+
+        view: the property.  Cells are sorted by name.
+        """
         begin = (target, measure, view)
         found = sorted(key for key in self.cells if key[:3] == begin)
         return {key[3]: self.cells[key] for key in found}
@@ -158,7 +161,7 @@ def _cell(stratum: str, index: int, found: Errors, k: int) -> Cell:
 
 
 def _beyond(worst: Cell, found: Errors) -> Cell:
-    """Return the cell of errors over their bound.
+    """Return a cell that counts the errors beyond their bound.
 
     It has the largest share of the bound and the number of errors beyond it.
     """

@@ -202,7 +202,7 @@ def latex(expression: Any) -> str:
 
 
 def _tree(expression: Any) -> Expression:
-    """Convert a SymPy expression to a tree of the formula language.
+    """Convert a SymPy expression to this package's own expression tree.
 
     Parts that this language lacks become names in LaTeX.
     """

@@ -48,7 +48,7 @@ def card(*children: object) -> str:
 
 
 def badge(text: str) -> Markup:
-    """Return a word in a frame with the colour of its meaning."""
+    """Return the HTML of a word in a coloured frame."""
     tint = TINTS.get(text, OPEN)
     style = f"border:1px solid {tint};border-radius:1em;padding:0 .6em;background:{tint}2e"
     return tag("span", text, style=f"{style};font-size:.85em;white-space:nowrap")

@@ -61,7 +61,7 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
 
 
 def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.ndarray:
-    """Return the times to draw, which are the user's or default ones, s.
+    """Return the user's times for a picture, or default times, s.
 
     Default times begin at zero and cover two periods or a few turns at the initial rate.  Raises
     InputError for fewer than two times.

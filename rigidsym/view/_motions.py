@@ -227,7 +227,7 @@ def _computed(values: np.ndarray) -> str:
 
 
 def _without_rounding(values: np.ndarray) -> np.ndarray:
-    """Set the components of a vector to zero that are rounding errors."""
+    """Set components of a vector that are only rounding errors to zero."""
     return np.where(np.abs(values) > _ROUNDING * np.max(np.abs(values)), values, 0.0)
 
 

@@ -174,7 +174,7 @@ def _made(
     rates: tuple[mpmath.mpf, mpmath.mpf],
     series: list[list[mpmath.mpf]],
 ) -> Fourier:
-    """Assemble the prepared Fourier series from their coefficients and rates.
+    """Assemble prepared Fourier series from their coefficients and rates.
 
     rates: those of v and psi/2, in half turns.
     """

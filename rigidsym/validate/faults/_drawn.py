@@ -90,7 +90,7 @@ def _functions(form: str) -> tuple[Function, ...]:
 
 
 def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set[str]]:
-    """Return a target's functions that compute states, or those of sensitivities.
+    """Return the functions of a target that compute either states or sensitivities.
 
     The second result has the named numbers that these functions alone use.
     """
@@ -192,7 +192,7 @@ def _of_function(target: str, printer: _Printer, function: Function) -> Iterator
 
 
 def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
-    """Return the printed lines of a function's assignments after these are replaced.
+    """Replace the assignments of a function, and return them as printed lines.
 
     lets: the assignments that replace the function's own.
     """

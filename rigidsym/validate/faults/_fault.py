@@ -1,4 +1,4 @@
-"""Faults, which are small changes of generated text, and those written by hand."""
+"""Faults as small changes of generated text, with a table of those written by hand."""
 
 import re
 import tomllib

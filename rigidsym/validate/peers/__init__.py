@@ -23,7 +23,7 @@ PEERS = tuple(_MAKERS)
 
 
 def peer(name: str) -> Peer:
-    """Return the peer program of a name in PEERS.
+    """Return the peer program with a given name in PEERS.
 
     Packages are imported only here, and Java starts with the first motion of a process, so that
     workers forked before each have their own.

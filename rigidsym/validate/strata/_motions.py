@@ -83,7 +83,7 @@ def every_order_and_sign(random: Random, index: int) -> Motion:
 
 
 def rest(random: Random, index: int) -> Motion:
-    """Draw a body that does not turn."""
+    """Draw a motion of a random body at rest."""
     return Motion(tuple(body(random)), (0.0, 0.0, 0.0))
 
 
@@ -186,7 +186,7 @@ def near_sphere(random: Random, index: int) -> Motion:
 
 
 def nearest_symmetric(random: Random, index: int) -> Motion:
-    """Draw a motion of a body closer to a symmetric one than doubles can be.
+    """Draw a motion of a body so nearly symmetric that doubles cannot represent it.
 
     Two moments differ by a power of ten from 1e-17 to 1e-300.
     """
@@ -199,7 +199,7 @@ def nearest_symmetric(random: Random, index: int) -> Motion:
 
 
 def nearest_sphere(random: Random, index: int) -> Motion:
-    """Draw a motion of a body closer to a spherical one than doubles can be.
+    """Draw a motion of a body so nearly spherical that doubles cannot represent it.
 
     Its moments differ by multiples of a power of ten, 1e-17 to 1e-250.
     """
@@ -337,7 +337,7 @@ def near_separatrix(random: Random, index: int) -> Motion:
 
 
 def nearest_separatrix(random: Random, index: int) -> Motion:
-    """Draw a motion closer to the separatrix than doubles can be.
+    """Draw a motion so near the separatrix that doubles cannot represent it.
 
     One rate is off the separatrix by 1e-17 to 1e-250 of itself.
     """

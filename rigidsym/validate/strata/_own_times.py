@@ -43,7 +43,7 @@ def published() -> tuple[dict[str, Any], ...]:
 
 
 def published_motion(random: Random, index: int) -> Motion:
-    """Return the published motion of an index.
+    """Return the published motion with a given index.
 
     Decimals become doubles where these are equal.
     """
@@ -69,7 +69,7 @@ def zeros(random: Random, index: int, motion: Motion) -> Floats:
     quarter, origin = _quarter_and_origin(motion)
 
     def zero(number: int) -> mpf:
-        """Return the time of a zero of a body rate.
+        """Return a time at which a body rate is zero.
 
         The rate is that about the middle axis for even numbers, and that about the third axis for
         odd ones.

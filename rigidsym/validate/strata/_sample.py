@@ -180,7 +180,7 @@ def late(random: Random, motion: Motion, first: float) -> Floats:
 
 
 def _alternating(sign: int, angles: Sequence[float], motion: Motion) -> Floats:
-    """Return times by which the body has turned by given angles, with alternating signs.
+    """Return times at which the body has turned by given angles, with alternating signs.
 
     Times end with the doubles: rates below 1e-294 rad/s turn less far than others.
     """

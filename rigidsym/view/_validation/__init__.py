@@ -71,7 +71,7 @@ COLUMNS = (
 
 
 def columns_of(table: str) -> list[Column]:
-    """Return the columns of strata's properties that one of the report tables has."""
+    """Return the stratum columns of one of the report tables."""
     return [column for column in COLUMNS if table in column.tables]
 
 
@@ -126,9 +126,10 @@ def _rank(measure: str) -> tuple[int, str]:
 def _cells(
     implementations: Sequence[Data], view: str, measure: str
 ) -> Iterator[tuple[str, str, Data]]:
-    """Yield the implementation, the part and the cell of each error by one measure.
+    """Yield the entries of a report for one error measure.
 
-    view: the data's key of parts, such as strata.
+    An entry has the implementation, the part such as a stratum, and the cell of errors.  view: the
+    data's key of parts, such as strata.
     """
     for one in implementations:
         for part, found in sorted(one[view].items()):
@@ -139,16 +140,17 @@ def _cells(
 def _worst(
     implementations: Sequence[Data], view: str, measure: str
 ) -> tuple[str, str, Data] | None:
-    """Return the implementation, the part and the cell of the largest error by one measure.
+    """Return the entry of a report that has the largest error by one measure.
 
-    view: the data's key of parts, such as strata.  Returns None if nothing was measured.
+    An entry has the implementation, the part such as a stratum, and the cell of errors.  view: the
+    data's key of parts, such as strata.  Returns None if nothing was measured.
     """
     listed = _cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
 
 
 def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
-    """Return the measure whose error is the largest part of its bound in a stratum.
+    """Return the measure with the largest ratio of error to bound in a stratum.
 
     Returns the measure's name and cell, or None if nothing was measured.
     """

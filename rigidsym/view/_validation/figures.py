@@ -262,7 +262,7 @@ def scatter(implementations: Sequence[Data], view: View, measure: str, bound: fl
 
 
 def _exponent(cell: Data) -> float:
-    """Return the decimal logarithm of the error in a cell of the report."""
+    """Return the decimal logarithm of an error in the report."""
     value = formats.number(cell["units"]) * ULP
     return math.log10(value) if value else -math.inf
 
