@@ -1,1 +1,1 @@
-"""The proof half: the kernel, derivation steps, a second checker, Coq export and verdicts."""
+"""Proofs: kernel, derivation steps, second checker, Coq export and verdicts on the paper."""

@@ -103,7 +103,7 @@ class Claim:
 
 
 class Claims(Mapping[str, Claim]):
-    """The facts of a ledger by id, each with its context."""
+    """Mapping from ids to the facts of a ledger, each with its context."""
 
     def __init__(self, found: Iterable[Claim]) -> None:
         self._found = {claim.id: claim for claim in found}
@@ -125,7 +125,7 @@ class Claims(Mapping[str, Claim]):
         return Claims(c for c in self.values() if equation in c.fact["source"])
 
     def behind(self, verdict: Any) -> "Claims":
-        """Return the facts that a verdict on a printed equation rests on."""
+        """Return the facts that support a verdict on a printed equation."""
         return Claims(self[name] for name in verdict.facts())
 
     def _repr_html_(self) -> str:

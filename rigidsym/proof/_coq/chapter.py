@@ -212,9 +212,10 @@ def comment(text: str | None) -> str:
 
 
 def sound(more: str) -> str:
-    """Return the Coq proposition that a theory is sound, up to the theory's name.
+    """Return the start of the Coq proposition that a theory is sound.
 
-    The theory is about all names of the context and the further values `more`.
+    The theory's name has to be appended.  The theory is about all names of the context and about
+    the values `more`.
     """
     return f"sound (fun t => atoms X t ++ {more})"
 

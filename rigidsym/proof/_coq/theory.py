@@ -16,7 +16,10 @@ from rigidsym.proof.kernel._language import Tree, parse
 
 
 class NotExportedError(ValueError):
-    """A fact that cannot be stated or proved in Coq; the message gives the reason."""
+    """Error for a fact that cannot be stated or proved in Coq.
+
+    The message gives the reason.
+    """
 
 
 class Theory:
@@ -47,7 +50,7 @@ class Theory:
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":
-        """Return a copy with empty lists of steps and proofs, to be continued."""
+        """Return a copy that starts with empty lists of steps and proofs."""
         more = copy(self)
         more.ring = copy(self.ring)
         more.ring.values = dict(self.ring.values)

@@ -188,7 +188,7 @@ class LedgerBuilder:
             self.open(replace(part, name=case, witness={**whole.witness, **witness}))
 
     def partition(self, context: str, name: str, *cases: str) -> Fact:
-        """Prove that each point of a context lies in exactly one case.
+        """Prove that each point of a context lies in exactly one of its cases.
 
         A case that has a partition of its own is replaced by its cases.
         """
@@ -200,7 +200,7 @@ class LedgerBuilder:
         return self._conclude(whole, *(premise.id for premise in finer.values()))
 
     def carry(self, context: str, fact_ids: Iterable[str]) -> None:
-        """Restate facts in another context that satisfies the hypotheses of theirs.
+        """Carry facts over to another context that satisfies their hypotheses.
 
         This has to be proved before, by `model`.
         """
@@ -225,7 +225,7 @@ class LedgerBuilder:
         self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_known(self, entry: Entry) -> bool:
-        """Return whether the ledger contains what an entry publishes.
+        """Return whether the ledger contains the formula that an entry publishes.
 
         That is a proved formula, or the definition or reading of a name.
         """

@@ -1,4 +1,4 @@
-"""Numerical evidence for cited identities by ball arithmetic at many points.
+"""Numerical checks of cited identities at many points, by ball arithmetic.
 
 The value of a name is the number that a point gives it, or that of its definition or its reading.
 Such a reading is an expression with the functions of `FUNCTIONS`.  Jacobi's functions are computed

@@ -34,7 +34,7 @@ _LISTS = ("units", "relations", "nonnegative", "start")
 
 
 def part_of(context: Context, *names: str) -> Part:
-    """Convert a context, or some of its names, to a part.
+    """Extract a reusable part from a context.
 
     If names are given, hypotheses other than their definitions and rates are left out.
     """

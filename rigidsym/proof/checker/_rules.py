@@ -260,7 +260,7 @@ def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
 
 
 def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
-    """Return the premises of a model.
+    """Return the equations that are the premises of a model.
 
     Raises Refused unless they are equations of its context.
     """
@@ -346,7 +346,10 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
 
 @contextmanager
 def _naming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
-    """Convert errors in a block to a one-line Refused that names the entry of the ledger."""
+    """Convert any error in a `with` block to a `Refused` that names the ledger entry.
+
+    Its message is one line.
+    """
     try:
         yield
     except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:

@@ -127,7 +127,7 @@ def _said(item: str) -> Said:
 
 
 class Catalogue:
-    """The proved facts of a ledger, with its contexts and its published index."""
+    """Proved facts of a ledger, with its contexts and published formulas."""
 
     def __init__(
         self, contexts: dict[str, Hypotheses], facts: dict[str, Claim], published: dict[str, Any]

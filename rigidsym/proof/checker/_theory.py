@@ -1,4 +1,4 @@
-"""Contexts, checked for consistent hypotheses that the time derivative preserves."""
+"""Contexts whose hypotheses are consistent and preserved in time."""
 
 from flint import fmpq
 

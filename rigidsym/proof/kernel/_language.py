@@ -37,10 +37,7 @@ def is_name(text: str) -> bool:
 
 @cache
 def parse(text: str) -> Tree:
-    """Parse an expression into a syntax tree.
-
-    Raises KernelError for any other text.
-    """
+    """Parse an expression into a syntax tree, or raise KernelError."""
     if not isinstance(text, str) or len(text) > LONGEST:
         raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
     if not _TEXT.fullmatch(text):

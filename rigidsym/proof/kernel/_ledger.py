@@ -19,18 +19,12 @@ _LISTS |= {"lhs", "rhs", "premises", "source"}
 
 @dataclass(slots=True)
 class Ledger(Admitted):
-    """The contexts and facts that the kernel has admitted, in order.
+    """The contexts and facts that the kernel has admitted, in order."""
 
-    `published` is an index that proves nothing.
-    """
-
-    published: dict[str, Any] = field(default_factory=dict)
+    published: dict[str, Any] = field(default_factory=dict)  # an index that proves nothing
 
     def open(self, context: Context) -> Ring:
-        """Check a context and add it to the ledger.
-
-        Raises KernelError unless it is closed under d/dt, inhabited and new.
-        """
+        """Check a context and add it to the ledger, or raise KernelError."""
         if context.name in self.contexts:
             raise KernelError(f"context {context.name} is already there")
         self.rings[context.name] = context.open()
@@ -38,10 +32,7 @@ class Ledger(Admitted):
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
-        """Check a fact and add it to the ledger.
-
-        Raises KernelError unless the fact's rule accepts it with the grade it claims.
-        """
+        """Check a fact and add it to the ledger, or raise KernelError."""
         if not all(map(is_name, fact.id.split("."))) or fact.id in self.facts:
             raise KernelError(f"fact {fact.id!a:.80}: this is no name, or there already")
         try:
@@ -77,10 +68,7 @@ class Ledger(Admitted):
 
 
 def replay(text: str, encloses: Encloses | None = None) -> Ledger:
-    """Check a written ledger fact by fact.
-
-    Raises KernelError at the first invalid entry.
-    """
+    """Check a written ledger, or raise KernelError at its first invalid entry."""
     try:
         data, ledger = json.loads(text), Ledger(encloses)
         if data["schema"] != SCHEMA:

@@ -19,22 +19,16 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
-    """Evaluate a polynomial at a rational point.
-
-    The coordinates are in the order of the polynomial ring's generators.
-    """
+    """Evaluate a polynomial at a point, given in the order of its ring's generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
-    """A polynomial fraction whose denominator is a product of units.
-
-    `below` counts how often each unit is a factor of the denominator.
-    """
+    """A polynomial fraction whose denominator is a product of units."""
 
     numerator: PolyElement
-    below: Counter[PolyElement] = field(default_factory=Counter)
+    below: Counter[PolyElement] = field(default_factory=Counter)  # how often each unit divides
 
     def over(self, below: Counter[PolyElement]) -> PolyElement:
         """Return the numerator of this element over a larger denominator."""
@@ -67,11 +61,10 @@ class Element:
 
 
 class Ring:
-    """Differential ring of a context, with its names, units and relations.
+    """Differential ring of a context: Q[generators] localised at its units.
 
-    It is Q[generators] localised at the units, with definitions and the time derivative D.
     Later generators are larger (lexicographic order): a relation that introduces a root or a
-    function value leads with it, and division by the relations is the normal form.
+    function value leads with it, and division by the relations is the normal form.  D is d/dt.
     """
 
     def __init__(self, generators: tuple[str, ...], definitions: Mapping[str, str]) -> None:
@@ -84,10 +77,7 @@ class Ring:
         self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
 
     def inverse(self, element: Element) -> Element:
-        """Return the reciprocal of an element.
-
-        Raises KernelError unless the numerator is a number times units.
-        """
+        """Return the reciprocal of an element whose numerator is a product of units."""
         below, rest = self._factors(element.numerator)
         if not rest.is_ground:
             below, rest = self._factors(self.remainder(element.numerator))
@@ -96,10 +86,7 @@ class Ring:
         return Element(Element(self.poly(1 / rest.LC)).over(element.below), below)
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
-        """Divide a polynomial by the units as often as possible.
-
-        Returns how often each unit divides it, and the rest.
-        """
+        """Return how often each unit divides a polynomial, and the remaining factor."""
         found, leading = Counter[PolyElement](), polynomial.LM
         for unit in self.units:
             while not unit.is_ground and monomial_divides(unit.LM, leading):
@@ -110,17 +97,11 @@ class Ring:
         return found, polynomial
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
-        """Reduce a polynomial modulo the relations and further zero polynomials.
-
-        A remainder 0 proves that the polynomial vanishes.
-        """
-        return polynomial.rem([*given, *self.relations])
+        """Reduce a polynomial modulo the relations and further polynomials that vanish."""
+        return polynomial.rem([*given, *self.relations])  # 0 proves that it vanishes, too
 
     def rate(self, element: Element) -> Element:
-        """Return the time derivative of an element.
-
-        D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k.
-        """
+        """Return the time derivative of an element."""
         if self.rates is None:
             raise KernelError(f"D({element.numerator}): this context has no time derivative")
         total = Element(self.poly(0))
@@ -129,22 +110,16 @@ class Ring:
                 if rate is None:
                     raise KernelError(f"D({name}) is not known in this context")
                 total += Element(slope) * rate
-        for unit, power in element.below.items():
+        for unit, power in element.below.items():  # D(1/u**k) = -k D(u)/u / u**k
             total -= Element(element.numerator * power, Counter([unit])) * self.rate(Element(unit))
         return total * Element(self.poly(1), element.below)
 
     def read(self, text: str) -> Element:
-        """Parse an expression and return its ring element.
-
-        Raises KernelError for unknown names or divisors.
-        """
+        """Parse an expression and return its ring element, or raise KernelError."""
         return self.value(parse(text))
 
     def value(self, tree: Tree) -> Element:
-        """Return the ring element of a syntax tree.
-
-        Results are cached.
-        """
+        """Return the ring element of a syntax tree, from a cache if possible."""
         if (known := self.values.get(tree)) is None:
             known = self.values[tree] = self._value(tree)
         return known

@@ -19,10 +19,7 @@ Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
 
 @dataclass(slots=True)
 class Admitted:
-    """The contexts and facts that the kernel has admitted so far.
-
-    A rule may use no others.
-    """
+    """The contexts and facts admitted so far, which are all that a rule may use."""
 
     encloses: Encloses | None = None
     contexts: dict[str, Context] = field(default_factory=dict)
@@ -198,10 +195,7 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """Return the numerator of lhs - rhs for each component of a fact.
-
-    For a square root it is the numerator of lhs**2 - rhs.
-    """
+    """Return the numerator of lhs - rhs, or of lhs**2 - rhs for a root, for each component."""
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
@@ -225,16 +219,13 @@ def said(context: Context) -> dict[str, str]:
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:
-    """Raise KernelError unless all expressions are visibly nonnegative.
-
-    They are made of nonnegative names by +, *, / or even powers.
-    """
+    """Raise KernelError unless all expressions are visibly nonnegative."""
     waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
     while waiting:
         if (tree := waiting.pop()) in seen or isinstance(tree, int):
             continue
         seen.add(tree)
-        match tree:
+        match tree:  # nonnegative names, combined by +, *, / or even powers
             case str() if tree in context.definitions:
                 waiting.append(parse(context.definitions[tree]))
             case (base, "**", int(exponent)):

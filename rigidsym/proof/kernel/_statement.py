@@ -20,7 +20,6 @@ _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 class Context:
     """Named quantities with hypotheses about them, which define a differential ring.
 
-    The hypotheses are relations = 0, units != 0 and nonnegative names >= 0.
     One may divide by units.  `witness` is a rational point, `definitions` abbreviate expressions,
     `reading` says what names stand for.  `rates` maps generators to rates: others are constant,
     "?" is unknown, None an instant.  `start` is zero at one instant; `thetas` are theta functions.
@@ -29,20 +28,17 @@ class Context:
     name: str
     generators: tuple[str, ...]
     witness: Mapping[str, str]
-    units: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()  # are not zero
     definitions: Mapping[str, str] = field(default_factory=dict)
-    relations: tuple[str, ...] = ()
+    relations: tuple[str, ...] = ()  # are zero
     rates: Mapping[str, str] | None = None
-    nonnegative: tuple[str, ...] = ()
+    nonnegative: tuple[str, ...] = ()  # are at least zero
     start: tuple[str, ...] = ()
     thetas: Mapping[str, str] = field(default_factory=dict)
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
-        """Check the context and return its ring.
-
-        Raises KernelError unless it is closed under d/dt and inhabited.
-        """
+        """Check the context and return its ring, or raise KernelError."""
         names = [*self.generators, *self.definitions]
         if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
             raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
@@ -66,10 +62,7 @@ class Context:
         return ring
 
     def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
-        """Check that a point satisfies all hypotheses, and return its coordinates.
-
-        Raises KernelError if it does not.
-        """
+        """Return the coordinates of a point, or raise KernelError if a hypothesis fails there."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
         point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
@@ -85,11 +78,8 @@ class Context:
         return point
 
     def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
-        """Return the cases of this context in which a name is zero, positive or negative.
-
-        The witness is kept.
-        """
-        zero = replace(self, relations=(*self.relations, name))
+        """Return the cases of this context in which a name is zero, positive or negative."""
+        zero = replace(self, relations=(*self.relations, name))  # with the same witness
         nonzero = replace(self, units=(*self.units, name))
         positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
         negative = replace(nonzero, nonnegative=(*self.nonnegative, f"-{name}"))
@@ -97,12 +87,9 @@ class Context:
 
 
 class Grade(StrEnum):
-    """Grade of a fact: assumed, confirmed by ball arithmetic, or proved.
+    """Grade of a fact: assumed, confirmed by ball arithmetic, or proved."""
 
-    The grades are ordered from worst to best.
-    """
-
-    ASSUMED = "ASSUMED"
+    ASSUMED = "ASSUMED"  # from worst to best
     ENCLOSED = "ENCLOSED"
     PROVED = "PROVED"
 
@@ -114,9 +101,8 @@ def weakest(grades: Iterable[Grade]) -> Grade:
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A statement in a context, with the rule and the certificate that prove it.
+    """A statement in a context, which counts once `Ledger.add` has admitted it.
 
-    It counts only once `Ledger.add` has admitted it.
     By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context
     is a model of that in rhs; "partition", each of its points is in exactly one of those in rhs.

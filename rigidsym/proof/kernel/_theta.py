@@ -30,16 +30,13 @@ MOST = 10_000  # classes of exponents of a product, so that no identity takes lo
 
 
 class Theta(NamedTuple):
-    """A Jacobi theta function or one of its z-derivatives, at a linear argument.
-
-    It is the derivative of this `order` of theta_index(form, nome**power).
-    """
+    """A Jacobi theta function or one of its z-derivatives, at a linear argument."""
 
     index: int
-    order: int
+    order: int  # of the derivative
     nome: str
-    power: int
-    form: Form
+    power: int  # of the nome
+    form: Form  # the argument z
 
 
 @cache
@@ -65,9 +62,7 @@ def theta(text: str) -> Theta:
 
 @lru_cache(maxsize=64)
 def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
-    """Check that a sum of products of theta functions vanishes, and return its terms.
-
-    Raises KernelError unless it vanishes identically.
+    """Check that a sum of theta products vanishes identically, and return its terms.
 
     A product of r functions of independent forms z = F x is the sum over a = F^T n, n = F^-T a, of
     f(a) q**Q(a) exp(2 i a.x) with Q(a) = sum of p_k n_k**2, f(a) = prod of chi(n_k) (2 i n_k)**d_k.
@@ -129,10 +124,7 @@ class Series:
         self.weight = prod(map(pow, n, orders), start=a[0] ** 0) * number * sign * 2 ** sum(orders)
 
     def classes(self, period: int, unit: int) -> Iterable[tuple[tuple[int, ...], int]]:
-        """Return one representative of each class of exponents modulo the period.
-
-        It is the exponent a times `unit`, with the sign of `weight` there.
-        """
+        """Return one representative of each class of exponents modulo the period."""
         steps = [[int(x * unit) for x in row] for row in self.rows]
         flips = [factor.index in (1, 4) for factor in self.factors]
         halves = [row for row, factor in zip(steps, self.factors, strict=True) if factor.index < 3]
@@ -148,7 +140,7 @@ class Series:
                     waiting.append(b)
             if len(signs) > MOST:
                 raise KernelError(f"more than {MOST} classes of exponents")
-        return signs.items()
+        return signs.items()  # each a times `unit`, with the sign of `weight` there
 
 
 def _denominator(rows: list[list[Number]]) -> int:
@@ -169,8 +161,7 @@ class Thetas:
     def check(self, rates: Mapping[str, str] | None) -> None:
         """Check the declared theta functions against the rest of the context.
 
-        Raises KernelError for undeclared generators, a moving nome, and wrong time derivatives.
-        D(f(z)) = f'(z) D(z)
+        Refused are undeclared generators, a moving nome, and derivatives other than f'(z) D(z).
         """
         generators = {*map(str, self.ring.poly.gens)}
         for (part, of), name in self.names.items():
@@ -188,10 +179,7 @@ class Thetas:
                     raise KernelError(f"D({name}) is not that of a theta function")
 
     def at(self, identity: str, forms: Mapping[str, str]) -> Complex:
-        """Substitute linear forms into an identity of theta functions.
-
-        Returns its real and imaginary part, which both vanish.
-        """
+        """Substitute linear forms into an identity of theta functions."""
         places = {name: linear(text) for name, text in forms.items()}
         total = self.zero, self.zero
         for number, factors in vanishing(identity):
@@ -200,7 +188,7 @@ class Thetas:
             for factor in sorted(placed, key=lambda factor: len(factor.form)):  # zeros first
                 product = self._times(factor, product)
             total = total[0] + product[0], total[1] + product[1]
-        return total
+        return total  # which vanishes
 
     def _value(self, form: Form) -> Complex:
         parts = [self.zero, self.zero]
@@ -209,21 +197,16 @@ class Thetas:
         return parts[0], parts[1]
 
     def _times(self, of: Theta, other: Complex) -> Complex:
-        """Return the product of a theta function and a complex value.
-
-        The function need not be declared if the value is 0.
-        """
+        """Return the product of a theta function and a complex value."""
         (a, b), (c, d) = ([self._part(part, of, x) for x in other] for part in ("re", "im"))
         return a - d, b + c
 
     def _part(self, part: str, of: Theta, factor: Element) -> Element:
-        """Return the real or imaginary part of f(z), times a factor.
-
-        It uses f(-z) = +-f(z) and f(conj z) = conj f(z).
-        """
-        if not factor.numerator:
+        """Return the real or imaginary part of f(z), times a factor."""
+        if not factor.numerator:  # f need not be declared
             return self.zero
         odd, conjugate = (-1) ** (of.order + (of.index == 1)), -1 if part == "im" else 1
+        # f(-z) = +-f(z) and f(conj z) = conj f(z)
         turns = ((1, 1, 1), (odd, -1, -1), (conjugate, 1, -1), (odd * conjugate, -1, 1))
         images = []
         for sign, *signs in turns:

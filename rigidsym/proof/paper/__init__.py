@@ -1,4 +1,4 @@
-"""The paper's printed equations as values, with the ledger's verdict on each."""
+"""The paper's printed equations, with the ledger's verdict on each."""
 
 from rigidsym.proof.paper._counterexample import Counterexample
 from rigidsym.proof.paper._equation import Condition, Equation, Flaw, Reading, Root, Sense

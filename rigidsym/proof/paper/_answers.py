@@ -22,7 +22,7 @@ parse_text = lru_cache(maxsize=4096)(_expression.parse)
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Equations of a printed line, to be decided by a fact of the ledger.
+    """Equations of a printed line that a fact of the ledger has to decide.
 
     `definitions` are the definitions that the print gives in the context.
     """
@@ -61,7 +61,10 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
 
 
 def without_trivial(whole: Question, definitions: Texts, rates: Texts) -> Question:
-    """Drop the equations of a question that are trivial or definitions of its context."""
+    """Drop the trivial equations of a question.
+
+    Definitions of its context are trivial, too.
+    """
     known: dict[Expression, Expression] = {
         Name(name): parse_text(text) for name, text in definitions.items()
     }

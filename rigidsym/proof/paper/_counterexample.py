@@ -109,7 +109,7 @@ class Counterexample:
 
 
 def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexample | None:
-    """Return the counterexample to an equation, or None if the equation holds.
+    """Return the counterexample to an equation, or None if there is none.
 
     It is for the first component that fails.
     """

@@ -83,7 +83,7 @@ class Verdict:
 
     @property
     def roots(self) -> tuple[Root, ...]:
-        """The paper's independent errors that explain the misprint."""
+        """The paper's independent errors that explain a misprint."""
         return self.equation.roots
 
     def to_json(self) -> dict[str, Any]:

@@ -50,7 +50,7 @@ def _coordinate(value: ImmutableMatrix, direction: ImmutableMatrix) -> sympy.Exp
 
 
 def tidy(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
-    """Simplify an expression, with functions of whole angles in place of half angles.
+    """Simplify an expression, using functions of whole angles where possible.
 
     It is reduced by the relations, and its factors are collected.
     """

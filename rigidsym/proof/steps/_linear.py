@@ -159,7 +159,7 @@ def _parallel(
     particular: Matrix,
     direction: Matrix,
 ) -> list[tuple[str, str]]:
-    """Express that every solution differs from a particular one by a multiple of a direction.
+    """State that solutions differ by multiples of a direction.
 
     Returns the minors of (difference, direction) as combinations of the equations.
     """

@@ -41,7 +41,7 @@ def read(text: str) -> sympy.Expr:
 
 
 class Dictionary:
-    """Mapping between the names of a context and the functions that they stand for."""
+    """Two-way mapping between the names of a context and the functions they stand for."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
@@ -109,7 +109,7 @@ def collected(expression: Expr) -> Expr:
 
 
 def positive(expression: Expr) -> Expr:
-    """Return an expression or its negative, whichever begins with a plus."""
+    """Return an expression or its negative, whichever begins without a minus sign."""
     return -expression if str(expression).startswith("-") else expression
 
 

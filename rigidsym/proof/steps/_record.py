@@ -1,4 +1,4 @@
-"""Record of a derivation step, and the error of a failed one."""
+"""Derivation steps as records, and the error for a step that fails."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -18,7 +18,7 @@ Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """Equations of motion that a variation yields: momenta M and moments M'."""
+    """Equations of motion M' = moment from a variation, with momenta M."""
 
     momenta: tuple[sympy.Expr, ...]
     moments: tuple[sympy.Expr, ...]

@@ -193,7 +193,7 @@ class Interpreter:
         return self._roots[text]
 
     def triple(self, argument: Expression, parameter: Expression) -> Triple:
-        """Return the context's names for sn, cn and dn of an argument.
+        """Return the context's names for sn, cn and dn of a printed argument.
 
         This requires their algebraic relations and time derivatives.
         """
@@ -253,9 +253,10 @@ class Interpreter:
         return self.meant["C_i"]
 
     def condition(self, left: Expression, relation: str, right: Expression) -> None:
-        """Require that a printed inequality is about the quantity `when`.
+        """Require that a printed inequality has the expected meaning.
 
-        The vocabulary names this quantity.  It is the larger side minus the smaller one.
+        It has to state that the vocabulary's quantity `when` is not negative.
+        This quantity is then the larger side minus the smaller one.
         """
         if self.vocabulary.when:
             x, y = map(self._size, (left, right))
@@ -383,7 +384,10 @@ def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
 
 
 def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> None:
-    """Raise PrintError for a name that is undefined or defined twice in a display."""
+    """Raise PrintError for a name that is undefined or defined twice.
+
+    Twice means twice in one displayed formula.
+    """
     found = [[defined(left) for left, _ in _equations(display)] for display in displays]
     for name in defines:
         times = [names.count(name) for names in found]
