@@ -409,7 +409,10 @@ class Printer:
         return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
-        """Define a case's quantities in Coq as those of the context that was split."""
+        """Write the Coq definition of a case's quantities.
+
+        They are those of the context that was split.
+        """
         text = f"Definition as_{other.name} (X : names) : {other.name}.names :="
         if other.name not in chapter.cases:
             chapter.cases.add(other.name)
@@ -472,6 +475,6 @@ def _all(said: Sequence[str]) -> str:
 
 
 def _binder(hypotheses: Sequence[str]) -> tuple[str, str]:
-    """Return the texts that declare hypotheses in a Coq theorem and that pass them."""
+    """Return Coq text that declares hypotheses, and Coq text that passes them as arguments."""
     binder = "".join(f" (A{k} : {text})" for k, text in enumerate(hypotheses))
     return binder, "".join(f" A{k}" for k in range(len(hypotheses)))

@@ -299,9 +299,9 @@ def _number(context: Context, fact: Fact, name: str, attempt: int) -> acb:
 
 
 def _ties(context: Context, free: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield each relation between free names, preceded by the name to solve it for.
+    """Yield pairs of a name and the relation that determines it.
 
-    That is the last name in the relation.
+    All names in the relation are free, and this one is the last of them.
     """
     for relation in context.relations:
         if (tied := {*names(parse(relation))}) <= {*free}:

@@ -195,7 +195,7 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """Return the numerator of lhs - rhs, or of lhs**2 - rhs for a root, for each component."""
+    """Return the numerators of lhs - rhs, where lhs is squared for square roots."""
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]

@@ -47,7 +47,7 @@ class Read:
     counterexample: Counterexample | None
 
     def to_json(self) -> dict[str, Any]:
-        """Return the reading as JSON data."""
+        """Return the verdict on this interpretation as JSON data."""
         return {
             "reading": self.reading.text,
             "implies": self.reading.implies,

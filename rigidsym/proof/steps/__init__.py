@@ -1,4 +1,4 @@
-"""Forward derivation steps: SymPy finds the next expression, the kernel checks it.
+"""Derivation steps: SymPy finds the next expression, and the kernel checks it.
 
 A `Scope` is a context as SymPy sees it.  A step takes it with SymPy expressions or matrices, and
 returns a `Step`: the value found, as an expression, a matrix or a mapping of solutions; the

@@ -60,7 +60,7 @@ def matrix(name: str) -> MatrixSymbol:
 
 
 def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-    """Split a polynomial in i into its real and imaginary parts.
+    """Split a polynomial in the imaginary unit into its real and imaginary parts.
 
     All symbols are real.
     """
