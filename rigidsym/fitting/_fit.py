@@ -54,7 +54,7 @@ _THIN = 1e-4
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Fit(Alternative):
-    """The result of a fit: the best motion, with its errors, alternatives and reports.
+    """The best-fitting motion, with its errors, alternatives and reports.
 
     motion: from t = 0 of the times observed, along the principal axes. moments have the largest as
     unit, unless a prior or `scale` determines it: without torque their scale is unobservable.

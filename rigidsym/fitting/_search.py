@@ -87,7 +87,7 @@ def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Mini
 def _best(
     problem: Problem, points: Point, cost: np.ndarray, count: int
 ) -> tuple[Point, np.ndarray]:
-    """Select the `count` best distinct motions; return them with their costs."""
+    """Select the `count` best distinct motions and return them with their costs."""
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]
     if not order.size:

@@ -317,7 +317,10 @@ def _base(factor: Expression) -> Expression:
 
 
 def dotted(head: str) -> str:
-    r"""Put a dot above the letter of a LaTeX name: \dot{\Omega}_{i}."""
+    r"""Put a dot above the letter of a LaTeX name.
+
+    For example, \Omega_{i} becomes \dot{\Omega}_{i}.
+    """
     letter, mark, rest = head.partition("_")
     return rf"\dot{{{letter}}}{mark}{rest}"
 

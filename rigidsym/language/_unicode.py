@@ -56,7 +56,10 @@ class _Reader:
     place: int = 0
 
     def next(self) -> str:
-        """Read the next token and return it; return "" at the end."""
+        """Read the next token and return it.
+
+        Return "" at the end.
+        """
         self.place += 1
         return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
 

@@ -96,11 +96,17 @@ class Bursts:
         return np.stack([np.linalg.norm(burst, axis=1) for burst in bursts], axis=1)
 
     def allowed(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return for each motion whether it keeps to the limits."""
+        """Return for each motion whether it keeps to the limits.
+
+        The result has the shape (N,), for rates (N, 3).
+        """
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return for each motion the larger of peak rate and burst relative to their limits."""
+        """Return for each motion the larger of peak rate and burst relative to their limits.
+
+        The result has the shape (N,), for rates (N, 3).
+        """
         needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
             needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))
@@ -114,6 +120,8 @@ class Bursts:
     @np.errstate(divide="ignore")
     def shortest(self, rates: np.ndarray) -> np.ndarray:
         """Return for each motion the shortest duration in which it keeps to the limits.
+
+        The result has the shape (N,), for rates (N, 3).
 
         It is inf where there is none.
         """

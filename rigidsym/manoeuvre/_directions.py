@@ -88,7 +88,7 @@ def _inverse(problem: Problem) -> np.ndarray:
 
 
 def quadratic_form(problem: Problem) -> np.ndarray:
-    """Return the matrix A of the cone m A m = 0 of momentum directions.
+    """Return the matrix A (3, 3) of the cone m A m = 0 of momentum directions.
 
     A = R J R^T - J.
     """

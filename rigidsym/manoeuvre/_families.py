@@ -81,7 +81,7 @@ def refine(
 
 
 def smallness(rates: np.ndarray) -> np.ndarray:
-    """Return the scale of accepted misses for each motion, which is smaller for small turns."""
+    """Return the scale (N,) of accepted misses, which is smaller for small turns."""
     return np.clip(np.linalg.norm(rates, axis=1), _SMALLEST, 1.0)
 
 
@@ -220,6 +220,8 @@ def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.nda
 
 def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
     """Return for each motion whether it reaches the target.
+
+    The result has the shape (N,).
 
     Close to the separatrix doubles miss by more than rounding, but rates hardly differ from those
     that arrive; where misses hardly depend on the rates it is the other way round.

@@ -118,7 +118,10 @@ def _rate(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """The data of the paper's figures: a flight, and the Euler angles of the motion it follows."""
+    """The data of the paper's figures.
+
+    They are a flight, and the Euler angles of the natural motion that it follows.
+    """
 
     tracked: Tracked
     angles: EulerAngles

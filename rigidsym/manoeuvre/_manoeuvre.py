@@ -165,7 +165,9 @@ def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
 
 
 def open_manoeuvre(name: str) -> tuple[Manoeuvre, files.TomlTable]:
-    """Read a manoeuvre file; return the manoeuvre and all TOML tables of the file.
+    """Read a manoeuvre file.
+
+    Return the manoeuvre, and all tables of the file as TOML gives them.
 
     The name `paper` means the file of the package.  Raises InputError about the first error in the
     manoeuvre itself.

@@ -183,7 +183,7 @@ class Search:
         return np.concatenate([at, nearer[close]])
 
     def _crossings(self, begin: Samples, end: Samples, wanted: np.ndarray) -> np.ndarray:
-        """Return the initial rates at which half angles have given values between two samples.
+        """Return the initial rates (N, 3) at which half angles have given values between samples.
 
         wanted: the fractions of the change of the half angle from sample to sample.
 

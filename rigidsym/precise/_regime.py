@@ -27,6 +27,8 @@ ExactInputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, 
 class MotionInputs:
     """Principal moments, initial body rates and initial attitude of a motion.
 
+    There are three moments, three rates and a quaternion (4) at t = 0.
+
     Numbers are rational or uncertain.
 
     The attitude has any length but zero.

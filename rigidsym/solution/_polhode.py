@@ -75,7 +75,10 @@ _REGIMES = {
 
 
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
-    """Decide the regime of a motion exactly from its moments of inertia and body rates."""
+    """Decide the regime of a motion exactly from its moments of inertia and body rates.
+
+    There are three of each.
+    """
     solution = sealed()
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
     order = (high, middle, low)

@@ -62,5 +62,8 @@ def rounded_up(prec: int) -> int:
 
 @lru_cache(maxsize=4096)
 def _evaluated(function: Coded, prec: int) -> Any:
-    """Return the value of a function; results are cached because formulas repeat functions."""
+    """Return the value of a function to a number of bits.
+
+    Values are cached because formulas repeat functions.
+    """
     return function._number(prec)

@@ -26,7 +26,9 @@ _ROUNDS = 14  # of duplication: the rest is below 4^-84 of the arguments' spread
 
 
 class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
-    """The elliptic integral of the third kind Pi(n; am(u | m) | m) as a function of (n, u, m).
+    """The elliptic integral of the third kind, as a function of Jacobi's argument u.
+
+    This is Pi(n; am(u | m) | m).
 
     It is odd in u, and equals the integral of 1/(1 - n sn^2) from 0 to u.
     """

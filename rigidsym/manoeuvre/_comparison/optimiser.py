@@ -86,7 +86,9 @@ class Optimum:
 
 
 def solved(case: Case, transfer: Transfer, task: Task) -> tuple[dict[str, Any], np.ndarray]:
-    """Solve a task from each first guess; return the results and the best impulses.
+    """Solve an optimal-control task from each first guess.
+
+    Return the results and the impulses of the best.
 
     The results are the entries of the schema rigidsym.comparison/1: the least cost of all attempts
     that converged, N m s for fuel, N^2 m^2 s for energy; the miss of the best torques by another

@@ -95,7 +95,10 @@ class Box:
         return self._areas * cosines, cosines, signs
 
     def torque(self, forces: np.ndarray, signs: np.ndarray) -> np.ndarray:
-        """Return the total torque of forces (3, 3) that act at the centres of three faces."""
+        """Return the total torque of forces (3, 3) that act at the centres of three faces.
+
+        The faces are given by their normals.
+        """
         total = forces[0] + forces[1] + forces[2]
         arms = (signs * self._half)[:, None] * forces
         # The sum of e_k x (row k): the antisymmetric part.

@@ -86,7 +86,9 @@ class _Loop:
         return _Ramp(begin, end, now, then)
 
     def flown(self, ramp: _Ramp) -> np.ndarray | None:
-        """Integrate the state to the next sample; return None where integration fails.
+        """Integrate the state to the next sample.
+
+        Return None where integration fails.
 
         q has unit length.
 

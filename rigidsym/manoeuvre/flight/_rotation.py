@@ -10,7 +10,10 @@ Numbers = np.ndarray | Sequence[float]
 
 
 def matrix(q: Numbers) -> np.ndarray:
-    """Return the rotation matrix, body to inertial, of a unit quaternion."""
+    """Return the rotation matrix, body to inertial, of a unit quaternion.
+
+    The matrix has the shape (3, 3), the quaternion (4,).
+    """
     a, b, c, d = map(float, q)
     return np.array(
         [

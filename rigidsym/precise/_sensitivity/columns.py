@@ -288,6 +288,8 @@ def combined(parts: Sequence[Any], values: Sequence[Any]) -> Any:
 class Point:
     """The sensitivities of one motion with exact moments and rates.
 
+    There are three moments and three rates.
+
     The initial attitude is a unit quaternion.
     """
 
