@@ -103,7 +103,7 @@ class Bursts:
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return for each motion the larger of peak rate and burst relative to their limits.
+        """Return for each motion the larger ratio of a required rate or burst to its limit.
 
         The result has the shape (N,), for rates (N, 3).
         """
@@ -159,8 +159,8 @@ def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
     At most `count` motions are returned.
 
     From rest to rest a motion costs twice its momentum (facts manoeuvre.first_burst,
-    manoeuvre.last_burst), and never less than that less what the spins before and after can save;
-    so all motions up to a cost follow from all up to a momentum.
+    manoeuvre.last_burst).  Spins before and after can save at most their own momenta.  So the
+    motions up to a cost are among those up to a momentum, which can all be searched.
     """
     spins = bursts.spin * duration
     most = bursts.most(duration)

@@ -82,7 +82,10 @@ def is_symmetry(problem: Problem) -> bool:
 
 
 def _inverse(problem: Problem) -> np.ndarray:
-    """Return the inverse moments minus that of the middle axis, without cancellation."""
+    """Return the differences of the inverse moments from that of the middle axis.
+
+    They are 1/c_k - 1/c_middle for each axis k, computed without cancellation.
+    """
     c, middle = problem.inertia, problem.axes[1]
     return (c[middle] - c) / (c * c[middle])
 

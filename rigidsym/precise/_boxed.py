@@ -122,12 +122,15 @@ class BoxedMotion(MotionInputs):
 
     @cached_property
     def _flows(self) -> dict[int, FlowEnclosure]:
-        """The enclosure by the flow at the last precision, with its steps so far."""
+        """The cached enclosure by the flow for the last precision.
+
+        It has all steps made so far.
+        """
         return {}
 
     @cached_property
     def _means(self) -> dict[int, MeanStates]:
-        """The enclosure by the mean value theorem at the last precision."""
+        """The cached enclosure by the mean value theorem for the last precision."""
         return {}
 
 

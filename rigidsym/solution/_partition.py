@@ -72,9 +72,9 @@ class Split:
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A kind of motion that is not split further, with its fact in the ledger.
+    """A kind of motion that the ledger does not split any further.
 
-    The fact states the signs of its formulas.
+    fact: the fact of the ledger that states the signs of its formulas.
 
     side: 1 where the rates circulate about the axis of largest moment, -1 where about that of the
     smallest, 0 where they are constant.

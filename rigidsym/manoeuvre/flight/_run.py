@@ -271,7 +271,7 @@ class Run:
 
 
 def predicted(size: float, direction: float) -> tuple[str, str]:
-    """Return the table row of the predicted miss of an uncorrected motion.
+    """Return the table row with the miss that is predicted for an uncorrected motion.
 
     size: by 1 % of the first burst, rad.  direction: by where it points, rad per rad.
     """
