@@ -562,9 +562,9 @@ class TorqueFreeMotion:
         digits : int
             The number of significant digits.
         method : {"theta", "carlson", "landen", "quadrature", "mpmath", "theorem1"}
-            The first four compute by Arb's balls.  mpmath computes each state twice by its
-            functions, and returns the digits on which two of the ledger's forms agree; theorem1 is
-            the paper's own form as mended, for the motions that it is about.
+            The first four compute by Arb's balls.  `mpmath` computes each state by two of the
+            ledger's forms with mpmath's functions, and returns the digits on which they agree.
+            `theorem1` is the paper's own form, corrected, for the motions that it covers.
         max_seconds : float
             The time limit.
         sensitivity : bool
@@ -578,7 +578,7 @@ class TorqueFreeMotion:
         Raises
         ------
         PrecisionError
-            Where the time is over before the digits are reached; it says how many were.
+            If the time limit is reached before the digits are; the message says how many were.
         InputError
             For bad input.
         """
@@ -624,8 +624,8 @@ class TorqueFreeMotion:
     ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
         """Return states as balls (`flint.arb`) that contain the true values.
 
-        Radii are at most 10^-digits max(1, |value|) where the inputs are exact; else they are what
-        the uncertainty of the inputs makes them.
+        Radii are at most 10^-digits max(1, |value|) if the inputs are exact; otherwise they follow
+        from the uncertainty of the inputs.
 
         Parameters
         ----------
@@ -634,13 +634,14 @@ class TorqueFreeMotion:
         digits : int
             The number of significant digits for exact inputs.
         method : str
-            A method of `precise` by balls, which raises InputError for a box of inputs across a
-            boundary between regimes and names it.  Uncertain inputs also have methods for boxes
-            with any regimes: `mean`, the mean value form by the sensitivities of all their
-            motions, over parts of the box where it is too wide over the whole; and `flow`, which
-            carries the equations of motion over the box.  The default for them is `mean`, and
-            `flow` where that does not serve all of the box.  Where both have lost the attitude,
-            its balls are [-1, 1], and rates keep to energy and momentum.
+            A method of `precise` that computes by balls.  It raises InputError, which names the
+            boundary, for a box of inputs across a boundary between regimes.  For uncertain inputs
+            there are two more methods, which accept boxes with any regimes.  `mean` is the mean
+            value form with the sensitivities of all motions of the box; it divides the box if
+            it is too wide.  `flow` integrates the equations of motion over the box.  The default
+            for uncertain inputs is `mean`, and `flow` where `mean` does not serve all of the box.
+            If both lose the attitude, its balls are [-1, 1], and rates obey the conservation of
+            energy and momentum.
         max_seconds : float
             The time limit.
         sensitivity : bool

@@ -49,12 +49,12 @@ def integrate(
     times : (N,)
         Times, s, increasing.
     step : float or None
-        Step, s, the same throughout, counted from times[0].  None chooses steps, shorter where the
-        torque requires it, until the error is below `tolerance`.
+        Constant step, s, counted from times[0].  With None, steps are chosen so that the error is
+        below `tolerance`; they are shorter where the torque requires it.
     method : {"strang", "saba2", "aba84", "bm4", "bm6"}
         Splitting into free motions, which are exact, and kicks by the torque; the coefficients,
-        orders and sources are in `rigidsym.splitting.METHODS`.  The errors are those of the torque
-        alone: a weak one allows steps of a radian.  All methods are symplectic and symmetric; with
+        orders and sources are in `rigidsym.splitting.METHODS`.  Only the torque causes errors, so
+        that a weak torque allows steps of a radian.  All methods are symplectic and symmetric; with
         a torque from a potential the energy does not drift.
     tolerance : float
         Largest error at any of `times` for step=None, 1e-6 by default: a rotation, rad, or a change
@@ -84,7 +84,7 @@ def integrate(
     PrecisionError
         With the reason, where no step reaches the tolerance.
 
-    Whatever stops an integration, Ctrl-C included, the exception has the states until then as its
+    An exception that stops an integration, Ctrl-C included, has the states until then as its
     attribute `trajectory`.
 
     Examples
