@@ -1,4 +1,4 @@
-"""Code generation: from the ledger's formulas to numeric modules, in stages.
+"""Generation of numeric modules in C and Python from the ledger's formulas, in stages.
 
 * `functions`.  Input: the solution's formula sequences.  Output: functions made of lets, names set
   to expressions, with the facts behind each.

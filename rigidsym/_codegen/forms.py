@@ -1,4 +1,4 @@
-"""Forms of the solution that modules are generated in, and the limits of each."""
+"""Forms of the solution (theta, Pi and step) for generated modules, and their numeric limits."""
 
 from dataclasses import dataclass
 
@@ -14,14 +14,17 @@ FORMS = {
 
 
 def checked(form: str) -> str:
-    """Return a form; raise InputError for an unknown one."""
+    """Check the name of a form, and return it unchanged.
+
+    Raises InputError for an unknown form.
+    """
     if form not in FORMS:
         raise InputError("form", form, f"must be one of: {', '.join(FORMS)}")
     return form
 
 
 def split(key: str) -> tuple[str, str]:
-    """Return the target and the form of a module's key.
+    """Split the key of a generated module into its target and its form.
 
     >>> split("c"), split("numpy-pi")
     (('c', 'theta'), ('numpy', 'pi'))
@@ -31,18 +34,27 @@ def split(key: str) -> tuple[str, str]:
 
 
 def option(form: str) -> str:
-    """Return the command-line option of a form: none for the default."""
+    """Return the command-line option that selects a form.
+
+    It is empty for the default form.
+    """
     return "" if form == THETA else f" --form {form}"
 
 
 def key(target: str, form: str) -> str:
-    """Return the key of a module: its target, and its form unless that is the default."""
+    """Return the key of a generated module, for example `numpy-pi`.
+
+    For the default form it is the target alone.
+    """
     return target if form == THETA else f"{target}-{form}"
 
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A limit of a form: its name, the power of two that it is, and its meaning."""
+    """Numeric limit of a form, a power of two.
+
+    `exponent` is that of the power, and `meaning` says what is limited.
+    """
 
     name: str
     exponent: int
@@ -68,7 +80,10 @@ LIMITS = (
 
 
 def limits(form: str) -> tuple[Limit, ...]:
-    """Return the limits of a form; the default alone has sensitivities."""
+    """Return the numeric limits of a form.
+
+    Only the default form has sensitivities, and with them the limit `max_real`.
+    """
     if form == STEP:
         return STEP_LIMITS
     return LIMITS if form == THETA else tuple(x for x in LIMITS if x.name != "max_real")

@@ -16,7 +16,7 @@ from rigidsym.solution import Solution, sealed
 
 
 class Manifest(TypedDict):
-    """Manifest of a module: its key, its digest, and the digests of its files."""
+    """Manifest of a generated module: its key, its digest, and the digests of its files."""
 
     target: str
     digest: str
@@ -37,21 +37,22 @@ class Generated:
         return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
 
     def texts(self) -> dict[str, str]:
-        """Return the texts of all files to write, with the map."""
+        """Return the text of each file by its name, including the map from lines to equations."""
         stem = str(self.manifest["target"])
         described = {"manifest": self.manifest, "lines": self.map}
         return {**self.files, f"{stem}.map.json": json.dumps(described, indent=1) + "\n"}
 
     def write(self, directory: str | Path) -> list[Path]:
-        """Write all files to a directory; return their paths."""
+        """Write all files to a directory, and return their paths."""
         return write_all(Path(directory), self.texts())
 
 
 def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
-    """Generate the numeric module of a target from the sealed ledger, or from a given solution.
+    """Generate the numeric module of a target, for example "c".
 
-    form: "theta" or "pi", in which the solution is written.  Raises InputError (a ValueError) for
-    an unknown target or form.
+    solution: the formulas to print, by default those of the sealed ledger.  form: the form of the
+    solution, "theta", "pi" or "step".  Raises InputError (a ValueError) for an unknown target or
+    form.
     """
     build = builder(target)
     module = build(functions(solution or sealed(), checked(form)), constants(), form)

@@ -1,4 +1,4 @@
-"""Heads of generated modules: domain, conventions, grades, error bounds, measured errors."""
+"""Header text of generated modules: domain, conventions, grades of proof, and errors."""
 
 import hashlib
 import json
@@ -71,7 +71,7 @@ against mpmath:""",
 
 
 def special_functions(form: str) -> list[str]:
-    """Return the error bounds of the special functions of a form, a line each."""
+    """Return the error bounds of a form's special functions, as lines of text."""
     sine = reduction.sine_bound(reduction.sine_coefficients(reduction.TERMS))
     cosine = reduction.cosine_bound(reduction.cosine_coefficients(reduction.TERMS))
     everywhere = [
@@ -111,14 +111,17 @@ def special_functions(form: str) -> list[str]:
 
 
 def _up(bound: float | Fraction) -> str:
-    """Round a bound up to two digits."""
+    """Format a bound, rounded up to two significant digits."""
     value = float(bound)
     text = f"{value:.1e}"
     return text if float(text) >= value else f"{value * 1.05:.1e}"
 
 
 def text(target: str, form: str) -> str:
-    """Return the head of a module, with marks for counts of lines, digest and measured errors."""
+    """Return the header text of a module, with placeholders for numbers that come later.
+
+    These are the counts of lines, the digest and the measured errors.
+    """
     bounds = special_functions(form)
     if target == "c" and form != STEP:
         # NumPy brings the exponential itself.
@@ -133,9 +136,10 @@ def text(target: str, form: str) -> str:
 
 
 def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
-    """Return the files with their digest and measured errors in place, and the digest.
+    """Fill in the digest and the measured errors in the files of a module.
 
-    The digest covers all but itself and the measured errors, which hold for one digest alone.
+    Returns the files and the digest.  The digest covers all but itself and the measured errors,
+    which hold for one digest alone.
     """
     covered = "\0".join(f"{name}\0{text}" for name, text in files.items())
     digest = hashlib.sha256(covered.encode()).hexdigest()
@@ -143,17 +147,23 @@ def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
 
 
 def filled(text: str, target: str, digest: str) -> str:
-    """Replace the marks in a text by the digest and by the errors measured for this digest."""
+    """Replace the placeholders in a text by a digest and the errors measured for it."""
     return text.replace(MEASURED, _measured(target, digest)).replace(DIGEST, digest)
 
 
 def unsealed(text: str, target: str, digest: str) -> str:
-    """Replace the digest and the measured errors by marks: the inverse of `filled`."""
+    """Replace the digest and the measured errors in a text by placeholders.
+
+    This is the inverse of `filled`.
+    """
     return text.replace(digest, DIGEST).replace(_measured(target, digest), MEASURED)
 
 
 def digest_in(file: str, text: str) -> str:
-    """Return the only digest in a file; raise InputError for none or several."""
+    """Return the digest in a file.
+
+    Raises InputError for none or several.
+    """
     found = set(re.findall(r"\b[0-9a-f]{64}\b", text))
     if len(found) != 1:
         raise InputError(file, f"{len(found)} digests", "a module names its own, and no other")
@@ -161,7 +171,7 @@ def digest_in(file: str, text: str) -> str:
 
 
 def _measured(target: str, digest: str) -> str:
-    """Return the worst errors by regime that were measured of exactly this code."""
+    """Format the worst errors, by regime, that were measured for the code with a digest."""
     known = json.loads(MEASURED_FILE.read_text("utf-8")) if MEASURED_FILE.is_file() else {}
     found = known.get(target)
     if not found or found["digest"] != digest:

@@ -1,4 +1,4 @@
-"""Intermediate representation: named lets with provenance, grouped into functions.
+"""Intermediate representation: assignments with provenance, grouped into functions.
 
 Input and output of every pass are tuples of `Let`; no pass looks at the target's language.
 
@@ -44,7 +44,7 @@ KINDS = ("fact", "classical", "arithmetic")
 
 @dataclass(frozen=True, slots=True)
 class Let:
-    """Line `targets = expression` with its provenance: facts, their equations, and references.
+    """Assignment `targets = expression`, with the facts, equations and references behind it.
 
     One target, unless the expression calls a function that returns several values.
     """
@@ -56,7 +56,7 @@ class Let:
 
     @property
     def kind(self) -> str:
-        """Return the kind of the line, one of KINDS."""
+        """Return the kind of the assignment: fact, classical or arithmetic."""
         if self.facts:
             return "fact"
         return "classical" if self.source and _EXACT.isdisjoint(self.source) else "arithmetic"
@@ -67,7 +67,10 @@ class Let:
 
 @dataclass(frozen=True, slots=True)
 class Constant:
-    """A named number: a double, or an extended number where `lo` is given."""
+    """Named numerical constant: a double, or an extended number.
+
+    It is an extended number where `lo` is given.
+    """
 
     name: str
     hi: float
@@ -77,7 +80,7 @@ class Constant:
 
 @dataclass(frozen=True, slots=True)
 class Function:
-    """A straight-line function: parameters, lets, and the names it returns.
+    """Straight-line function: parameters, assignments, and names of the results.
 
     `extended` are the parameters that are extended numbers, and `split` the results that are handed
     on as two doubles, `<name>_hi` and `<name>_lo`; other results are rounded where `rounds`.
@@ -95,7 +98,7 @@ class Function:
     formulas: tuple[Let, ...] = ()
 
     def all_extended(self) -> frozenset[str]:
-        """Return the parameters and targets that are extended numbers."""
+        """Return the names of the parameters and targets that are extended numbers."""
         extended = set(self.extended)
         for let in self.lets:
             if is_extended(let.expression, extended):
@@ -103,18 +106,18 @@ class Function:
         return frozenset(extended)
 
     def used(self) -> set[str]:
-        """Return the names that the lets use."""
+        """Return the names that occur in the function's expressions."""
         return {name for let in self.lets for name in names(let.expression)}
 
 
 def named(functions: Iterable[Function], constants: Iterable[Constant]) -> list[Constant]:
-    """Return the constants that functions use."""
+    """Select the constants that functions use."""
     used = {name for function in functions for name in function.used()}
     return [constant for constant in constants if constant.name in used]
 
 
 def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
-    """Read `a = expression` or `a, b = call`.
+    """Parse the assignment `a = expression` or `a, b = call`.
 
     >>> str(let("s, c = turn(x + 1)"))
     's, c = turn(x + 1)'
@@ -124,7 +127,10 @@ def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
 
 
 def is_extended(expression: Expression, extended: frozenset[str] | set[str]) -> bool:
-    """Return True if an expression is extended, given the names of extended numbers."""
+    """Return True if the value of an expression is an extended number.
+
+    extended: the names of extended numbers.
+    """
     if isinstance(expression, Name):
         return expression.name in extended
     if isinstance(expression, Call):

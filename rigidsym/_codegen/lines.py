@@ -1,4 +1,4 @@
-"""Printed lines with their lets, their comments, and counts of lines by kind."""
+"""Lines of generated code, their comments, and counts of lines by kind."""
 
 import re
 from collections import Counter
@@ -20,7 +20,10 @@ MEANINGS = {
 
 
 class Place(TypedDict):
-    """A derived line in the map: its number from 1, kind, equations and facts."""
+    """Entry of the line map: number, kind, equations and facts of a derived line.
+
+    Numbers are from 1.
+    """
 
     line: int
     kind: str
@@ -30,14 +33,17 @@ class Place(TypedDict):
 
 @dataclass(frozen=True, slots=True)
 class Lines:
-    """Lines of a module, and the let behind each derived line, by its number."""
+    """Lines of generated code, and the assignment behind each derived line.
+
+    `lets` is keyed by the index of the line, from 0.
+    """
 
     text: tuple[str, ...]
     lets: Mapping[int, Let]
 
     @classmethod
     def plain(cls, text: str) -> "Lines":
-        """Make lines of a text that is not derived."""
+        """Split hand-written text into lines that have no assignments behind them."""
         return cls(tuple(text.removesuffix("\n").split("\n")), {})
 
     def kinds(self) -> Iterator[str]:
@@ -46,7 +52,7 @@ class Lines:
 
 
 def joined(pieces: Iterable[Lines]) -> Lines:
-    """Join pieces into one."""
+    """Concatenate pieces of code, and renumber their derived lines."""
     text: list[str] = []
     lets: dict[int, Let] = {}
     for piece in pieces:
@@ -57,14 +63,14 @@ def joined(pieces: Iterable[Lines]) -> Lines:
 
 @dataclass(frozen=True, slots=True)
 class Module:
-    """Files of a target, the lets behind their lines, and the digest of all files."""
+    """Printed module: its files, the assignments behind their lines, and the digest."""
 
     files: Mapping[str, str]
     lets: Mapping[str, Mapping[int, Let]]
     digest: str
 
     def places(self) -> dict[str, list[Place]]:
-        """Return the map of each file's derived lines."""
+        """Return the map entries of the derived lines, by file."""
         return {
             name: [
                 {
@@ -80,12 +86,14 @@ class Module:
 
 
 def comment(let: Let) -> str:
-    """Return the comment of a let: kind, facts, equations and references."""
+    """Return the comment on an assignment: its kind, facts, equations and references."""
     return note(let.kind, let.facts, let.source)
 
 
 def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
-    """Return the comment of a line; equations of the paper are in brackets.
+    """Format the comment on a line from its kind, facts and sources.
+
+    Numbers of the paper's equations are put in brackets.
 
     >>> note("fact", ["definition attitude.M_a", "attitude.K"], ["8", "15"])
     'fact: definition attitude.M_a, attitude.K; (8), (15)'
@@ -96,7 +104,10 @@ def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
 
 
 def flat_results(function: Function) -> list[str]:
-    """Return the names of a function's results as doubles, two where a result is split."""
+    """Return the names of the doubles that a function returns.
+
+    A split result is two doubles, `<name>_hi` and `<name>_lo`.
+    """
     return [
         flat
         for name in function.results
@@ -120,7 +131,10 @@ RUNTIMES = {
 
 
 def shares(kinds: Iterable[str], module: str) -> str:
-    """Return a table of the number of lines of each kind in a module, given by its key."""
+    """Format a table with the number of lines of each kind in a module.
+
+    kinds: the kinds of the derived lines.  module: the key of the module.
+    """
     found = Counter(kinds)
     counts = {kind: found[kind] for kind in KINDS} | {"runtime": handwritten(module)}
     whole = sum(counts.values())

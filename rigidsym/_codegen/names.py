@@ -1,4 +1,4 @@
-"""Names of quantities that several functions share."""
+"""Names of quantities that several generated functions share."""
 
 from rigidsym.solution import _partition as partition
 from rigidsym.solution._formulas import AXES

@@ -1,4 +1,4 @@
-"""Passes from formulas to lets that can be printed; each is a pure function of its input."""
+"""Compiler passes that turn formulas into printable assignments, each a pure function."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -25,7 +25,10 @@ _SHARED = "common_"
 def select(
     formulas: Iterable[Formula], results: Iterable[str], given: Iterable[str]
 ) -> tuple[Let, ...]:
-    """Input: formulas, names wanted, names given.  Output: the lets that the wanted names need."""
+    """Select the formulas that the wanted quantities need.
+
+    Input: formulas, names wanted, names given.  Output: the lets that the wanted names need.
+    """
     known, wanted, kept = set(given), set(results), []
     for formula in reversed(tuple(formulas)):
         if formula.name in wanted and formula.name not in known:
@@ -35,7 +38,10 @@ def select(
 
 
 def specialise(lets: Iterable[Let], values: Mapping[str, int]) -> tuple[Let, ...]:
-    """Input: lets, and integers for some names.  Output: the lets with these put in and folded."""
+    """Substitute integers for names, and simplify the assignments.
+
+    Input: lets, and integers for some names.  Output: the lets with these put in and folded.
+    """
     constants = {Name(n): Number(value) for n, value in values.items()}
     return _mapped(lets, lambda expression: _folded(expression, constants))
 
@@ -66,7 +72,10 @@ def _folded(expression: Expression, constants: Mapping[Name, Expression]) -> Exp
 
 
 def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
-    """Input: lets, and new names for some quantities.  Output: the lets under these names."""
+    """Rename quantities in assignments.
+
+    Input: lets, and new names for some quantities.  Output: the lets under these names.
+    """
     meaning = {old: Name(name) for old, name in new.items()}
     return tuple(
         replace(let, targets=tuple(new.get(x, x) for x in let.targets))
@@ -75,7 +84,10 @@ def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
 
 
 def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
-    """Input: lets, and names to keep.  Output: the lets of these names, with all others put in."""
+    """Substitute intermediate quantities into the assignments that are kept.
+
+    Input: lets, and names to keep.  Output: the lets of these names, with all others put in.
+    """
     meaning: dict[str, Expression] = {}
     wanted, found = set(kept), []
     for let in lets:
@@ -89,13 +101,19 @@ def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
 
 
 def coefficient(expression: Expression, of: str, among: Iterable[str], over: str) -> Expression:
-    """Input: an expression linear in names over another.  Output: the factor of `of`/`over`."""
+    """Return the factor of one quantity in a linear expression.
+
+    Input: an expression linear in names over another.  Output: the factor of `of`/`over`.
+    """
     values = {Name(n): Number(int(n == of)) for n in among}
     return _folded(expression, values | {Name(over): Number(1)})
 
 
 def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
-    """Input: lets, and the names wanted.  Output: the lets that these names need."""
+    """Drop the assignments that the wanted quantities do not need.
+
+    Input: lets, and the names wanted.  Output: the lets that these names need.
+    """
     wanted, kept = set(results), []
     for let in reversed(tuple(lets)):
         if wanted & set(let.targets):
@@ -109,7 +127,10 @@ def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
 
 
 def products(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets with whole powers.  Output: lets with products in place of powers."""
+    """Replace whole powers by products.
+
+    Input: lets with whole powers.  Output: lets with products in place of powers.
+    """
     return _mapped(lets, _multiplied)
 
 
@@ -127,7 +148,10 @@ def _multiplied(expression: Expression) -> Expression:
 
 
 def fuse(function: Function) -> tuple[Let, ...]:
-    """Input: a function.  Output: its lets with each a*b + c of doubles as one `fma`."""
+    """Replace each a*b + c of doubles by a fused multiply-add.
+
+    Input: a function.  Output: its lets with each a*b + c of doubles as one `fma`.
+    """
     extended = function.all_extended()
     return _mapped(function.lets, lambda expression: _fused(expression, extended))
 
@@ -147,7 +171,10 @@ def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
 
 
 def unfused(expression: Expression) -> Expression:
-    """Input: an expression after `fuse`.  Output: the expression with products and sums again."""
+    """Replace each fused multiply-add in an expression by a product and a sum.
+
+    Input: an expression after `fuse`.  Output: the expression with products and sums again.
+    """
     match rebuild(expression, tuple(map(unfused, children(expression)))):
         case Call("fma", (a, b, c)):
             return Operation("+", Operation("*", a, b), c)
@@ -156,7 +183,9 @@ def unfused(expression: Expression) -> Expression:
 
 
 def share(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets.  Output: lets with common subexpressions named common_1, ... before first use.
+    """Give names to common subexpressions, and assign them before their first use.
+
+    Input: lets.  Output: lets with common subexpressions named common_1, common_2 and so on.
 
     The provenance of a shared let is the union over its users.
     """
@@ -181,7 +210,7 @@ def _is_shared(name: str) -> bool:
 
 
 def _compound(expression: Expression) -> Iterator[Expression]:
-    """Yield the expression and its parts, without single names and numbers."""
+    """Yield all operations and calls in an expression, the outermost first."""
     if isinstance(expression, Operation | Call):
         yield expression
     for part in children(expression):
@@ -210,7 +239,10 @@ def _shared(
 
 
 def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets after `share`.  Output: the lets before it."""
+    """Substitute shared subexpressions back.
+
+    Input: lets after `share`.  Output: the lets before it.
+    """
     meaning: dict[str, Expression] = {}
     expanded = []
     for let in lets:

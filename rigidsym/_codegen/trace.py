@@ -1,4 +1,7 @@
-"""Trace of a generated line to its facts and equations, and back, by the module's map."""
+"""Tracing of generated lines to their facts and equations, and back.
+
+It uses the maps of the generated modules.
+"""
 
 import json
 import re
@@ -12,11 +15,11 @@ from rigidsym.errors import InputError
 
 
 class TraceError(LookupError):
-    """Error for a line, or an equation, that nothing can be traced to."""
+    """Error for a generated line or an equation that cannot be traced."""
 
 
 class _File(NamedTuple):
-    """A generated file: its lines, and the map of those that are derived."""
+    """Generated file, with its lines and the map of its derived lines."""
 
     name: str
     target: str
@@ -37,10 +40,10 @@ def _files() -> Iterator[_File]:
 
 
 def told(place: str) -> list[str]:
-    """Describe a generated line, given as FILE:LINE, or the lines of a FILE.
+    """Describe a generated line, or count a generated file's lines by kind.
 
-    For a line: code, kind, facts, definitions, readings, choices of signs, and equations.  For a
-    file: the numbers of lines by kind.  Raises TraceError where nothing is derived.
+    place: FILE:LINE or FILE.  A line is described by its code, kind, facts, definitions, readings,
+    choices of signs, and equations.  Raises TraceError where nothing is derived.
     """
     file, colon, number = place.rpartition(":")
     if colon and not (file and number.isdecimal()):
@@ -72,10 +75,9 @@ def _of_line(file: _File, line: int) -> list[str]:
 
 
 def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
-    """Return FILE:LINE and code of every generated line that rests on an equation.
+    """List all generated lines that rest on an equation, as FILE:LINE and code.
 
-    printed: the numbers of the paper, which say whether there is such an equation.  Raises
-    TraceError where there is no such line.
+    printed: the numbers of the paper's equations.  Raises TraceError where there is no such line.
     """
     wanted = number.strip().strip("()")
     behind: dict[str, list[str]] = {}
@@ -90,7 +92,7 @@ def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
 
 
 def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> str:
-    """Return the message for a number that no line rests on."""
+    """Return the error message for an equation that no generated line rests on."""
     shown = f"({number})" if number[:1].isdigit() else number
     if number in printed:
         others = f"; lines rest on {', '.join(traced)}"

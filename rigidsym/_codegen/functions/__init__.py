@@ -1,7 +1,4 @@
-"""Functions of a numeric module, made of the solution's formulas.
-
-A docstring "State x" means that the lets returned set names to x.
-"""
+"""Construction of a numeric module's functions from the formulas of the solution."""
 
 from rigidsym._codegen.functions.assembly import constants, finished, functions, stated
 

@@ -1,4 +1,4 @@
-"""Assembly of the functions that targets print.
+"""Assembly of the functions of each generated module, before they are printed.
 
 A motion's constants come from extended numbers: `_initial_state` finds the invariants and the
 descended functions at t = 0, and, by the modulus, `_circular_constants` or `_hyperbolic_constants`
@@ -31,16 +31,22 @@ from rigidsym.solution import Solution
 
 
 def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """Return all functions of a form; each calls only functions before it."""
+    """Return all functions of a form of the solution, optimised for printing.
+
+    Each calls only functions before it.
+    """
     return tuple(map(finished, stated(solution, form)))
 
 
 def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """Return all functions as they are stated, before anything is left out or shared."""
+    """Return all functions of a form before optimisation.
+
+    Unused lines are still there, and no common part is shared.
+    """
     carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
 
     def cited(let: Let) -> Let:
-        """Put the equations of a line's facts before its references."""
+        """Insert the paper's equations for an assignment's facts before its references."""
         equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
         return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
 
@@ -67,7 +73,7 @@ def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
 
 
 def _theta(solution: Solution) -> tuple[Function, ...]:
-    """Return the functions that the theta form alone has."""
+    """Return the functions that only the theta form has."""
     return (
         nome.root_ratio(),
         angles.half_turns(),
@@ -79,7 +85,7 @@ def _theta(solution: Solution) -> tuple[Function, ...]:
 
 
 def _pi(solution: Solution) -> tuple[Function, ...]:
-    """Return the functions that the Pi form alone has."""
+    """Return the functions that only the Pi form has."""
     return (
         angles.half_turns(),
         angles.logarithm(),
@@ -91,7 +97,7 @@ def _pi(solution: Solution) -> tuple[Function, ...]:
 
 
 def finished(function: Function) -> Function:
-    """Drop unused lines, replace powers by products, and share common parts."""
+    """Optimise a function: drop unused lines, expand powers, and share common subexpressions."""
     formulas = live(function.lets, function.results)
     done = replace(function, lets=share(products(formulas)), formulas=formulas)
     numbers = {constant.name for constant in constants() if constant.lo is not None}
@@ -100,7 +106,7 @@ def finished(function: Function) -> Function:
 
 @cache
 def constants() -> tuple[Constant, ...]:
-    """Return the named numbers that functions use."""
+    """Return the named numerical constants that generated functions use."""
     with mpmath.workdps(60):
         pi_hi, log_2 = float(mpmath.pi), float(mpmath.ln2)
         pi_lo, log_2_lo = float(mpmath.pi - pi_hi), float(mpmath.ln2 - log_2)

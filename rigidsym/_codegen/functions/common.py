@@ -1,9 +1,11 @@
-"""Functions that both forms of motions share: start, reduced time, branches, constant rates.
+"""Generated functions that the theta form and the Pi form share.
 
-The first functions are given the differences of the moments: what the moments are rounded to is not
-subtracted.  Axes are told by their numbers, 0, 1 and 2.  v is u_1 in half turns of 2 K_1; near the
-separatrix y is u_1 in units of 2 K_c/pi, K_c being the quarter period of the complementary modulus,
-and a half period of it is what grows without end.
+These compute the initial state, reduced times, the parts of a branch, and constant rates.
+
+The first functions take the differences of the moments as arguments, since differences of rounded
+moments would lose digits.  Axes are given by their numbers, 0, 1 and 2.  v is u_1 in half turns of
+2 K_1; near the separatrix y is u_1 in units of 2 K_c/pi, where K_c is the quarter period of the
+complementary modulus, and the half period of y grows without bound.
 """
 
 from collections.abc import Iterable
@@ -31,7 +33,10 @@ _QUATERNION = ("q0", "q1", "q2", "q3")
 
 
 def discriminant(solution: Solution) -> Function:
-    """Make the function of E_b, for any kind of numbers."""
+    """Build the function that computes the discriminant E_b = K^2 - 2 H c_b.
+
+    It takes numbers of any kind.
+    """
     parameters = ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d")
     lets = select(solution.sequences["constants"], ("E_b",), parameters)
     return Function(
@@ -40,14 +45,18 @@ def discriminant(solution: Solution) -> Function:
 
 
 def circulation(solution: Solution) -> Function:
-    """Make the function that decides which axis is a, or that the rates are constant."""
+    """Build the function that determines the axis about which the momentum circulates.
+
+    It returns 1 or -1 where this axis, a, has the largest or smallest moment, and 0 for constant
+    rates.
+    """
     lets = select(solution.sequences["decisions"], (ROOT,), (*GIVEN, *ONES))
     summary = "1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."
     return Function("_circulation", summary, GIVEN, specialise(lets, ONES), (ROOT,))
 
 
 def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
-    """Make the function of the quantities at t = 0 that both branches start from."""
+    """Build the function that computes the quantities at t = 0 that both branches need."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS, "tau")
     names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
@@ -65,7 +74,10 @@ def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
 
 
 def _signs(solution: Solution) -> list[Let]:
-    """State the handedness of the axes, and the signs of rounded numbers."""
+    """Return assignments that compute the sign constants of a motion.
+
+    These are the handedness of the axes and the signs of rounded numbers.
+    """
     given = ("c_ad", "Omega_a", "Omega_d")
     rounded = {name: parse(f"rounded({name})") for name in given}
     return [
@@ -78,7 +90,7 @@ def _signs(solution: Solution) -> list[Let]:
 
 
 def circular_time() -> list[Let]:
-    """Split v into whole half turns and the rest."""
+    """Return assignments that split the angle v into whole half turns and a remainder."""
     return [
         *reduction.product("p", "v_rate", extra="v_lo"),
         *reduction.total("v", "p", "v_hi"),
@@ -88,7 +100,10 @@ def circular_time() -> list[Let]:
 
 
 def hyperbolic_time(half_period: str) -> list[Let]:
-    """Reduce y by its nearest half period; `half_period` is the reference for that."""
+    """Return assignments that reduce y by the nearest multiple of its half period.
+
+    half_period: the reference for the half period.
+    """
     return [
         *reduction.product("p_y", "y_rate", extra="y0_lo"),
         let("periods = nearest((p_y + y0_hi)*period_inverse)", half_period),
@@ -100,7 +115,10 @@ def hyperbolic_time(half_period: str) -> list[Let]:
 
 
 def elapsed_time(half_period: str) -> list[Let]:
-    """Reduce y, which is 0 at t = 0, by its nearest half period to y + y_lo."""
+    """Return assignments that reduce the elapsed angle y by multiples of its half period.
+
+    y is 0 at t = 0.  The remainder is y + y_lo, a sum of two doubles.
+    """
     return [
         *reduction.product("p_y", "y_rate"),
         let("periods = nearest(p_y*period_inverse)", half_period),
@@ -113,7 +131,10 @@ def elapsed_time(half_period: str) -> list[Let]:
 
 
 def elapsed_phase(half_period: str) -> list[Let]:
-    """Reduce the phase by its nearest half period to z + z_lo, after `elapsed_time`."""
+    """Return assignments that reduce the phase z by multiples of its half period.
+
+    They follow those of `elapsed_time`.  The remainder is z + z_lo, a sum of two doubles.
+    """
     return [
         let("turns = nearest((p_y + z0_hi)*period_inverse)", half_period),
         *reduction.product("behind", "period", "turns", later=False),
@@ -126,7 +147,10 @@ def elapsed_phase(half_period: str) -> list[Let]:
 
 
 def hyperbolic_turns() -> list[Let]:
-    """Add the turns by Lambda and by half periods, as whole half turns and a rest."""
+    """Return assignments that add the turns by Lambda t and by the half periods of y.
+
+    The sum is a number of whole half turns and a remainder.
+    """
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
@@ -140,7 +164,10 @@ def hyperbolic_turns() -> list[Let]:
 
 
 def imaginary_phase(ladder: str) -> list[Let]:
-    """State sinh(y) at t = 0 by the ladder of the complementary modulus."""
+    """Return assignments that compute sinh(y) at t = 0.
+
+    ladder: the call of Landen's ladder with the complementary modulus.
+    """
     return [
         # Past K/2 the phase is reflected to K - u: sc(K - u) = cs(u)/k' (DLMF 22.4(iii)).
         let("size_s = size(s)", "DLMF 22.4.3"),
@@ -154,7 +181,10 @@ def imaginary_phase(ladder: str) -> list[Let]:
 
 
 def period_bounds(vanished: str, half_period: str) -> list[Let]:
-    """State the half period of y and its inverse; `vanished` is 0 on the separatrix."""
+    """Return assignments for the half period of y and its inverse.
+
+    vanished: the name of a quantity that is 0 on the separatrix.
+    """
     return [
         let(f"period_far = choose({vanished}, 0, never, rounded(period))", half_period),
         let(f"period_d = rounded(choose({vanished}, 0, 1, period))", half_period),
@@ -163,7 +193,10 @@ def period_bounds(vanished: str, half_period: str) -> list[Let]:
 
 
 def phase_at_start(*parity: str) -> list[Let]:
-    """State y at t = 0 by its hyperbolic sine; `parity` is the reference for its sign."""
+    """Return assignments that compute y at t = 0 from its hyperbolic sine.
+
+    parity: the references for the sign of y.
+    """
     return [
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
@@ -175,7 +208,7 @@ def phase_at_start(*parity: str) -> list[Let]:
 
 
 def phase() -> list[Let]:
-    """State the cosine and sine of Lambda t."""
+    """Return assignments that compute the cosine and sine of Lambda t."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
@@ -185,7 +218,7 @@ def phase() -> list[Let]:
 
 
 def flat(split: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of the doubles that carry extended numbers."""
+    """Return the names of the high and low doubles of extended numbers."""
     return tuple(f"{name}_{part}" for name in split for part in ("hi", "lo"))
 
 
@@ -201,7 +234,7 @@ def branch(
     in_state: tuple[str, ...],
     given: tuple[str, ...] = (*INITIAL, *ATTITUDE),
 ) -> tuple[Function, ...]:
-    """Make the functions of a branch: its constants, the angles at a time, and the state.
+    """Build the three functions of a branch: constants, angles at a time, and state.
 
     split, in_angles: the constants that angles take, as two doubles each and as one.  timed: the
     angles.  in_state: the constants that states take.  given: the extended numbers that constants
@@ -239,7 +272,7 @@ def branch(
 
 
 def steady(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and state for constant rates."""
+    """Build the functions that compute constants, angles and state for constant rates."""
     sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
     axis, start = ("axis1", "axis2", "axis3"), ("p0", "p1", "p2", "p3")

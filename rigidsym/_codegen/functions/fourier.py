@@ -1,6 +1,6 @@
-"""The state from sn, cn, dn and psi/2 that Fourier series give.
+"""State of a motion from Fourier series of sn, cn, dn and psi/2.
 
-No module flies by it: `rigidsym compare-forms` runs it beside those that do.
+No generated module uses it: `rigidsym compare-forms` compares it with the forms that are used.
 """
 
 from rigidsym._codegen.functions.assembly import finished
@@ -14,7 +14,7 @@ CONSTANTS = (*INERTIA, *AMPLITUDES, "K", "p_0", "p_a", "p_b", "p_d", "tau")
 
 
 def state(solution: Solution) -> Function:
-    """Make the function of rates and attitude, given sn, cn, dn and psi."""
+    """Build the function that computes rates and attitude from sn, cn, dn and psi/2."""
     signs = tuple(sign for sign in SIGNS if sign != "rho")
     given = (*SUMMED, *CONSTANTS, *signs)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)

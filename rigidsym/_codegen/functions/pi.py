@@ -1,4 +1,6 @@
-"""The Pi form: psi by one integral of the third kind, and no theta function.
+"""Pi form of the solution: psi from one elliptic integral of the third kind.
+
+It has no theta function.
 
 For k_1^2 <= 1/2 the mean slope of that integral goes into the rate of psi.  Above, up to the
 separatrix, psi is measured from the saddle, and u_1 from the nearest crossing of the middle axis'
@@ -59,12 +61,12 @@ PARTS = {"X_re": "turn_re", "X_im": "turn_im", "T_re": "arc_re", "T_im": "arc_im
 
 
 def level(name: str, n: int) -> str:
-    """Return the name of a quantity on a level of Landen's steps."""
+    """Return the name of a quantity at level n of Landen's transformation."""
     return name if n == 1 else f"{name}_{n}"
 
 
 def moduli(solution: Solution, modulus: str, complement: str) -> tuple[Let, ...]:
-    """State the moduli of all levels below the first by those of the first."""
+    """Return assignments that compute the moduli of all lower Landen levels from the first."""
     lets: tuple[Let, ...] = ()
     for n in range(1, LEVELS):
         step = select(solution.sequences["landen"], ("k_next", "kc_next"), ("k", "kc"))
@@ -75,7 +77,10 @@ def moduli(solution: Solution, modulus: str, complement: str) -> tuple[Let, ...]
 
 
 def ascent(solution: Solution, modulus: str, functions: tuple[str, ...]) -> tuple[Let, ...]:
-    """State functions of the first level by those of the last, where dn is 1."""
+    """Return assignments that compute Jacobi functions by Landen's ascending transformation.
+
+    They lead from the last level, where dn is 1, to the first.
+    """
     lets: tuple[Let, ...] = ()
     for n in reversed(range(1, LEVELS)):
         names = {name: level(name, n) for name in (*functions, "inside")}
@@ -86,7 +91,10 @@ def ascent(solution: Solution, modulus: str, functions: tuple[str, ...]) -> tupl
 
 
 def state(solution: Solution) -> tuple[Let, ...]:
-    """State rates and attitude by s, c, d and the cosine and sine of psi/2."""
+    """Return assignments that compute rates and attitude.
+
+    They use s, c, d and the cosine and sine of psi/2.
+    """
     given = ("s", "c", "d", *HALF, *KEPT)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)
     units = (let(f"{rate} = unit*{INNER[rate]}") for rate in RATES)
@@ -94,7 +102,7 @@ def state(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution) -> tuple[Let, ...]:
-    """State tau and the constant left factor p of the attitude."""
+    """Return assignments for tau and the constant left factor p of the attitude."""
     given = ("K", "epsilon", "sigma", "rho", *HALF, *INERTIA, *RATES, *ATTITUDE)
     return select(solution.sequences["constants"], ("tau", *FRONT), given)
 
@@ -107,7 +115,10 @@ def _branch(
     kept: tuple[str, ...],
     split: tuple[str, ...],
 ) -> tuple[Function, ...]:
-    """Make constants, angles and state, which is the same on both branches."""
+    """Build the functions for the constants, angles and state of a branch.
+
+    The state has the same formulas on both branches.
+    """
     given = (*GIVEN, *INERTIA, *RATES, *ATTITUDE)
     return branch(
         name,
@@ -123,7 +134,7 @@ def _branch(
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and state of the circular branch."""
+    """Build the functions for the constants, angles and state of the circular branch."""
     constants, angles = _circular_constants(solution), _circular_angles(solution)
     return _branch("circular", solution, constants, angles, _CIRCULAR_KEPT, _CIRCULAR_SPLIT)
 
@@ -174,7 +185,10 @@ def _circular_angles(solution: Solution) -> list[Let]:
 
 
 def numbers() -> list[Constant]:
-    """Return the named numbers for great depths: `deepest` and `least_c`."""
+    """Return the named constants for arguments at which tanh is 1 and sech is 0.
+
+    They are `deepest` and `least_c`.
+    """
     return [
         Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is 0"),
         Constant("least_c", 1e-45, None, "stands for sech where that is 0"),
@@ -182,7 +196,7 @@ def numbers() -> list[Constant]:
 
 
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and state of the hyperbolic branch."""
+    """Build the functions for the constants, angles and state of the hyperbolic branch."""
     constants, angles = _hyperbolic_constants(solution), _hyperbolic_angles(solution)
     return _branch("hyperbolic", solution, constants, angles, _HYPERBOLIC_KEPT, _HYPERBOLIC_SPLIT)
 
@@ -218,7 +232,10 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _rest_at_start() -> list[Let]:
-    """State psi/2 at t = 0 from the nearer end of the quarter period, without the arctangent."""
+    """Return assignments for psi/2 at t = 0 without its arctangent part.
+
+    It is measured from the nearer end of the quarter period.
+    """
     return [
         let("near_s = rounded(choose(far, near, size_s, c/d))", _REFLECTED),
         let("near_c = rounded(choose(far, near, c, kc_1*size_s/d))", _REFLECTED),
@@ -233,7 +250,10 @@ def _rest_at_start() -> list[Let]:
 
 
 def _rest(one: str, other: str) -> list[Let]:
-    """State psi/2 without the arctangent: from the crossing if one <= other, else the saddle."""
+    """Return assignments for psi/2 without its arctangent part.
+
+    It is measured from the crossing if `one` <= `other`, else from the saddle.
+    """
     return [
         let("from_crossing = g_1*w + g_2*third"),
         let("from_saddle = alpha - (g_1*w + h_2*third)"),
@@ -242,7 +262,10 @@ def _rest(one: str, other: str) -> list[Let]:
 
 
 def _turn(solution: Solution, names: Mapping[str, str]) -> tuple[Let, ...]:
-    """State cosine and sine of the arctangent, with functions under other names."""
+    """Return assignments for the cosine and sine of the arctangent part of psi/2.
+
+    names: other names for the quantities in its formulas.
+    """
     given = ("z", "slope", "delta", "n", "rho", "s", "c", "d")
     lets = select(solution.sequences["pi_hyperbolic"], ("T_re", "T_im"), given)
     return renamed(lets, names)
@@ -283,14 +306,17 @@ def _hyperbolic_angles(solution: Solution) -> list[Let]:
 
 
 def _half_psi(solution: Solution) -> tuple[Let, ...]:
-    """State cosine and sine of psi/2 by those of its two parts."""
+    """Return assignments that combine the two parts of psi/2 into its cosine and sine."""
     parts = ("X_re", "X_im", "T_re", "T_im")
     lets = select(solution.sequences["pi_hyperbolic"], tuple(HALF), parts)
     return renamed(lets, PARTS | HALF)
 
 
 def _functions() -> list[Let]:
-    """State s, c and d of u_1 by their values from the nearer end of the quarter period."""
+    """Return assignments that compute the Jacobi functions s, c and d of u_1.
+
+    They use the values at the nearer end of the quarter period.
+    """
     return [
         let("over_d = 1/near_d", _REFLECTED),
         let("size_s = choose(depth, quarter, near_size, near_c*over_d)", _REFLECTED),

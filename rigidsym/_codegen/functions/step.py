@@ -1,4 +1,4 @@
-"""Functions of one step from any state, and of the kick by a torque.
+"""Generated functions of the step form: one torque-free step, and the torque of a kick.
 
 Start at t/2^STEPS, where short series suffice, then double.  Numbers that angles and rates grow
 from are extended.  Corrections of them are doubles, except in the last doublings: for thin bodies
@@ -37,17 +37,23 @@ _HALF = {"cos_half_psi": "turn_re", "sin_half_psi": "turn_im"}
 
 
 def step(solution: Solution) -> tuple[Function, ...]:
-    """Return all functions of a step, in the order in which they are used."""
+    """Return all functions of the step form, in the order of their use."""
 
     def lets(sequence: str, results: Iterable[str], *given: str) -> tuple[Let, ...]:
         return select(solution.sequences[sequence], results, given)
 
     def sum_of_angles(**names: str) -> tuple[Let, ...]:
-        """State cosine and sine of the sum of two angles, by other names."""
+        """Return assignments for the cosine and sine of the sum of two angles.
+
+        names: the names of the quantities, by those in the formula.
+        """
         return renamed(lets("thirds", ("P_re", "P_im"), "T_re", "T_im", "E_re", "E_im"), names)
 
     def second_half(w_re: str, w_im: str) -> list[Let]:
-        """State psi/2 at twice the time by that at half of it, and the projection there."""
+        """Return assignments for psi/2 at twice the time.
+
+        They use psi/2 and the momentum's projection at the time itself.
+        """
         factor = lets("projection", ("G_re", "G_im"), "h", "z_re", "z_im", "X")
         return [
             *renamed(factor, {"z_re": w_re, "z_im": w_im}),
@@ -222,7 +228,10 @@ def _function(
     doubles: tuple[str, ...] = (),
     split: bool = False,
 ) -> Function:
-    """Make a function of extended numbers and doubles, with extended results if `split`."""
+    """Build one function of the step form, with doubles and extended numbers as parameters.
+
+    Its results are extended numbers if `split`.
+    """
     return Function(
         f"_step_{name}",
         summary,

@@ -1,7 +1,8 @@
-"""The theta form: the state by thetas of real time or, near the separatrix, imaginary time.
+"""Theta form of the solution: the state from theta functions of real or imaginary time.
 
-What does not change with time is multiplied out beforehand: every component of the attitude is
-linear in the parts P4 and P1 over N, and every rate is a constant times a quotient of thetas.
+Imaginary time serves motions near the separatrix.  Factors that do not change with time are
+multiplied out beforehand: every component of the attitude is linear in the parts P4 and P1 over N,
+and every rate is a constant times a quotient of thetas.
 """
 
 from collections.abc import Iterable
@@ -39,7 +40,7 @@ _LADDER = "K_c, sin_a, cos_a, Y_b = _ladder(kc_1, k_1, s_beta, c_beta, d_beta, k
 
 
 def secular(solution: Solution) -> list[Let]:
-    """State the rate of the phase in half turns."""
+    """Return assignments for the rate Lambda of the phase, in half turns."""
     given = ("psi_0", "rho", "mu", "zeta")
     return [
         *select(solution.sequences["theta"], ("Lambda",), given),
@@ -48,13 +49,16 @@ def secular(solution: Solution) -> list[Let]:
 
 
 def parts(solution: Solution) -> tuple[Let, ...]:
-    """State e^(i Lambda t) times theta_4 and theta_1."""
+    """Return assignments for the products of e^(i Lambda t) with theta_4 and theta_1."""
     given = ("X_re", "X_im", "T4_re", "T4_im", "T1_re", "T1_im")
     return select(solution.sequences["circular_state"], PARTS, given)
 
 
 def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
-    """State the constant left factor, and the rows of q_x = (sum of row times part) * scale."""
+    """Return assignments for the constant factors of the attitude: left factor and rows.
+
+    A component is q_x = (sum of row times part) * scale.
+    """
     sequence = solution.sequences["circular_state"]
     pull_back = solution.sequences["pull_back"]
     bars = tuple(name.replace("q_", "qbar_") for name in ATTITUDE)
@@ -70,13 +74,16 @@ def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[
 
 
 def _linear(solution: Solution) -> tuple[Let, ...]:
-    """Return the attitude, linear in the parts over N."""
+    """Return assignments for the attitude as a linear function of the theta parts over N."""
     given = (*_FRONT, *PARTS, "N", *SIGNS)
     return inlined(select(solution.sequences["circular_state"], ATTITUDE, given), ATTITUDE)
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
-    """State the factor of each part in each component, times over_N."""
+    """Return assignments for the factor of each theta part in each attitude component.
+
+    The factors are multiplied by over_N.
+    """
     rows = []
     for formula in attitude:
         for part in PARTS:
@@ -88,16 +95,17 @@ def _rows(attitude: Iterable[Let]) -> list[Let]:
 
 
 def _rates(solution: Solution) -> dict[str, Let]:
-    """Return the rates, keyed by the Jacobi function that each is proportional to."""
+    """Map each Jacobi function to the rate that is proportional to it."""
     given = ("sn", "cn", "dn", "sigma", "chi", "tau", *AMPLITUDES)
     rates = select(solution.sequences["rates"], RATES, given)
     return dict(zip(("dn", "sn", "cn"), rates, strict=True))
 
 
 def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
-    """State the factor of the quotient of thetas in each rate (DLMF 22.2.4 to 22.2.6).
+    """Return assignments for the constant factor of each rate.
 
-    `unit` is the power of two, in 1/s, that inner rates are times.
+    The other factor of a rate is a quotient of thetas (DLMF 22.2.4 to 22.2.6).  `unit` is the power
+    of two, in 1/s, by which inner rates are multiplied.
     """
     lets = list(select(solution.sequences["constants"], ("tau",), SIGNS))
     for name, rate in _rates(solution).items():
@@ -110,7 +118,7 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
 
 
 def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
-    """State attitude and rates by parts, rows, gains and thetas."""
+    """Return assignments that compute attitude and rates from parts, rows, gains and thetas."""
     lets = []
     for x in ("0", *AXES):
         first, second, third, fourth = (f"row_{x}_{part}*{part}" for part in PARTS)
@@ -132,7 +140,7 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
 
 
 def circular(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and state of the circular branch."""
+    """Build the functions for the constants, angles and state of the circular branch."""
     kept = [
         name
         for form in ("T4_re", "T4_im", "T1_re", "T1_im", "even", "odd", "sine_even", "sine_odd")
@@ -183,7 +191,7 @@ def _circular_constants(solution: Solution) -> list[Let]:
 
 
 def hyperbolic(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and state of the hyperbolic branch."""
+    """Build the functions for the constants, angles and state of the hyperbolic branch."""
     kept = [f"{part}_{n}" for part in ("re", "im") for n in range(theta_hyperbolic.STATE)]
     kept += ["nome", "nome2", "nome4", "nome8", "nome12"]
     return branch(
@@ -226,7 +234,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _phase_at_initial_state() -> list[Let]:
-    """State y and its exponentials at t = 0, and the period of y."""
+    """Return assignments for y and its exponentials at t = 0, and for the period of y."""
     return [
         # On the separatrix the nome is zero and nothing ever returns.
         let("nome_d = rounded(nome)", "DLMF 20.2.2"),

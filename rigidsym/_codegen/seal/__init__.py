@@ -1,4 +1,4 @@
-"""The seal: the kernel decides that the printed code is the derived code, formula by formula.
+"""Proof by the kernel that printed code equals the derived formulas.
 
 Code generation selects, renames, shares, folds and multiplies out.  Each module here undoes some of
 these and compares with the ledger, or with what a special function states:
@@ -28,9 +28,10 @@ __all__ = ["is_equal", "seal", "seal_text"]
 
 
 def seal(solution: Solution, form: str = THETA) -> int:
-    """Decide all formulas of the generated code with the kernel; return the number of decisions.
+    """Prove with the kernel that generated code equals the derived formulas.
 
-    Raises InputError, naming it, for the first formula that the lines do not give.
+    Returns the number of claims that were decided.  Raises InputError, naming the formula, for the
+    first formula that the lines do not give.
     """
     origin = stated(solution, form)
     every = tuple(map(finished, origin))

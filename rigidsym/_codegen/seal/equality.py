@@ -1,6 +1,7 @@
 """Equality of expressions as rational functions, decided in a ring of the kernel.
 
-Calls are names there: equal ones have equal names.  A `Claim` is one such decision.
+Function calls are names in this ring: equal calls have equal names.  A `Claim` is one such
+decision.
 """
 
 from collections.abc import Iterable
@@ -41,7 +42,7 @@ def is_equal(left: Expression, right: Expression) -> bool:
 
 
 def _by_names(expression: Expression, atoms: dict[Call, str]) -> Expression:
-    """Replace calls by names, equal calls by the same name."""
+    """Replace each function call in an expression by a name, equal calls by the same name."""
     parts = tuple(_by_names(part, atoms) for part in children(expression))
     match rebuild(expression, parts):
         case Call("neg", (operand,)):
@@ -53,7 +54,10 @@ def _by_names(expression: Expression, atoms: dict[Call, str]) -> Expression:
 
 
 def _atom(call: Call, atoms: dict[Call, str]) -> str:
-    """Return the name of a call; calls of one function with equal arguments share a name."""
+    """Return the name that stands for a function call.
+
+    Calls of one function with equal arguments share a name.
+    """
     for other, name in atoms.items():
         alike = other.function == call.function and len(other.arguments) == len(call.arguments)
         if alike and all(map(is_equal, call.arguments, other.arguments)):
@@ -69,7 +73,7 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
-    """Open a ring of the kernel with primes as its sample point."""
+    """Open a ring of the kernel over the given names, with primes as its sample point."""
     primes = (n for n in count(101) if all(n % d for d in range(2, isqrt(n) + 1)))
     witness = dict(zip(generators, map(str, primes), strict=False))
     return Context("seal", tuple(generators), witness, units=units).open()
@@ -85,11 +89,17 @@ class Claim:
     printed: Expression
 
     def decide(self) -> None:
-        """Raise InputError, naming place and formula, unless both are equal."""
+        """Raise InputError unless the printed form equals the derived form.
+
+        The error names the place and the formula.
+        """
         if not is_equal(self.derived, self.printed):
             raise InputError(self.place, self.formula, DIFFERS)
 
 
 def formulas_of(lets: tuple[Let, ...]) -> dict[str, Expression]:
-    """Return the expressions of lets with one target, by its name."""
+    """Map the target of each assignment to its expression.
+
+    Assignments with several targets are left out.
+    """
     return {let.targets[0]: let.expression for let in lets if len(let.targets) == 1}

@@ -1,6 +1,7 @@
-"""Claims that each formula equals the fact of the ledger that it names.
+"""Claims that each generated formula equals the fact of the ledger that it cites.
 
-The renaming in `rigidsym._codegen` is what is decided: these tables are written down apart from it.
+The claims check the renaming in `rigidsym._codegen`, so these tables are written independently of
+it.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -52,7 +53,7 @@ _LAST = 5
 
 @dataclass(frozen=True, slots=True)
 class Meanings:
-    """Tables that translate the ledger's names into those of functions.
+    """Tables that translate names in the ledger into names in generated functions.
 
     by_context: by function and context, the meanings of the context's names there.  parts: by
     function, formulas that are a part of their fact; `states` puts the parts together and decides
@@ -213,7 +214,9 @@ OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 
 
 def level(target: str, name: str, letters: tuple[str, str]) -> Names:
-    """Return the names on the Landen step that sets a target; levels are numbered from 1.
+    """Map the ledger's names for a Landen step to the names on the level of a target.
+
+    Levels are numbered from 1.
 
     >>> level("k_3", "k_next", ("k", "kc"))["kc"], level("s", "s", ("k", "kc"))["s_next"]
     ('kc_2', 's_2')
@@ -232,7 +235,7 @@ def level(target: str, name: str, letters: tuple[str, str]) -> Names:
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Yield a claim for each formula that names a fact."""
+    """Yield a claim for each generated formula that cites a fact of the ledger."""
     ledger, names = by_fact(solution), OF[form]
     for function in functions:
         parts = names.parts.get(function.name, ())
@@ -247,12 +250,12 @@ def claims(solution: Solution, functions: Iterable[Function], form: str = THETA)
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
-    """Return all formulas, keyed by their facts in the ledger."""
+    """Map each fact of the ledger to its formula."""
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
 def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
-    """Return the names that a function sets and the ledger proves."""
+    """Return the quantities of a function for which the ledger has proved formulas."""
     if place == "_ladder":
         return {f"K{n}" for n in range(landen.STEPS)}
     found = set()
@@ -265,7 +268,7 @@ def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
 
 
 def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
-    """Check that the facts of a line have the equations of the paper that it names."""
+    """Check that an assignment cites only equations of the paper that its facts carry."""
     for fact in let.facts:
         if fact not in ledger:
             raise InputError(place, let, f"{fact}: the ledger has no such formula")
@@ -286,7 +289,7 @@ def _claim(place: str, let: Let, formula: Formula, names: Meanings) -> Claim:
 
 
 def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
-    """Replace calls of standard functions by their values."""
+    """Replace calls of standard functions by the quantities that hold their values."""
     if expression in values:
         return values[expression]
     return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))

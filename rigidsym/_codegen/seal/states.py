@@ -1,8 +1,9 @@
-"""Claims that rows, gains and states together are the ledger's attitude and rates.
+"""Claims that the generated attitude and rates equal those of the ledger.
 
-The constants multiply constants out; the state sums them up.  Put into each other they are the
-formulas of the ledger, where 1/N is the product of over_N and scale, Jacobi's functions are
-quotients of thetas, and rates are in the unit.
+Generated constants (rows and gains) collect the factors that do not change with time; the generated
+state sums their products.  Substituted into each other they are the formulas of the ledger, where
+1/N is the product of over_N and scale, Jacobi's functions are quotients of thetas, and rates are in
+the unit.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
@@ -45,7 +46,7 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
-    """Yield the claims on attitude, norm, phase and rates of each branch."""
+    """Yield the claims on the attitude, norm, phase and rates of each branch."""
     if form == STEP:
         return
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
@@ -79,7 +80,10 @@ def _attitude(
 def _norm(
     branch: str, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Claim:
-    """Return the claim (over_N scale)^2 W = 1, where both factors are positive and W = N^2."""
+    """Return the claim that the norm's factors satisfy (over_N scale)^2 W = 1, where W = N^2.
+
+    Both factors are positive.
+    """
     scale = put(state["scale"], {"over": state["over"]})
     product = Operation("*", _squared(branch, constants["over_N"]), _squared(branch, scale))
     square = Operation("*", product, constants["W"])
@@ -87,7 +91,7 @@ def _norm(
 
 
 def _squared(place: str, positive: Expression) -> Expression:
-    """Return the square of a root, of a quotient of roots, or of 1."""
+    """Return the square of a positive expression: a root, a quotient of roots, or 1."""
     match positive:
         case Call("sqrt", (radicand,)):
             return radicand
@@ -127,7 +131,7 @@ def _rates(
 def _steady(
     solution: Solution, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Iterator[Claim]:
-    """Yield the claims that half the angle of constant rates is the phase."""
+    """Yield the claims that the phase of constant rates is half their rotation angle."""
     ledger = by_fact(solution)
     angle = {"theta": ledger["definition steady.theta"].expression}
     phase = {n: put(parse(x), {"Lambda_rate": constants["Lambda_rate"]}) for n, x in _PHASE.items()}

@@ -1,4 +1,4 @@
-"""Checks of functions: order of names, interfaces, and lines after sharing is undone."""
+"""Checks of generated functions: order of definitions, interfaces, and shared parts."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -80,7 +80,7 @@ _STEPS = {
 
 
 def check_order(functions: Iterable[Function], numbers: set[str]) -> None:
-    """Raise InputError for the first line that uses a name or a function before it is set."""
+    """Raise InputError for the first line that uses a name or function before its definition."""
     called: dict[str, Function] = {}
     for function in functions:
         for lets in (function.formulas, function.lets):
@@ -114,7 +114,7 @@ def _check_names(function: Function, lets: tuple[Let, ...], numbers: set[str]) -
 
 
 def _check_calls(place: str, let: Let, known: dict[str, Function]) -> None:
-    """Check that calls have as many arguments and results as the functions called."""
+    """Check that each call has the number of arguments and results of the function called."""
     whole = let.expression
     if len(let.targets) > 1 and not (isinstance(whole, Call) and whole.function in known):
         raise InputError(place, let, "several names are set by no function that returns several")
@@ -137,7 +137,7 @@ def _calls(expression: Expression) -> Iterator[Call]:
 
 
 def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
-    """Raise InputError for a function with another interface than the runtimes expect."""
+    """Raise InputError for a function whose interface differs from what the runtimes expect."""
     by_name = {function.name: function for function in functions}
     if form == STEP:
         for name, (parameters, results) in _STEPS.items():
@@ -160,7 +160,10 @@ def check_interfaces(functions: Iterable[Function], form: str = THETA) -> None:
 
 
 def _check_branch(branch: str, functions: Mapping[str, Function]) -> None:
-    """Check that angles take times, states take angles, and both take constants."""
+    """Check the parameters of a branch's functions.
+
+    Angles take times, states take angles, and both take constants.
+    """
     constants, angles, state = (
         functions[f"_{branch}_{part}"] for part in ("constants", "angles", "state")
     )
@@ -182,7 +185,7 @@ def _among(name: str, what: str, found: Iterable[str], known: Iterable[str]) -> 
 
 
 def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) -> Iterator[Claim]:
-    """Yield a claim for each formula that its lines give it."""
+    """Yield the claims that printed lines with shared parts still give the stated formulas."""
     for origin, function in zip(stated, functions, strict=True):
         _check_stated(origin, function)
         _check_shared(function)
@@ -200,7 +203,10 @@ def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) ->
 
 
 def _check_stated(origin: Function, function: Function) -> None:
-    """Check that formulas are those stated, of which some may be left out."""
+    """Check that a function has only formulas that were stated, in their order.
+
+    Some of these may be left out.
+    """
     later = iter(origin.lets)
     for formula in function.formulas:
         if formula not in later:
@@ -210,7 +216,7 @@ def _check_stated(origin: Function, function: Function) -> None:
 
 
 def _check_shared(function: Function) -> None:
-    """Check that a shared part names exactly the facts of the lines that use it."""
+    """Check that each shared part cites exactly the facts of the lines that use it."""
     formulas = {formula.targets[0] for formula in function.formulas}
     users: dict[str, set[str]] = {}
     for let in reversed(function.lets):

@@ -19,11 +19,11 @@ _NOTE = re.compile(rf"(?:  # | /\* )((?:{'|'.join(KINDS)})\b.*?)(?: \*/)?$")
 
 
 def seal_text(generated: Generated, solution: Solution) -> int:
-    """Read the files of a module back; return the number of derived lines.
+    """Check the files of a generated module by reading them back.
 
-    Raises InputError, naming function or line, where one is not what the lets say or the map tells,
-    where what is written by hand is not what the package brings, and where a digest is that of
-    other files.
+    Returns the number of derived lines.  Raises InputError, naming the function or line, for a line
+    that differs from its let or its entry in the map, for hand-written text that differs from the
+    package's, and for a digest of other files.
     """
     target, form = split(generated.manifest["target"])
     decided = reader(target)(generated.files, functions(solution, form), constants(), form)
@@ -34,7 +34,7 @@ def seal_text(generated: Generated, solution: Solution) -> int:
 
 @dataclass(frozen=True)
 class Between:
-    """The text between two hand-written parts of a file, and the number of its first line."""
+    """Text between two hand-written parts of a file, with the number of its first line."""
 
     file: str
     line: int
@@ -45,15 +45,16 @@ class Between:
         return self.text.split("\n")
 
     def at(self, line: int) -> str:
-        """Return a line by its number in the file."""
+        """Return the line with a given number in the file."""
         return self._lines[line - self.line]
 
 
 def between(file: str, text: str, module: str, first: str, last: str) -> Between:
-    """Return the text of a file of a module, given by its key, between its first and last part.
+    """Return the generated text between the hand-written first and last part of a file.
 
-    The marks of both for digest and measured errors are filled as in the text.
-    Raises InputError, naming the line, where a part is not there word for word.
+    module: the key of the module.  Placeholders for digest and measured errors in both parts are
+    filled as in the text.  Raises InputError, naming the line, where a part is not there word
+    for word.
     """
     digest = header.digest_in(file, text)
     first, last = (header.filled(part, module, digest) for part in (first, last))
@@ -76,7 +77,7 @@ def _check_by_hand(file: str, lines: list[str], number: int, wanted: str) -> Non
 
 
 def _check_digests(generated: Generated) -> None:
-    """Raise InputError if a digest is not that of the files."""
+    """Raise InputError if a digest in the manifest does not match the files."""
     manifest, files = generated.manifest, dict(generated.files)
     found = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     for name in sorted({*found, *manifest["sha256"]}):
@@ -89,7 +90,7 @@ def _check_digests(generated: Generated) -> None:
 
 
 def _check_places(generated: Generated) -> None:
-    """Raise InputError for the first line whose comment and map differ."""
+    """Raise InputError for the first line whose comment differs from its entry in the map."""
     for file, text in generated.files.items():
         told = {place["line"]: place for place in generated.map.get(file, ())}
         found = {number: _NOTE.search(x) for number, x in enumerate(text.split("\n"), 1)}

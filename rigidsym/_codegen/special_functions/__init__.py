@@ -1,1 +1,1 @@
-"""Special functions as lets: each module builds straight-line code and bounds its error."""
+"""Special functions as straight-line code, with bounds of their truncation errors."""

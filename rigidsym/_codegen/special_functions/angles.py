@@ -1,4 +1,4 @@
-"""Arctangent and logarithm of extended numbers, by series after algebraic halvings.
+"""Arctangent and logarithm of extended numbers, by argument halving and series.
 
 The first terms are extended numbers; the rest, below 2^-53 of the sum, are doubles.  What the
 series leave out is below 2^-106 of the sum: `series_tail` bounds it.
@@ -17,13 +17,16 @@ LOGARITHM = "DLMF 4.38.5"
 
 
 def series_tail() -> Fraction:
-    """Bound sum_{n >= TERMS} x^(2 n)/(2 n + 1) where x is at most LARGEST."""
+    """Bound the truncation error of the series for the arctangent and the logarithm.
+
+    It is sum_{n >= TERMS} x^(2 n)/(2 n + 1) where x is at most LARGEST.
+    """
     square = LARGEST**2
     return square**_TERMS / (2 * _TERMS + 1) / (1 - square)
 
 
 def constants() -> list[Constant]:
-    """Return the named numbers 1/3, 1/5, ... of the series."""
+    """Return the named constants 1/3, 1/5, and so on, the coefficients of the series."""
     found = []
     for n in range(3, 2 * _TERMS, 2):
         rest = float(Fraction(1, n) - Fraction(1 / n)) if n <= 2 * _EXTENDED + 1 else None
@@ -32,7 +35,10 @@ def constants() -> list[Constant]:
 
 
 def half_turns() -> Function:
-    """Make the function of theta/pi, given s = sin(theta) and c = cos(theta) >= 0."""
+    """Build the function that computes theta/pi from the sine and cosine of theta.
+
+    s is the sine; c is the cosine, which must not be negative.
+    """
     lets = [let("t1 = s/(1 + c)", "DLMF 4.21.28")]
     lets += [let(f"t{k + 1} = t{k}/(1 + sqrt(1 + t{k}*t{k}))", "DLMF 4.21.28") for k in range(1, 4)]
     lets += _series("t4", "-", ARCTAN)
@@ -42,7 +48,7 @@ def half_turns() -> Function:
 
 
 def logarithm() -> Function:
-    """Make the function log x for x > 0."""
+    """Build the function that computes log(x) for x > 0."""
     lets = [
         let("e = exponent(x)", "DLMF 4.8"),
         let("f = sqrt(mantissa(x))", "DLMF 4.8"),
@@ -55,7 +61,10 @@ def logarithm() -> Function:
 
 
 def _series(variable: str, sign: str, source: str) -> list[Let]:
-    """State 1 +- z/3 + z^2/5 +- ..., where z is the square of the variable."""
+    """Return assignments that sum the series of the arctangent or the logarithm.
+
+    It is 1 + z/3 + z^2/5 + ..., where z is plus or minus the square of the variable.
+    """
     names = [f"over_{2 * n + 1}" for n in range(1, _TERMS)]
     return [
         let(

@@ -1,4 +1,4 @@
-"""The integral of the third kind by Carlson's R_J with a fixed number of duplications.
+"""Elliptic integral of the third kind by Carlson's duplication, in a fixed number of steps.
 
     integral of s^2/(1 - n s^2) du = (s^3/3) R_J(c^2, d^2, 1, 1 - n s^2)        (DLMF 19.25.14)
 
@@ -23,7 +23,7 @@ _DOUBLING, _TAYLOR, _ELEMENTARY = "DLMF 19.36.1", "DLMF 19.36.2", "DLMF 19.2.17"
 
 
 def third_kind() -> Function:
-    """Make the function (s^3/3) R_J(c^2, d^2, 1, p) for c, d, p > 0.
+    """Build the function that computes (s^3/3) R_J(c^2, d^2, 1, p) for c, d, p > 0.
 
     spread: (p - c^2)(p - d^2)(p - 1)/s^6.
     """
@@ -49,7 +49,10 @@ def third_kind() -> Function:
 
 
 def _duplication(n: int) -> list[Let]:
-    """State one duplication: roots, the addition by R_C, and the next x, y, z, p and mean."""
+    """Return assignments for one duplication step of Carlson's R_J.
+
+    They compute the roots, the term by R_C, and the next x, y, z, p and mean.
+    """
     roots = [let(f"root_p_{n} = sqrt(p_{n})", _DOUBLING)]
     names = {"x": "c", "y": "d", "z": "1"} if n == 0 else {x: f"root_{x}_{n}" for x in "xyz"}
     if n:
@@ -72,12 +75,18 @@ def _duplication(n: int) -> list[Let]:
 
 
 def _arctangent(variable: str, terms: int) -> str:
-    """Return arctan(root(e))/root(e) = 1 - e/3 + e^2/5 - ..., which is R_C(1, 1 + e)."""
+    """Format the series of arctan(root(e))/root(e), which is R_C(1, 1 + e).
+
+    It is 1 - e/3 + e^2/5 - ...
+    """
     return horner(variable, ["1", *(f"({(-1) ** n})/{2 * n + 1}" for n in range(1, terms))])
 
 
 def _taylor() -> list[Let]:
-    """State the remainder of R_J, over 3, as a series in elementary symmetric functions."""
+    """Return assignments for the Taylor part of R_J after all duplications.
+
+    It is a third of what remains of R_J, by a series in elementary symmetric functions.
+    """
     share, mean = 4**STEPS, f"mean_{STEPS}"
     return [
         let(f"scale = 1/({share}*{mean})", _TAYLOR),

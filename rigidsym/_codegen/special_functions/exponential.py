@@ -1,4 +1,4 @@
-"""A polynomial for e^x, x <= 0, with a proved error bound.
+"""Polynomial approximation of e^x for x <= 0, with a proved error bound.
 
     e^x = 2^n e^r,    n = the whole number nearest to x/log 2,    r = x - n log 2
     e^r = 1 + (r + r^2 (1/2 + r E(r))),    |r| <= 0.3467
@@ -27,7 +27,10 @@ _NAMES = [f"exponential_{k}" for k in range(TERMS)]
 
 
 def function() -> Function:
-    """Make the function e^x for x <= 0 without branches, so that loops vectorise."""
+    """Build the function that computes e^x for x <= 0 without branches.
+
+    Loops that call it can be vectorised.
+    """
     lets = (
         let("bounded = choose(least, x, x, least)", "DLMF 4.8"),
         let("n = nearest(bounded*log_2_inverse)", "DLMF 4.8"),
@@ -40,7 +43,7 @@ def function() -> Function:
 
 
 def constants() -> list[Constant]:
-    """Return the named numbers: coefficients, and log 2 in two parts."""
+    """Return the named constants of the exponential: coefficients, and log 2 in two parts."""
     with mpmath.workdps(DIGITS):
         short = mpmath.floor(mpmath.ln2 * 2**_SHORT) / 2**_SHORT
         numbers = {
@@ -57,7 +60,10 @@ def constants() -> list[Constant]:
 
 @cache
 def coefficients(count: int) -> tuple[float, ...]:
-    """Return the first `count` coefficients of E as doubles."""
+    """Return `count` coefficients of the polynomial E in the approximation of e^r.
+
+    They are doubles, lowest first.
+    """
 
     def tail(r: mpmath.mpf) -> mpmath.mpf:
         return sum(r**n / mpmath.factorial(n + 3) for n in range(60))
@@ -67,7 +73,10 @@ def coefficients(count: int) -> tuple[float, ...]:
 
 
 def bound(terms: Sequence[float]) -> float:
-    """Return a bound of |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r."""
+    """Bound the relative error of the polynomial approximation of e^r.
+
+    It is |1 + r + r^2/2 + r^3 E(r) - e^r|/e^r.
+    """
     return distance(
         terms,
         lambda k: arb(1) / factorial(k + 3),

@@ -1,9 +1,10 @@
-"""Landen's transformation and complete integrals, each by a fixed number of steps.
+"""Landen's transformation and complete elliptic integrals, by fixed numbers of steps.
 
-Landen's descends from moduli with k^2 <= 1/2.  Complete integrals are by the arithmetic-geometric
-mean, for every modulus that is not 1: K = pi/(2 M(1, k')), and the mean slope of J,
-J_c/K = (Pi(n)/K - 1)/n, is a sum of Q_0 = 1, Q_1, ... over 2 (1 - n) (DLMF 19.8.6).  For k' near 1
-a few steps would do; for small k' each step halves the logarithm before the means agree.
+Landen's transformation descends from moduli with k^2 <= 1/2.  Complete integrals are computed by
+the arithmetic-geometric mean, for every modulus that is not 1: K = pi/(2 M(1, k')), and the mean
+slope of J, J_c/K = (Pi(n)/K - 1)/n, is a sum of Q_0 = 1, Q_1, ... over 2 (1 - n) (DLMF 19.8.6).
+For k' near 1 a few steps would do; for small k' each step halves the logarithm before the means
+agree.
 """
 
 from fractions import Fraction
@@ -23,7 +24,7 @@ _MEANS_SOURCE = "DLMF 19.8.6"
 
 
 def modulus_left(steps: int = STEPS) -> Fraction:
-    """Bound the square of the modulus after the last step."""
+    """Bound the square of the modulus after the last Landen step."""
     # k_next <= k^2/4/(1 - k^2/4)^2 follows from kc >= 1 - k^2, in rational numbers.
     k = Fraction(70711, 100000)
     for _ in range(steps):
@@ -32,14 +33,20 @@ def modulus_left(steps: int = STEPS) -> Fraction:
 
 
 def step(solution: Solution) -> Function:
-    """Make the function of one step, by the formulas of the ledger."""
+    """Build the function that takes one step of Landen's descending transformation.
+
+    Its formulas are those of the ledger.
+    """
     lets = select(solution.sequences["landen"], _AFTER, ())
     summary = "One step of Landen's descending transformation."
     return Function("_landen", summary, _GIVEN, lets, _AFTER, frozenset(_GIVEN))
 
 
 def ladder() -> Function:
-    """Make the function of all steps down, and of the quarter period, which is pi/2 there."""
+    """Build the function that takes all Landen steps and computes the quarter period.
+
+    After the last step the quarter period is pi/2.
+    """
     lets, names = [], dict(zip(_GIVEN, _GIVEN, strict=True))
     for number in range(1, STEPS + 1):
         after = {name: f"{name}{number}" for name in _GIVEN}
@@ -61,7 +68,10 @@ def ladder() -> Function:
 
 
 def complete() -> Function:
-    """Make the function of K(k^2) and the sum of Q, given k' and 1 - n."""
+    """Build the function that computes complete elliptic integrals from k' and 1 - n.
+
+    These are K(k^2) and the sum of Q.
+    """
     lets: list[Let] = []
     for n in range(MEANS):
         lets += _mean_step(n)
@@ -74,7 +84,10 @@ def complete() -> Function:
 
 
 def _mean_step(n: int) -> list[Let]:
-    """State one step: the means of a and g, and the next p and Q."""
+    """Return assignments for one step of the arithmetic-geometric mean.
+
+    They compute the means of a and g, and the next p and Q.
+    """
     a, g, p, last = (f"{name}_{n}" for name in ("a", "g", "p", "Q"))
     if n == 0:
         a, g, p, last = "1", "kc", "sqrt(path)", "1"

@@ -1,4 +1,4 @@
-"""The nome by its series, one Landen step further down.
+"""Nome of a modulus, computed by a series after one further Landen step.
 
 q(k_next) = q(k)^2, and with e = k^2/(2 (1 + k') (1 + root k')^2) at that level
 
@@ -22,8 +22,9 @@ LARGEST = Fraction(1, 500)
 
 
 def series_tail() -> Fraction:
-    """Bound the relative truncation error of q/e for e up to LARGEST, where q/e >= 1.
+    """Bound the relative truncation error of the nome's series q/e for e up to LARGEST.
 
+    q/e is at least 1.
     With e = q R(q^4) as in `coefficients`, let L be a lower bound for |R| where |q| = r = 3/5; |e|
     is at least r L there, and e has the zero q = 0 alone within.  By Rouche's theorem q is analytic
     in e where |e| < r L, with |q| < r, and by Cauchy's estimate the coefficient of e^(4 n) in q/e
@@ -38,7 +39,7 @@ def series_tail() -> Fraction:
 
 
 def coefficients(count: int) -> list[int]:
-    """Return 1, 2, 15, 150, ..., the coefficients of e^(4 n) in q/e.
+    """Return the coefficients 1, 2, 15, 150, ... of e^(4 n) in the nome's series q/e.
 
     >>> coefficients(6)
     [1, 2, 15, 150, 1707, 20910]
@@ -60,7 +61,10 @@ def coefficients(count: int) -> list[int]:
 
 
 def root_ratio() -> Function:
-    """State r = k/root q(k), which is 4 at k = 0."""
+    """Build the function that computes r = k/root q from the modulus k with nome q.
+
+    r is 4 at k = 0.
+    """
     terms = [str(value) for value in coefficients(TERMS)]
     lets = (
         let("root_kc = sqrt(kc)", "DLMF 19.8.12"),

@@ -1,4 +1,4 @@
-"""Polynomials: their text, near-minimax coefficients, and proved distances from functions."""
+"""Polynomials: printing, near-minimax coefficients, and proved error bounds."""
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -14,7 +14,9 @@ _PIECES = 64
 
 
 def linear(terms: Mapping[str, int]) -> str:
-    """Return the text of a sum of names times whole numbers; the name "1" stands for the number.
+    """Format a linear combination of names with whole coefficients.
+
+    The name "1" stands for the number.
 
     >>> linear({"1": 1, "a": -4, "b": 1, "c": 0})
     '1 - 4*a + b'
@@ -33,7 +35,9 @@ def linear(terms: Mapping[str, int]) -> str:
 
 
 def horner(variable: str, coefficients: Sequence[str]) -> str:
-    """Return the text of a polynomial in nested form; coefficients are lowest first.
+    """Format a polynomial in Horner's nested form.
+
+    Coefficients are given as text, lowest first.
 
     >>> horner("x", ["a", "b", "c"])
     'a + x*(b + x*c)'
@@ -48,7 +52,10 @@ def horner(variable: str, coefficients: Sequence[str]) -> str:
 def fitted(
     function: Callable[[mpf], mpf], least: Fraction, most: Fraction, count: int
 ) -> list[mpf]:
-    """Interpolate a function at Chebyshev's points; return the coefficients, lowest first."""
+    """Interpolate a function by a polynomial at Chebyshev's points.
+
+    Returns the coefficients, lowest first.
+    """
     ends = [mpmath.mpf(x.numerator) / x.denominator for x in (least, most)]
     return mpmath.chebyfit(function, ends, count)[::-1]
 
@@ -62,7 +69,9 @@ def distance(
     length: int = 30,
     weight: Callable[[arb], arb] = abs,
 ) -> float:
-    """Return a bound of weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
+    """Bound the weighted distance between a polynomial and a power series on an interval.
+
+    The result bounds weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
 
     `weight` takes a ball of x.  Terms of the series fall by half at least from `length` on; the
     rest is expanded about the middles of pieces, in balls.
@@ -83,5 +92,5 @@ def distance(
 
 
 def ball(value: Fraction) -> arb:
-    """Return a rational number as a ball."""
+    """Convert a rational number to a ball."""
     return arb(fmpq(value.numerator, value.denominator))

@@ -37,9 +37,9 @@ def constants() -> list[Constant]:
 def product(
     name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
 ) -> list[Let]:
-    """State name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra.
+    """Return assignments for an extended product as a double and its error.
 
-    There is no of_lo unless `later`.
+    name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra, without of_lo unless `later`.
     """
     terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
     small = " + (".join(filter(None, terms))
@@ -51,7 +51,10 @@ def product(
 
 
 def total(name: str, one: str, other: str) -> list[Let]:
-    """State name + name_error = one + other exactly (Knuth's sum of two)."""
+    """Return assignments for the sum of two doubles and its exact rounding error.
+
+    name + name_error = one + other (Knuth's sum of two).
+    """
     lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
     return [
         let(f"{name} = {one} + {other}", EXACT_SUM),
@@ -61,7 +64,10 @@ def total(name: str, one: str, other: str) -> list[Let]:
 
 
 def whole(name: str, value: str) -> list[Let]:
-    """State the whole number nearest to a value, and the rest, which is exact."""
+    """Return assignments for the whole number nearest to a value, and the remainder.
+
+    The remainder is exact.
+    """
     return [
         let(f"{name}_whole = nearest({value})", TURNS),
         let(f"{name}_rest = {value} - {name}_whole", TURNS, EXACT_DIFFERENCE),
@@ -69,13 +75,16 @@ def whole(name: str, value: str) -> list[Let]:
 
 
 def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
-    """State the sine of pi times half_turns, times a sign."""
+    """Return assignments for the sine of pi times half_turns, multiplied by a sign."""
     square = f"{half_turns}_square"
     return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
 
 
 def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
-    """State sine and cosine of an angle, given as half turns and their whole number."""
+    """Return assignments for the sine and cosine of an angle in half turns.
+
+    half_turns: what is left of the angle after subtraction of a whole number.  whole: that number.
+    """
     square, sign = f"{angle}_square", f"{angle}_sign"
     return [
         _square(square, half_turns),
@@ -99,18 +108,27 @@ def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
 
 @cache
 def sine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the first `count` coefficients of S as doubles."""
+    """Return the polynomial S in the approximation sin(pi f) = f (pi + z S(z)), z = f^2.
+
+    Its `count` coefficients are doubles, lowest first.
+    """
     return _near(lambda z: mpmath.pi * (mpmath.sincpi(mpmath.sqrt(z)) - 1), count)
 
 
 @cache
 def cosine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the first `count` coefficients of C as doubles."""
+    """Return the polynomial C in the approximation cos(pi f) = 1 + z C(z), z = f^2.
+
+    Its `count` coefficients are doubles, lowest first.
+    """
     return _near(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
 
 
 def _near(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
-    """Return the coefficients of a polynomial p where z p(z) approximates the function."""
+    """Fit a polynomial p such that z p(z) approximates a function of z.
+
+    Returns the coefficients.
+    """
     with mpmath.workdps(DIGITS):
         first = float(fitted(lambda z: function(z) / z, *_RANGE, count)[0])
         rest = fitted(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
@@ -118,7 +136,7 @@ def _near(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
 
 
 def sine_bound(coefficients: Sequence[float]) -> float:
-    """Return a bound of |f (pi + z S(z)) - sin(pi f)|."""
+    """Bound the error of the polynomial for the sine, |f (pi + z S(z)) - sin(pi f)|."""
     return distance(
         coefficients,
         lambda k: _taylor(2 * k + 3),
@@ -128,7 +146,7 @@ def sine_bound(coefficients: Sequence[float]) -> float:
 
 
 def cosine_bound(coefficients: Sequence[float]) -> float:
-    """Return a bound of |1 + z C(z) - cos(pi f)|."""
+    """Bound the error of the polynomial for the cosine, |1 + z C(z) - cos(pi f)|."""
     return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
 
 

@@ -1,4 +1,4 @@
-"""Taylor series of X, Y and J for the short times from which a step is doubled.
+"""Taylor series of the functions X, Y and J at the short time that a step starts from.
 
 X' = Y and Y' = -e_1 X + 2 e_2 X^3 give X/t and Y as series in a = e_1 t^2 and b = e_2 t^4.  J, the
 integral of X^2/(1 - nu X^2) dt, is one in x = X^2 by 1/Y (Legendre's, DLMF 18.12.11) and the
@@ -33,9 +33,10 @@ Polynomial = dict[tuple[int, int], Fraction]
 
 
 def _solution(linear: Any, cubic: Any, one: Any, count: int) -> list[Any]:
-    """Return the coefficients of t, t^3, ... in f, where f'' = linear f + 2 cubic f^3, f'(0) = 1.
+    """Return the Taylor coefficients of the solution of f'' = linear f + 2 cubic f^3.
 
-    They are numbers or polynomials, as linear, cubic and one are.
+    They are those of t, t^3, ... for f(0) = 0 and f'(0) = 1: numbers or polynomials, as linear,
+    cubic and one are.
     """
     found, squares = [one], []
     for n in range(count - 1):
@@ -47,7 +48,7 @@ def _solution(linear: Any, cubic: Any, one: Any, count: int) -> list[Any]:
 
 @cache
 def series() -> tuple[Polynomial, ...]:
-    """Return the coefficients of t, t^3, t^5, ... in X."""
+    """Return the coefficients of t, t^3, t^5, ... in the Taylor series of X."""
     context = fmpq_mpoly_ctx.get(("e_1", "e_2"), "lex")
     e_1, e_2 = context.gens()
     found = _solution(-e_1, e_2, context.constant(1), TERMS)
@@ -57,7 +58,7 @@ def series() -> tuple[Polynomial, ...]:
 
 
 def elapsed() -> list[Let]:
-    """State X and Y at the shortest time `first_t`."""
+    """Return assignments for X and Y at the shortest time `first_t`."""
     return [
         let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
         let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
@@ -69,7 +70,10 @@ def elapsed() -> list[Let]:
 
 
 def _sum(factors: list[int]) -> str:
-    """Return the text of the series without its first term, each term times a factor."""
+    """Format the Taylor series of X without its first term.
+
+    factors: the numbers that its terms are multiplied by.
+    """
     by_power: dict[int, dict[int, Fraction]] = {}
     for factor, coefficient in list(zip(factors, series(), strict=True))[1:]:
         for (i, j), c in coefficient.items():
@@ -89,7 +93,7 @@ def _number(value: Fraction) -> str:
 
 
 def third_kind() -> list[Let]:
-    """State cosine and sine of Im(rate J), where rate and nu are complex."""
+    """Return assignments for the cosine and sine of Im(rate J), with complex rate and nu."""
     lets = [
         let("square_X = X*X", _LEGENDRE),
         let("d_0 = 1", _LEGENDRE),
@@ -120,7 +124,7 @@ def third_kind() -> list[Let]:
 
 @cache
 def elapsed_tail() -> Fraction:
-    """Bound the relative truncation error of X and Y.
+    """Bound the relative truncation error of the Taylor series of X and Y.
 
     With all signs positive, f'' = e_1 f + 2 e_2 f^3 has coefficients that are no smaller, and grow
     with e_1 and e_2: r is between 0 and p in `_PARTS` parts, in each of which both are at their

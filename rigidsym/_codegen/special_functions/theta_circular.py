@@ -1,5 +1,6 @@
-"""Theta functions as polynomials in x = cos 2v, for k_1^2 <= 1/2, where the nome Q^2 is small.
+"""Theta functions as polynomials in cos 2v, for moduli k_1^2 <= 1/2.
 
+x is cos 2v, and the nome Q^2 is small.
 Q is the nome of m, Q^2 that of k_1^2, and h+- = sqrt(Q) e^(+-b), so that in the series of DLMF 20.2
 
     theta_4(v - i rho b | Q^2) = 1 + sum (-1)^n (p_2n cos 2nv + i rho d_2n sin 2nv)
@@ -23,7 +24,10 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.4"), "DLMF 20.7.14"
 
 
 def powers() -> list[Let]:
-    """State p_k and d_k for k up to SECULAR, from Q, h_plus and h_minus."""
+    """Return assignments for the coefficients p_k and d_k of the theta series.
+
+    They use Q, h_plus and h_minus; k goes up to SECULAR.
+    """
     lets = [let("up1 = h_plus", *_SERIES), let("down1 = h_minus", *_SERIES)]
     lets += [let("step_up1 = h_plus*Q", *_SERIES), let("step_down1 = h_minus*Q", *_SERIES)]
     for k in range(2, SECULAR + 1):
@@ -37,7 +41,7 @@ def powers() -> list[Let]:
 
 
 def zeta() -> list[Let]:
-    """State zeta, which is g times Im theta_4'/theta_4 at v = -i b."""
+    """Return assignments for zeta = g Im theta_4'/theta_4 at v = -i b."""
     even = range(2, SECULAR + 1, 2)
     slope = linear({f"d{k}": -((-1) ** (k // 2)) * k for k in even})
     value = linear({"1": 1} | {f"p{k}": (-1) ** (k // 2) for k in even})
@@ -45,7 +49,10 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """State the coefficients of the polynomials in x, from p_k, d_k and Q."""
+    """Return assignments for the coefficients of the theta polynomials in x.
+
+    They use p_k, d_k and Q.
+    """
     even, odd = range(2, STATE + 1, 2), range(1, STATE + 1, 2)
     signs = {k: (-1) ** (k // 2) for k in range(STATE + 1)}
     cosines = {"1": _cosine(0)} | {f"p{k}": signs[k] * _cosine(k // 2) for k in even}
@@ -63,7 +70,10 @@ def coefficients() -> list[Let]:
 
 
 def rates() -> list[Let]:
-    """State the coefficients of theta_1 to theta_4 in x, for real v and nome Q."""
+    """Return assignments for the coefficients of theta_1 to theta_4 as polynomials in x.
+
+    These thetas have real v and the nome Q.
+    """
     powers = {2: "Q*Q", 4: "Q2*Q2", 6: "Q4*Q2", 9: "Q4*Q4*Q", 12: "Q6*Q6", 16: "Q12*Q4"}
     powers |= {20: "Q16*Q4"}
     even = {"1": _cosine(0), "Q4": 2 * _cosine(2), "Q16": 2 * _cosine(4)}
@@ -80,7 +90,10 @@ def rates() -> list[Let]:
 
 
 def at_zero() -> list[Let]:
-    """State theta_2 / 2 Q^(1/4), theta_3 and theta_4 of zero, nome Q."""
+    """Return assignments for theta_2, theta_3 and theta_4 at zero, with nome Q.
+
+    theta_2 is divided by 2 Q^(1/4).
+    """
     return [
         let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2"),
         let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3"),
@@ -91,7 +104,7 @@ def at_zero() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """State thetas of zero, and theta_3 of i b, nome Q."""
+    """Return assignments for the thetas at zero, and theta_3 at i b, with nome Q."""
     lets = at_zero()
     # e^(2 n b) Q^(n^2) = Q^(n^2 - n) h_plus^(2 n)
     lets += [let("h2_plus = h_plus*h_plus", _WATSON), let("h2_minus = h_minus*h_minus", _WATSON)]
@@ -103,7 +116,7 @@ def constants() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """State all thetas of a state from sin v and cos v."""
+    """Return assignments that compute all theta functions of a state from sin v and cos v."""
     return [
         *argument(),
         let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
@@ -115,7 +128,7 @@ def values() -> list[Let]:
 
 
 def argument() -> list[Let]:
-    """State x = cos 2v, and its square."""
+    """Return assignments for x = cos 2v and its square."""
     return [
         let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
         let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
@@ -123,7 +136,10 @@ def argument() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """State theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
+    """Return assignments for theta_1 to theta_4 at v, with nome Q.
+
+    The first two are divided by 2 Q^(1/4).
+    """
     return [
         let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
         let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
@@ -150,8 +166,9 @@ _LENGTHS = {
 def _table(
     form: str, rows: Mapping[str, fmpz_poly], factor: str = "", first: int = 0, step: int = 1
 ) -> list[Let]:
-    """State the coefficients of a polynomial in x, or of its even or odd powers alone.
+    """Return assignments for the coefficients of a polynomial in x.
 
+    These may be those of its even or odd powers alone: those from `first` on, `step` apart.
     rows: the polynomial that each symbol multiplies.
     """
     lets = []
@@ -162,16 +179,19 @@ def _table(
 
 
 def _cosine(n: int) -> fmpz_poly:
-    """Return cos 2nv as a polynomial in x."""
+    """Return cos 2nv as a polynomial in x = cos 2v."""
     return fmpz_poly.chebyshev_t(n)
 
 
 def _odd_sine(n: int) -> fmpz_poly:
-    """Return sin (2n+1)v / sin v as a polynomial in x."""
+    """Return sin (2n+1)v / sin v as a polynomial in x = cos 2v."""
     return fmpz_poly.chebyshev_u(n) + (fmpz_poly.chebyshev_u(n - 1) if n else 0)
 
 
 def series_tail() -> float:
-    """Bound the truncation error of thetas by twice the first omitted term, p_8 or Q^25."""
+    """Bound the truncation error of the theta polynomials.
+
+    The bound is twice the first omitted term, p_8 or Q^25.
+    """
     largest = 0.208
     return 2 * max(2 * largest ** (STATE * (STATE + 1) // 2), 2 * largest**25)

@@ -1,4 +1,4 @@
-"""Theta functions of the complementary nome as polynomials in exponentials, for k_1^2 > 1/2.
+"""Theta functions as polynomials in exponentials, for moduli k_1^2 > 1/2.
 
 By Jacobi's imaginary transformation (DLMF 20.7(viii)) the functions of v - i rho b become those of
 rho a + i y with the nome q of 1 - k_1^2, which vanishes on the separatrix.  With w = e^(-2|y|) and
@@ -23,7 +23,10 @@ _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.2"), "DLMF 20.7.14"
 
 
 def multiples() -> list[Let]:
-    """State C_n and S_n from cos_a and sin_a."""
+    """Return assignments for C_n and S_n, the cosine and sine of (2n+1) a.
+
+    They use cos_a and sin_a.
+    """
     lets = [let("C_0 = cos_a", *_SERIES), let("S_0 = sin_a", *_SERIES)]
     lets.append(let("turn = 2*(1 - 2*(sin_a*sin_a))", "DLMF 4.21.27"))
     lets += [let("C_1 = (turn - 1)*C_0", *_SERIES), let("S_1 = (turn + 1)*S_0", *_SERIES)]
@@ -34,14 +37,14 @@ def multiples() -> list[Let]:
 
 
 def powers() -> list[Let]:
-    """State the powers of the nome that are used."""
+    """Return assignments for the powers of the nome in the theta polynomials."""
     products = {2: "nome*nome", 4: "nome2*nome2", 6: "nome4*nome2", 8: "nome4*nome4"}
     products |= {12: "nome8*nome4", 20: "nome12*nome8", 30: "nome20*nome8*nome2"}
     return [let(f"nome{n} = {product}", *_SERIES) for n, product in products.items()]
 
 
 def zeta() -> list[Let]:
-    """State zeta, which is -gc theta_2'/theta_2 at a."""
+    """Return assignments for zeta = -gc theta_2'/theta_2 at a."""
     falling = ("nome2", "nome6", "nome12", "nome20", "nome30")
     slope = "S_0 + " + " + ".join(f"{2 * n + 1}*{q}*S_{n}" for n, q in enumerate(falling, 1))
     value = "C_0 + " + " + ".join(f"{q}*C_{n}" for n, q in enumerate(falling, 1))
@@ -49,7 +52,7 @@ def zeta() -> list[Let]:
 
 
 def coefficients() -> list[Let]:
-    """State q^(n^2) C_n and -rho q^(n^2) S_n."""
+    """Return assignments for the coefficients q^(n^2) C_n and -rho q^(n^2) S_n."""
     lets = [let("re_0 = C_0", *_SERIES), let("im_0 = -(rho*S_0)", *_SERIES)]
     for n, power in enumerate(("nome", "nome4", "nome8*nome"), 1):
         lets.append(let(f"re_{n} = {power}*C_{n}", *_SERIES))
@@ -58,7 +61,7 @@ def coefficients() -> list[Let]:
 
 
 def constants() -> list[Let]:
-    """State thetas of zero, and theta_3 of 2 a, nome q^2."""
+    """Return assignments for the thetas at zero, and theta_3 at 2 a, with nome q^2."""
     return [
         *at_zero(),
         let("twice = turn*turn - 2", "DLMF 4.21.27"),
@@ -69,7 +72,10 @@ def constants() -> list[Let]:
 
 
 def at_zero() -> list[Let]:
-    """State theta_2 / 2 q^(1/2), theta_3 and theta_4 of zero, nome q^2."""
+    """Return assignments for theta_2, theta_3 and theta_4 at zero, with nome q^2.
+
+    theta_2 is divided by 2 q^(1/2).
+    """
     return [
         let("two = 1 + nome4 + nome12", "DLMF 20.2.2"),
         let("three = 1 + 2*nome2 + 2*nome8 + 2*(nome12*nome6)", "DLMF 20.2.3"),
@@ -78,7 +84,7 @@ def at_zero() -> list[Let]:
 
 
 def values() -> list[Let]:
-    """State all thetas of a state from w, p and sgn(y)."""
+    """Return assignments that compute all theta functions of a state from w, p and sgn(y)."""
     lets = [
         let("p2 = p*p", *_SERIES),
         let("qw = nome*w", *_SERIES),
@@ -104,7 +110,10 @@ def values() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """State theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|."""
+    """Return assignments for theta_1 to theta_4 at 2 i y, with nome q^2.
+
+    They are divided by q^(1/2) e^|2 y|.
+    """
     return [
         let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
@@ -122,7 +131,7 @@ def rate_values() -> list[Let]:
 
 
 def series_tail() -> Fraction:
-    """Bound the truncation error of each theta over q^(1/4) e^|y|.
+    """Bound the truncation error of each theta function, divided by q^(1/4) e^|y|.
 
     The n-th term is at most q^(n^2) (p^n + w (q w)^n) <= 2 q^(n^2); these fall by q^(2 STATE + 1)
     at least from n = STATE on.  The thetas of nome q^2 leave out less, 2 (q^18 + 2 q^24) at most.

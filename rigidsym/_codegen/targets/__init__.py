@@ -1,4 +1,4 @@
-"""Targets: one folder for each language that modules are printed in.
+"""Target languages of code generation, with one folder for each.
 
 The folder of a target `x` has
 
@@ -25,14 +25,20 @@ TARGETS = ["numpy", "c"]
 
 
 def builder(target: str) -> Build:
-    """Return the `build` of a target; raise InputError for an unknown one."""
+    """Return the function that builds the module of a target.
+
+    Raises InputError for an unknown target.
+    """
     if not isinstance(target, str) or target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
     return import_module(f"{__name__}.{target}.module").build
 
 
 def reader(target: str) -> Check:
-    """Return the `check` of a target; raise InputError for one that cannot be read back."""
+    """Return the function that reads a target's printed files back and checks them.
+
+    Raises InputError for a target that has none.
+    """
     try:
         return import_module(f"{__name__}.{target}.read_back").check
     except ModuleNotFoundError:

@@ -1,4 +1,4 @@
-"""Functions of sensitivities, the derivatives of a state by each input.
+"""Generated functions that compute sensitivities, the derivatives of a state by each input.
 
 sn, cn, dn and two integrals of the elapsed time come first, then the rates, then the attitude: a
 small turn in space about the user's axes 1, 2 and 3.  The functions of the elapsed time depend on
@@ -31,7 +31,10 @@ _KEPT = (*INERTIA, *DIFFERENCES, *START, "per_K2", *(f"l{k}" for k in AXES), *_A
 
 
 def sensitivity(solution: Solution) -> tuple[Function, ...]:
-    """Return all functions; each calls only functions before it."""
+    """Return all functions that compute sensitivities.
+
+    Each calls only functions before it.
+    """
     return (
         moduli(solution),
         *along(solution),
@@ -43,7 +46,7 @@ def sensitivity(solution: Solution) -> tuple[Function, ...]:
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:
-    """Make constants and functions for the attitude's derivatives."""
+    """Build the functions that compute the derivatives of the attitude, and their constants."""
     given = (*INERTIA, *DIFFERENCES, *START, *BEGUN)
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(

@@ -1,4 +1,4 @@
-"""Moduli of a motion's sensitivities, and derivatives of the rates."""
+"""Generated functions for the derivatives of the body rates, and for their moduli."""
 
 from collections.abc import Iterable
 
@@ -49,7 +49,10 @@ _TIMED = (*ELAPSED, *ALONG, "t", *RATES)
 
 
 def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
-    """State the coefficients of Euler's equations and their derivatives by the moments."""
+    """Return assignments for the coefficients of Euler's equations.
+
+    names: the coefficients, and derivatives of them by the moments, that are needed.
+    """
     given = (*EXTENDED, "epsilon")
     return [
         let(f"epsilon = {HANDEDNESS}", "Levi-Civita"),
@@ -58,7 +61,7 @@ def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
 
 
 def moduli(solution: Solution) -> Function:
-    """Make the function of the moduli."""
+    """Build the function that computes the moduli of the elapsed time's Jacobi functions."""
     alphas = ("alpha_a", "alpha_b", "alpha_d", "tilt")
     lets = [
         *coefficients(solution, alphas),
@@ -73,7 +76,10 @@ def moduli(solution: Solution) -> Function:
 
 
 def along(solution: Solution) -> tuple[Function, ...]:
-    """Make constants and functions for the derivatives along two directions."""
+    """Build the functions that differentiate the rates along two directions.
+
+    Along the first p and r grow equally; along the second r alone grows.
+    """
     constants = Function(
         "_along_constants",
         "Constants of `_along_state`; phases are known where p t^2 exceeds reach.",
@@ -108,7 +114,10 @@ def _constants_along(solution: Solution) -> list[Let]:
 
 
 def _there(name: str) -> Let:
-    """State a divisor, or 1 where it is zero and its quotient is not used."""
+    """Return the assignment that replaces a divisor by 1 where it is zero.
+
+    The quotient is not used there.
+    """
     return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
 
 
@@ -132,7 +141,7 @@ def _state_along(solution: Solution) -> list[Let]:
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
-    """Make constants and functions for the derivatives by rates and moments."""
+    """Build the functions that differentiate the rates by initial rates and moments."""
     constants = Function(
         "_columns_constants",
         "Constants of the rates' sensitivities.",
@@ -177,9 +186,10 @@ def _state_of_columns(solution: Solution) -> list[Let]:
 
 
 def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the middle rate's derivatives, as products where these keep more digits.
+    """Return assignments for the derivatives of the middle axis' rate.
 
-    Near spin about b these keep all digits, and the general form is a difference of large numbers.
+    Near spin about b they are products, which keep all digits; the general form is a difference of
+    large numbers there.
     """
     lets = [let("b_divisor = choose(size(Omega_b), 0, 1, Omega_b)")]
     known = (*given, "Omega_d_by_Omega_a", "Omega_a_by_Omega_d")
@@ -197,7 +207,10 @@ def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
 
 
 def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
-    """State the integral of the middle rate's square, near spin about b by a form without t."""
+    """Return assignments for the integral of the squared rate about the middle axis.
+
+    Near spin about b they use a form without t.
+    """
     spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
     return [
         let("p_divisor = choose(size(p), 0, 1, p)"),

@@ -1,4 +1,4 @@
-"""Functions of the elapsed time: sn, cn, dn, and integrals of their squares.
+"""Generated functions of the elapsed time: sn, cn, dn, and integrals of their squares.
 
 For m <= 1/2 they are thetas of real time.  With v = pi u/2K, g = pi/2K and Q the nome of m, the
 integral of sn^2 is (DLMF 22.16.30)
@@ -42,7 +42,7 @@ _NEAR_COEFFICIENTS = tuple(f"{x}_{n}" for x in "EF" for n in range(_TERMS))
 
 
 def real(solution: Solution) -> tuple[Function, ...]:
-    """Make constants, angles and functions for m <= 1/2."""
+    """Build the functions of the elapsed time for m <= 1/2."""
     return _functions(
         *("real", "m <= 1/2", "S_t, C_t, D_t, E_t and D_t F_t"),
         *(_real_constants(), _real_angles(), _real_state(solution)),
@@ -59,7 +59,7 @@ def real(solution: Solution) -> tuple[Function, ...]:
 
 
 def imaginary() -> tuple[Function, ...]:
-    """Make constants, angles and functions for m > 1/2."""
+    """Build the functions of the elapsed time for m > 1/2."""
     return _functions(
         *("imaginary", "m > 1/2", "S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase"),
         *(_imaginary_constants(), _imaginary_angles(), _imaginary_state()),
@@ -92,7 +92,10 @@ def _functions(
     timed: tuple[str, ...],
     in_state: tuple[str, ...],
 ) -> tuple[Function, ...]:
-    """Make constants, angles and functions; for the arguments see `common.branch`."""
+    """Build the three functions of the elapsed time: constants, angles and values.
+
+    For the arguments see `common.branch`.
+    """
     return (
         Function(
             f"_{name}_constants",
@@ -230,7 +233,10 @@ def _imaginary_constants() -> list[Let]:
 
 
 def _exponentials(z: str, period_lo: str) -> list[Let]:
-    """State sgn(z), e^(-2 |z|) and its mirror in the period, to all digits of z + z_lo."""
+    """Return assignments for the sign of z, e^(-2 |z|) and e^(2 |z| - period).
+
+    They are accurate to all digits of z + z_lo.
+    """
     return [
         let(f"{z}_side = choose(0, {z}, 1, -1)", "DLMF 20.2.1", _SQUARE),
         let(f"{z}_depth = 2*size({z})", _SQUARE),
@@ -241,7 +247,10 @@ def _exponentials(z: str, period_lo: str) -> list[Let]:
 
 
 def _over_phase(z: str, integral: str, whole: str = "") -> list[Let]:
-    """State r times the integral of sd^2/lambda^2 from 0 to z, after `_exponentials`."""
+    """Return assignments for r times the integral of sd^2/lambda^2 from 0 to z.
+
+    They follow those of `_exponentials`.
+    """
     w2, p2 = f"{z}_w2", f"{z}_p2"
     linear = f"{whole}*passed_period - passed_rate*{z}" if whole else f"-passed_rate*{z}"
     return [
@@ -298,7 +307,10 @@ def _imaginary_state() -> list[Let]:
 
 
 def _theta_values() -> list[Let]:
-    """State theta_1 to theta_4 of i y, over q^(1/4) e^|y|, by w, p2, qw2 and sgn(y)."""
+    """Return assignments for theta_1 to theta_4 at i y.
+
+    They use w, p2, qw2 and sgn(y); the functions are divided by q^(1/4) e^|y|.
+    """
     falling, turning = ["1", "nome2", "nome8", "nome18"], ["1", "-nome2", "nome8", "-nome18"]
     return [
         let("w2 = w*w", *_SERIES),
@@ -327,7 +339,10 @@ def _middle(w2: str, p2: str) -> str:
 
 
 def _near_coefficients() -> list[Let]:
-    """State the coefficients of t^3 t^(2 n) in both integrals, from p, r and p - r."""
+    """Return assignments for the short-time Taylor coefficients of both integrals.
+
+    The n-th coefficient is that of t^3 t^(2 n), made from p, r and p - r.
+    """
     lets = [
         let("p_d = rounded(p)"),
         let("r_d = rounded(r)"),
@@ -341,7 +356,10 @@ def _near_coefficients() -> list[Let]:
 
 
 def _near_of(name: str) -> list[Let]:
-    """State the coefficients of a square, square_n of t^(2 n + 2), and those of its integral."""
+    """Return assignments for the Taylor coefficients of a square and of its integral.
+
+    The coefficient square_n is that of t^(2 n + 2).
+    """
     square = f"{name}_square"
     lets = [let(f"{square}_0 = 1", _TAYLOR), let(f"{name}_0 = 1/3", _TAYLOR)]
     for n in range(1, _TERMS):
@@ -358,23 +376,26 @@ def _near_of(name: str) -> list[Let]:
 
 
 def _growth() -> list[Let]:
-    """State p t^2, which decides whether a time is short."""
+    """Return assignments for p t^2, which decides whether a time is short."""
     return [let("t2 = t*t", _TAYLOR), let("growth = p*t2", _TAYLOR)]
 
 
 def _sine(far: str) -> Let:
-    """State S_t, which is t where p t^2 is tiny, since products with p may underflow there."""
+    """Return the assignment for S_t, which equals t for tiny p t^2.
+
+    Products with p may underflow there.
+    """
     return let(f"S_t = choose(growth, {_TINY}, t, {far})", "DLMF 22.2.4")
 
 
 def _root() -> Let:
-    """State S_t for short times as the root of the slope of E_t."""
+    """Return the assignment that computes S_t at short times as the square root of dE_t/dt."""
     square = horner("t2", [f"{2 * n + 3}*E_{n}" for n in range(_TERMS)])
     return let(f"S_near = t*sqrt(size({square}))", _TAYLOR)
 
 
 def _near_values() -> list[Let]:
-    """State both integrals for short times."""
+    """Return assignments for the two integrals at short times."""
     rows = {x: [f"{x}_{n}" for n in range(_TERMS)] for x in "EF"}
     return [
         let(f"E_near = t*t2*({horner('t2', rows['E'])})", _TAYLOR),

@@ -1,1 +1,1 @@
-"""The C target: one header and one source, C99 and libm alone."""
+"""C target: one header and one source file in C99, which need only libm."""

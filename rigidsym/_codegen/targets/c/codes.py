@@ -1,4 +1,4 @@
-"""Return codes of the C functions with their messages."""
+"""Status codes of the generated C functions, with their messages."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,7 @@ from rigidsym._codegen.forms import STEP
 
 
 class Code(NamedTuple):
-    """Meaning of a code: the field, the broken rule, and a remark for the header."""
+    """Meaning of a status code: field, broken rule, and remark for the C header."""
 
     field: str
     rule: str
@@ -68,7 +68,7 @@ _STEPS = (
 
 
 def filled(text: str, form: str) -> str:
-    """Replace the marks for codes and messages in a text of a form."""
+    """Replace the placeholders for codes and messages in the C text of a form."""
     own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
     codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
     texts = {

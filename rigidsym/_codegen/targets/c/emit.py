@@ -1,4 +1,6 @@
-"""Printer of functions as C99: double-doubles by calls, doubles by operators.
+"""Printer of generated functions as C99 code.
+
+Operations on double-doubles are printed as calls, those on doubles as operators.
 
 `pieces` prints a function of lets within its frames; `read_back` reads a line of it.
 """
@@ -23,7 +25,10 @@ _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponen
 
 
 def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Replace operations on extended numbers by calls with the prefix `number`, `dd` or `exact`."""
+    """Replace operations on extended numbers by calls of C functions.
+
+    number: the prefix of these functions, `dd` or `exact`.
+    """
     match expression:
         case Name() | Number():
             return expression
@@ -49,15 +54,16 @@ def lowered(expression: Expression, extended: frozenset[str], number: str) -> Ex
 
 
 def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Lower an expression to an extended number."""
+    """Replace operations as `lowered` does, and convert the value to an extended number."""
     text = lowered(expression, extended, number)
     return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
 
 
 def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
-    """Print a function: its signature, one line for each let, and its end.
+    """Print a function in C, one line for each assignment.
 
-    Lines are indented as far as the blocks that the signature opens.
+    These lines stand between the signature and `ends`.  They are indented as far as the blocks that
+    the signature opens.
     """
     extended, indent = function.all_extended(), _indent(signature)
     text, lets = list(signature), {}
@@ -81,7 +87,7 @@ def _indent(lines: list[str]) -> str:
 
 
 def constant_text(constant: Constant) -> str:
-    """Print the definition of a named number."""
+    """Print the definition of a named constant in C."""
     name, value = f"double {constant.name}", repr(constant.hi)
     if constant.lo is not None:
         name, value = f"double_double {constant.name}", f"{{{constant.hi!r}, {constant.lo!r}}}"
@@ -89,7 +95,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """Print named numbers, structs of arrays and functions, in this order."""
+    """Print the constants, structs of arrays and functions of a module in C, in this order."""
     head = [*map(constant_text, named(functions, constants)), ""]
     for statement in lane_structs(functions):
         if head[-1] == "}":
@@ -101,7 +107,10 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
 
 
 def pieces(function: Function, among: tuple[Function, ...]) -> list[Lines]:
-    """Print one function of a module, `_discriminant` for two kinds of numbers."""
+    """Print one function of a module in C.
+
+    `_discriminant` is printed twice, for two kinds of numbers.
+    """
     return [_framed(frame) for frame in frames_of(function, among)]
 
 
@@ -120,13 +129,13 @@ def _framed(frame: Frame) -> Lines:
 
 
 def branch_struct(function: Function) -> str:
-    """Print the struct for a function's constants."""
+    """Print the C struct for a function's constants."""
     lines = [f"    double {', '.join(row)};" for row in batched(flat_results(function))]
     return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(function)};"])
 
 
 def batched(items: list[str], width: int = 84) -> list[list[str]]:
-    """Split items into rows that stay below a width."""
+    """Split a list of strings into rows that stay below a width."""
     rows: list[list[str]] = [[]]
     for item in items:
         if rows[-1] and len(", ".join([*rows[-1], item])) > width:

@@ -1,4 +1,4 @@
-"""Frames of functions in C: heads, loads of numbers, and stores of results.
+"""Frames of generated C functions: heads, loads of arguments, and stores of results.
 
 A function of one motion takes parameters, or reads arrays by index and a struct of constants.  A
 function of several bodies side by side is a loop over the members of structs of arrays: an extended
@@ -21,7 +21,7 @@ _MOTIONS = ("_initial_state", "_circular_constants", "_hyperbolic_constants")
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A function in C: the statements before and after its lines.
+    """Statements of a C function before and after its derived lines.
 
     number: the prefix of operations on its extended numbers.
     """
@@ -34,13 +34,16 @@ class Frame:
 
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
-    """Yield the frames of all functions in order."""
+    """Yield the C frames of all functions in order."""
     for function in functions:
         yield from frames_of(function, functions)
 
 
 def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame]:
-    """Yield the frames of one function: for `_discriminant` two, for two kinds of numbers."""
+    """Yield the C frames of one function.
+
+    `_discriminant` has two frames, for two kinds of numbers.
+    """
     name = function.name[1:]
     if takes_several(function):
         yield _side_by_side(function, pairs(among))
@@ -62,12 +65,12 @@ def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame
 
 
 def branch(function: Function) -> str:
-    """Return the first word of a function's name, which is its branch."""
+    """Return the branch that a function belongs to, which is the first word of its name."""
     return function.name.split("_")[1]
 
 
 def struct(function: Function) -> tuple[str, ...]:
-    """Return the statements of the struct for a function's constants."""
+    """Return the C statements that declare the struct for a function's constants."""
     members = f"double {', '.join(flat_results(function))};"
     return "typedef struct {", members, "}", f"torque_free_{branch(function)};"
 
@@ -98,7 +101,10 @@ def _handing_out(name: str, function: Function) -> Frame:
 
 
 def _constants(name: str, function: Function) -> Frame:
-    """Frame a function that stores its results in a struct, as one or two doubles each."""
+    """Return the frame of a C function that stores its results in a struct.
+
+    Each result is stored as one or two doubles.
+    """
     extended = function.all_extended()
     values: dict[str, str] = {}
     for result in function.results:
@@ -114,7 +120,10 @@ def _constants(name: str, function: Function) -> Frame:
 
 
 def _loop(name: str, function: Function, members: set[str]) -> Frame:
-    """Frame a loop over arrays of what changes with time; constants are read from a struct."""
+    """Return the frame of a C loop over arrays of time-dependent arguments.
+
+    Constants are read from a struct.
+    """
     used = function.used()
     changing = [x for x in function.parameters if x not in members]
     kept = [x for x in function.parameters if x in members and x in used]
@@ -133,7 +142,7 @@ def _loop(name: str, function: Function, members: set[str]) -> Frame:
 
 
 def takes_several(function: Function) -> bool:
-    """Return True if a function computes several bodies at once."""
+    """Return True if a generated C function computes several bodies at once."""
     return _is_step(function) or function.name in _MOTIONS
 
 
@@ -146,26 +155,26 @@ def _has_struct(function: Function) -> bool:
 
 
 def pairs(functions: Iterable[Function]) -> frozenset[str]:
-    """Return the names that are extended in some function of several bodies."""
+    """Return the names of extended numbers in all functions that compute several bodies."""
     own = filter(takes_several, functions)
     return frozenset(name for f in own for name in (*f.extended, *_split(f)))
 
 
 def _split(function: Function) -> frozenset[str]:
-    """Return the results that are stored as two doubles."""
+    """Return the names of a function's results that are stored as two doubles."""
     if function.rounds:
         return function.split
     return function.all_extended() & {*function.results}
 
 
 def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
-    """Yield the names of the members that hold numbers."""
+    """Yield the names of struct members, two for each extended number."""
     for name in names:
         yield from (f"{name}_hi", f"{name}_lo") if name in extended else (name,)
 
 
 def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
-    """Frame a loop over several bodies side by side."""
+    """Return the frame of a C loop over several bodies side by side."""
     name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
     place = "x->" if is_step else "lane->"
     if is_step:
@@ -194,7 +203,7 @@ def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
 
 
 def members(functions: tuple[Function, ...]) -> list[str]:
-    """Return the members of the struct in the order of their first use."""
+    """Return the members of the struct for several bodies, in the order of their first use."""
     extended, found = pairs(functions), dict[str, None]()
     for function in filter(takes_several, functions):
         found |= dict.fromkeys(_flat(function.parameters, extended))
@@ -204,7 +213,10 @@ def members(functions: tuple[Function, ...]) -> list[str]:
 
 
 def lane_structs(functions: tuple[Function, ...]) -> list[str]:
-    """Return the statements of the structs of arrays, one for each member."""
+    """Return the C statements that declare the structs of arrays for several bodies.
+
+    Each member of a struct has one statement.
+    """
     own = tuple(filter(takes_several, functions))
     # `turned` is the runtime's: -1 where a and d have changed places.
     more = ("turned",) if any(map(_is_step, own)) else ()

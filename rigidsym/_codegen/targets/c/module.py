@@ -1,4 +1,7 @@
-"""The C module, a header and a source: double-doubles, derived functions and runtime."""
+"""Construction of the generated C module, a header and a source file.
+
+The source has double-doubles, derived functions and runtime.
+"""
 
 import re
 from importlib import resources
@@ -64,7 +67,10 @@ every body_init and every call of torque_free_steps and torque_free_integrate.""
 def build(
     functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str = THETA
 ) -> Module:
-    """Input: functions of lets and the numbers they name.  Output: the module."""
+    """Build the C module from its functions and named constants.
+
+    Input: functions of lets and the numbers they name.  Output: the module.
+    """
     whole = joined(
         [
             Lines.plain(source_first(form)),
@@ -98,7 +104,10 @@ def named(text: str, form: str) -> str:
 
 
 def plain(text: str, form: str) -> str:
-    """Replace the prefix of a form by the default: the inverse of `named`."""
+    """Replace the prefix of the names in a text by the default prefix.
+
+    This is the inverse of `named`.
+    """
     if form == STEP:
         return text
     own = PurePath(HEADERS[form]).stem
@@ -108,7 +117,10 @@ def plain(text: str, form: str) -> str:
 
 
 def header_first(form: str) -> str:
-    """Return the header before its structs, with marks for line counts, digest and errors."""
+    """Return the text of the C header before its structs.
+
+    It has placeholders for line counts, digest and errors.
+    """
     head = _HEAD.format(text=header.text("c", form), option=option(form))
     head = head.replace("@notes@", _STEP_NOTES if form == STEP else _NOTES)
     guard = HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
@@ -116,7 +128,7 @@ def header_first(form: str) -> str:
 
 
 def header_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the header after its structs."""
+    """Return the text of the C header after its structs."""
     parts = {
         THETA: ("interface.h", "sensitivity.h"),
         PI: ("interface.h",),
@@ -127,7 +139,7 @@ def header_last(functions: tuple[Function, ...], form: str) -> str:
 
 
 def source_first(form: str) -> str:
-    """Return the source before its named numbers."""
+    """Return the text of the C source before its named constants."""
     preamble = _part("preamble.c").replace("@header@", HEADERS[form])
     pairs = _part("double_double.c")
     if form == STEP:
@@ -138,7 +150,7 @@ def source_first(form: str) -> str:
 
 
 def source_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the source after its derived functions."""
+    """Return the text of the C source after its derived functions."""
     if form == STEP:
         text = f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
     else:
@@ -148,7 +160,7 @@ def source_last(functions: tuple[Function, ...], form: str) -> str:
 
 
 def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
-    """Replace the marks in a text by codes, limits, and parameters and results of functions."""
+    """Replace the placeholders in C text by codes, limits and names from generated functions."""
     marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions, form)
     marks["limits"] = "\n".join(
         f"static const double {limit.name} = {2.0**limit.exponent!r}; "
@@ -163,14 +175,14 @@ def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
 
 
 def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
-    """Return the texts of marks that depend on the functions of motions."""
+    """Map each placeholder of the motions' C text to its replacement."""
     by_name = {function.name: function for function in functions}
 
     def parameters(name: str) -> str:
         return ", ".join(by_name[name].parameters)
 
     def rows(name: str, array: str, apart: str = "s") -> str:
-        """Return pointers to the rows of an array, one for each result of a function."""
+        """Format pointers to the rows of an array, one for each result of a function."""
         count = len(by_name[name].results)
         further = [f"{array} + {k} * {apart}" for k in range(2, count)]
         return ", ".join([array, f"{array} + {apart}", *further])
@@ -196,6 +208,6 @@ def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
 
 
 def _part(name: str) -> str:
-    """Return the text of a file, with the files that its marks name put in."""
+    """Return the text of a C file, with the files that it includes by placeholders."""
     text = resources.files("rigidsym._codegen.targets.c").joinpath(name).read_text("utf-8").strip()
     return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)

@@ -1,6 +1,7 @@
-"""Reader of the C module, which holds numbers, functions and structs in order, and nothing else.
+"""Check of the printed C module, which is read back and compared with its functions.
 
-What is written by hand is compared word for word, with what the functions say at its marks.
+The module holds numbers, functions and structs in order, and nothing else.  Hand-written text is
+compared word for word, after its placeholders have been filled from the functions.
 """
 
 import re
@@ -46,14 +47,17 @@ _OF_EXTENDED = {
 
 
 class Statement(NamedTuple):
-    """A statement with single spaces, and the number of its first line."""
+    """C statement with single spaces, and the number of its first line."""
 
     line: int
     text: str
 
 
 def statements(file: str, derived: Between) -> Iterator[Statement]:
-    """Yield the statements; raise InputError for a character that derived text never has."""
+    """Yield the C statements in derived text.
+
+    Raises InputError for a character that derived text never has.
+    """
     _refuse(file, derived, _STRANGE)
     # As many lines stay as comments have.
     bare = _COMMENT.sub(lambda comment: " " + "\n" * comment[0].count("\n"), derived.text)
@@ -72,7 +76,7 @@ def statements(file: str, derived: Between) -> Iterator[Statement]:
 
 
 def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:
-    """Raise InputError for the first character that a pattern finds."""
+    """Raise InputError for the first match of a pattern in a text."""
     found = what.search(text.text)
     if found:
         number = text.text.count("\n", 0, found.start())
@@ -83,10 +87,10 @@ def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """Reader of one function's expressions; `extended` are the names of its extended numbers.
+    """Reader of the C expressions in one function.
 
-    number: what begins the names of their operations, `dd` or `exact`; functions: those of the
-    module that may be called, by name.
+    extended: the names of the function's extended numbers.  number: the prefix of operations on
+    these, `dd` or `exact`.  functions: those of the module that may be called, by name.
     """
 
     place: str
@@ -95,7 +99,10 @@ class Reader:
     functions: Mapping[str, Function]
 
     def read(self, text: str) -> tuple[Expression, bool]:
-        """Return an expression, and True if it is extended; raise InputError for anything else."""
+        """Parse a C expression; return it, and True if its value is an extended number.
+
+        Raises InputError for any other text.
+        """
         for number in _NUMBER.findall(text):
             if not _WHOLE.fullmatch(number):
                 raise InputError(self.place, text, f"{number} is no whole number with a point")
@@ -152,7 +159,7 @@ class Reader:
     def _all(
         self, arguments: tuple[Expression, ...], kinds: str, function: str
     ) -> tuple[Expression, ...]:
-        """Read arguments, and check that they have these kinds."""
+        """Read the arguments of a call, and check that they are numbers of the given kinds."""
         read = [self._read(argument) for argument in arguments]
         if "".join(kind for _, kind in read) != kinds:
             raise InputError(self.place, function, "is given another kind of numbers")
@@ -165,7 +172,10 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """Return the number of lines read back; raise InputError for one that is not its let."""
+    """Check the printed C files against their functions, and return the number of derived lines.
+
+    Raises InputError for a line that differs from its let.
+    """
     source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
     parts = module.source_first(form), module.source_last(functions, form)
@@ -189,7 +199,10 @@ def check(
 
 
 def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
-    """Return the files with the default form's names; refuse names of another form."""
+    """Return the files with the default prefix of names.
+
+    Raises InputError for a name with another form's prefix.
+    """
     found = {file: module.plain(text, form) for file, text in files.items()}
     for file, text in found.items():
         own_names = module.named(text, form).split("\n")
@@ -215,7 +228,7 @@ def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None
 
 
 def _without_rows(given: Iterator[Statement]) -> list[Statement]:
-    """Join the declarations of struct members that take several rows."""
+    """Join declarations of struct members that are split over several rows."""
     rows: list[Statement] = []
     for statement in given:
         if rows and all(x.text.startswith("double ") for x in (statement, rows[-1])):
@@ -266,7 +279,7 @@ def _check_function(
 
 
 def _check_line(reader: Reader, line: str, let: Let) -> None:
-    """Check names, value and type that a line sets against its let."""
+    """Check the names, value and type in a C statement against its assignment."""
     if found := _SET.fullmatch(line):
         expression, is_pair = reader.read(found[3])
         kind = _PAIRS[reader.number] if is_pair else "double"

@@ -1,1 +1,1 @@
-"""The NumPy target: one module that needs NumPy alone."""
+"""NumPy target: one Python module that needs only NumPy."""

@@ -1,4 +1,7 @@
-"""Printer of functions as Python over NumPy arrays; extended numbers are `_DoubleDouble`s."""
+"""Printer of generated functions as Python code over NumPy arrays.
+
+Extended numbers are printed as `_DoubleDouble`s.
+"""
 
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -20,12 +23,15 @@ _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
 
 
 def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
-    """Return the functions to print: all but the exponential, which NumPy brings."""
+    """Return the functions to print in Python: all but the exponential.
+
+    NumPy has its own.
+    """
     return tuple(function for function in functions if function.name != "_exponential")
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """Print named numbers, functions and tables, in this order."""
+    """Print the constants, functions and tables of a module in Python, in this order."""
     head = map(constant_text, named(functions, constants))
     parts = [Lines((*head, "", ""), {}), *map(function_lines, functions)]
     found = tables(functions).items()
@@ -34,7 +40,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
 
 
 def constant_text(constant: Constant) -> str:
-    """Print the definition of a named number."""
+    """Print the definition of a named constant in Python."""
     value = repr(constant.hi)
     if constant.lo is not None:
         value = f"_DoubleDouble({constant.hi!r}, {constant.lo!r})"
@@ -42,7 +48,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def function_lines(function: Function) -> Lines:
-    """Print a function, one line for each let."""
+    """Print a function in Python, one line for each assignment."""
     lets = function.lets
     if "t_lo" in function.parameters:
         lets = specialise(lets, {"t_lo": 0})
@@ -58,13 +64,19 @@ def function_lines(function: Function) -> Lines:
 
 
 def printed(expression: Expression) -> str:
-    """Print an expression as Python; raise ValueError for a call of an unknown function."""
+    """Print an expression as Python code.
+
+    Raises ValueError for a call of an unknown function.
+    """
     _check(expression)
     return to_text(_with_horner(expression), _CALLS | {"horner": "_horner"})
 
 
 def _with_horner(expression: Expression) -> Expression:
-    """Replace nested polynomials by calls of `_horner`, which work in place."""
+    """Replace nested polynomials in an expression by calls of `_horner`.
+
+    These work in place.
+    """
     variable, coefficients = _polynomial(expression)
     if len(coefficients) > 2:
         return Call("horner", (variable, *map(_with_horner, coefficients)))
@@ -72,7 +84,10 @@ def _with_horner(expression: Expression) -> Expression:
 
 
 def _polynomial(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
-    """Return the variable and the coefficients of a + x*(b + x*c), lowest first."""
+    """Return the variable and the coefficients of a nested polynomial a + x*(b + x*c).
+
+    Coefficients are lowest first.
+    """
     match expression:
         case Operation("+", first, Operation("*", Name() as variable, inner)):
             same, rest = _polynomial(inner)
@@ -112,10 +127,10 @@ Table = dict[str, Any]
 
 
 def tables(functions: tuple[Function, ...]) -> Table:
-    """Return the tables in which the runtime looks functions up, by their names.
+    """Return the tables, by name, in which the runtime looks up functions.
 
-    An entry has a function of constants with the names of its arguments and results, and for a
-    branch the functions of the time with theirs.
+    An entry has a function of constants with the names of its arguments and results.  The entry of
+    a branch also has the functions of the time with theirs.
     """
     by_name = {function.name: function for function in functions}
     if "_initial_state" not in by_name:
@@ -147,7 +162,7 @@ def _branch(name: str, functions: Mapping[str, Function]) -> Table:
 
 
 def _part(name: str, functions: Mapping[str, Function]) -> Table:
-    """Return the table entry of a part of the sensitivities."""
+    """Return the table entry for one part of the sensitivities."""
     first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
     kept = set(flat_results(first))
     part = _entry(first) | {
@@ -163,7 +178,10 @@ def _part(name: str, functions: Mapping[str, Function]) -> Table:
 
 
 def _table_lines(head: str, table: Table, end: str, indent: str = "") -> Iterator[str]:
-    """Print a table, one entry in a line, nested tables indented."""
+    """Print a table as Python code, one entry in a line.
+
+    Nested tables are indented.
+    """
     yield f"{indent}{head}{{"
     for name, value in table.items():
         if isinstance(value, dict):

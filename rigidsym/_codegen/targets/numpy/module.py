@@ -1,4 +1,7 @@
-"""The NumPy module: double-doubles, derived functions and runtime in one file."""
+"""Construction of the generated NumPy module, a single file.
+
+It has double-doubles, derived functions and runtime.
+"""
 
 from importlib import resources
 
@@ -32,7 +35,10 @@ import numpy as np
 def build(
     functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str = THETA
 ) -> Module:
-    """Input: functions of lets and the numbers they name.  Output: the module."""
+    """Build the NumPy module from its functions and named constants.
+
+    Input: functions of lets and the numbers they name.  Output: the module.
+    """
     pieces = [
         Lines.plain(first(form)),
         *emit.module(emit.own(functions), constants),
@@ -49,13 +55,19 @@ def build(
 
 
 def first(form: str) -> str:
-    """Return the text before the numbers, with marks for shares, digest and measured errors."""
+    """Return the text of the NumPy module before its named constants.
+
+    It has placeholders for shares, digest and measured errors.
+    """
     head = _HEAD.format(text=header.text("numpy", form), option=option(form))
     return f"{head}\n{_part('double_double.py', '# --- double-doubles ---')}\n\n\n"
 
 
 def last(form: str) -> str:
-    """Return the text after the limits; the theta form alone has sensitivities."""
+    """Return the text of the NumPy module after its limits.
+
+    Only the theta form has sensitivities.
+    """
     names = [_RUNTIMES[form], *(["sensitivity.py"] if form == THETA else [])]
     return "\n\n\n".join(_part(name, "# --- runtime ---") for name in names) + "\n"
 

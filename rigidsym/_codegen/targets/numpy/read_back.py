@@ -1,4 +1,7 @@
-"""Reader of the NumPy module, which holds numbers, functions, tables and limits in order."""
+"""Check of the printed NumPy module, which is read back and compared with its functions.
+
+The module holds numbers, functions, tables and limits in order.
+"""
 
 import ast
 from collections.abc import Collection, Iterator, Mapping
@@ -39,7 +42,10 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """Return the number of lines read back; raise InputError for one that is not its let."""
+    """Check the printed Python file against its functions; return the number of derived lines.
+
+    Raises InputError for a line that differs from its let.
+    """
     file, functions = module.FILES[form], emit.own(functions)
     derived = _derived(files[file], functions, form)
     statements = iter(_statements(derived))
@@ -63,7 +69,7 @@ def check(
 
 
 def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """Return the text between the hand-written parts."""
+    """Return the generated text between the hand-written parts of the module."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
     own = key("numpy", form)
@@ -139,7 +145,7 @@ def _check_function(
 
 
 def _head(node: ast.stmt) -> str:
-    """Return the text of a function without its body."""
+    """Return the signature of a function definition as text."""
     if not isinstance(node, ast.FunctionDef):
         return ast.unparse(node)
     bare = copy(node)
@@ -160,7 +166,10 @@ def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[
 
 
 def _expected(function: Function, let: Let) -> Expression:
-    """Return the expression of a let for t_lo = 0, since times are doubles here."""
+    """Return the expression of an assignment for t_lo = 0.
+
+    Times are doubles in the NumPy module.
+    """
     if "t_lo" not in function.parameters:
         return let.expression
     (short,) = specialise([let], {"t_lo": 0})
@@ -170,7 +179,10 @@ def _expected(function: Function, let: Let) -> Expression:
 
 
 def _returned(node: ast.stmt) -> list[str]:
-    """Return the names in a return statement, with name_hi and name_lo for the halves of a pair."""
+    """Return the names in a return statement.
+
+    The halves of a pair are name_hi and name_lo.
+    """
     if not isinstance(node, ast.Return) or node.value is None:
         return []
     values = node.value.elts if isinstance(node.value, ast.Tuple) else [node.value]
@@ -187,9 +199,10 @@ def _name(value: ast.expr) -> str:
 
 
 def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
-    """Read an expression, which may call hand-written and known functions.
+    """Convert a Python syntax tree to an expression of formulas.
 
-    Raises InputError, naming the place, for what is no expression of this module.
+    It may call hand-written and known functions.  Raises InputError, naming the place, for what is
+    no expression of this module.
     """
     _check_calls(place, node, {*_CALLED, "_horner", *known})
     try:
@@ -199,7 +212,10 @@ def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
 
 
 def _check_calls(place: str, node: ast.expr, known: set[str]) -> None:
-    """Check that all calls are of known functions; `neg`, the parser's word for a sign, is not."""
+    """Check that a Python expression calls only known functions.
+
+    `neg`, the parser's word for a sign, is not known.
+    """
     for part in ast.walk(node):
         if isinstance(part, ast.Call) and ast.unparse(part.func) not in known:
             raise InputError(place, ast.unparse(part), "calls what is not known")
@@ -216,7 +232,7 @@ def _read(expression: Expression) -> Expression:
 
 
 def _nested(variable: Expression, coefficients: tuple[Expression, ...]) -> Expression:
-    """Return c_0 + x*(c_1 + x*(c_2 + ...))."""
+    """Build the nested polynomial c_0 + x*(c_1 + x*(c_2 + ...))."""
     first, *rest = coefficients
     if not rest:
         return first

@@ -1,6 +1,7 @@
-"""Stand-ins for what a generated module defines before its runtime: functions, tables, limits.
+"""Placeholders for the names that a generated NumPy module defines before its runtime.
 
-Linters and type checkers find the names here.  Each stands for anything.
+These are functions, tables and limits.  Linters and type checkers find the names here.  Each stands
+for anything.
 """
 
 from typing import Any
