@@ -106,12 +106,12 @@ class TorqueFreeMotion:
     # Lazily, because making fractions of floats takes longer than preparing a motion.
     @cached_property
     def inertia(self) -> tuple[Number, ...]:
-        """The exact principal moments of inertia, kg m^2."""
+        """The exact principal moments of inertia, in kg m^2."""
         return tuple(map(Fraction, self._floats["inertia"]))
 
     @cached_property
     def omega0(self) -> tuple[Number, ...]:
-        """The exact body rates at t = 0, rad/s."""
+        """The exact body rates at t = 0, in rad/s."""
         return tuple(map(Fraction, self._floats["omega0"]))
 
     @cached_property
@@ -418,7 +418,7 @@ class TorqueFreeMotion:
 
     @property
     def energy(self) -> float:
-        """The kinetic energy, J.
+        """The kinetic energy, in J.
 
         Formulas call it H.
         """
@@ -426,7 +426,7 @@ class TorqueFreeMotion:
 
     @property
     def momentum(self) -> float:
-        """The magnitude of the angular momentum, N m s.
+        """The magnitude of the angular momentum, in N m s.
 
         Formulas call it K.
         """
@@ -450,7 +450,7 @@ class TorqueFreeMotion:
 
     @property
     def period(self) -> float | None:
-        """The period of the body rates, s.
+        """The period of the body rates, in s.
 
         Infinite on the separatrix, None where the rates are constant.
 
@@ -461,7 +461,7 @@ class TorqueFreeMotion:
 
     @property
     def mean_rates(self) -> tuple[float, float, float]:
-        """The body rates averaged over a period, rad/s.
+        """The body rates averaged over a period, in rad/s.
 
         On the separatrix they are averaged over all times.  Only the rate about the circulation
         axis has a mean other than zero, unless all are constant.
@@ -473,7 +473,7 @@ class TorqueFreeMotion:
 
     @property
     def circulation_rate(self) -> float | None:
-        """The mean rate at which the angular momentum circulates in the body, rad/s.
+        """The mean rate at which the angular momentum circulates in the body, in rad/s.
 
         It is 2 pi/period.  Zero on the separatrix, None where the rates are constant.
         """
@@ -481,7 +481,7 @@ class TorqueFreeMotion:
 
     @property
     def precession_rate(self) -> float | None:
-        """The mean rate at which the body turns about its angular momentum, rad/s.
+        """The mean rate at which the body turns about its angular momentum, in rad/s.
 
         None on the separatrix.  Where the rates are constant it is the rate about their axis.
         """
@@ -489,7 +489,7 @@ class TorqueFreeMotion:
 
     @property
     def phase_per_period(self) -> float | None:
-        """The angle by which the body turns about its angular momentum in one period, rad.
+        """The angle by which the body turns about its angular momentum in one period, in rad.
 
         It has whole turns: 2 H period/K less the solid angle that the momentum sweeps in the body
         (Montgomery, American Journal of Physics 59, 394-398).  None on the separatrix, and where
@@ -499,7 +499,7 @@ class TorqueFreeMotion:
 
     @property
     def nutation(self) -> tuple[float, float]:
-        """The smallest and largest angle of the circulation axis from the angular momentum, rad.
+        """The smallest and largest angle of the circulation axis from the angular momentum, in rad.
 
         That axis has the largest or the smallest moment; the angle is from its end that is nearer
         to the momentum.  Both are equal for symmetric bodies, and zero where the rates are

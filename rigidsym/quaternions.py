@@ -68,7 +68,7 @@ def of_matrix(m: np.ndarray) -> np.ndarray:
 
 
 def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
-    """Convert unit quaternions to their shortest rotation vectors, rad."""
+    """Convert unit quaternions to their shortest rotation vectors, in rad."""
     scalar, vector = quaternions[..., :1], quaternions[..., 1:]
     length = np.linalg.norm(vector, axis=-1, keepdims=True)
     half = np.arctan2(length, np.abs(scalar))

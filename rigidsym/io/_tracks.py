@@ -53,9 +53,9 @@ class Track:
         object.__setattr__(self, "omega", self._rows("omega", 3))
 
     def _rows(self, name: str, width: int) -> np.ndarray:
-        """Return a copy of a field that must be an array (N, width).
+        """Check the shape of an array of the track, and return a copy.
 
-        Raises InputError for another shape.
+        The shape must be (N, width).  Raises InputError for another shape.
         """
         array = np.array(batches.array(name, getattr(self, name)))
         if array.shape != (self.times.size, width):

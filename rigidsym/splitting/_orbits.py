@@ -62,7 +62,7 @@ class KeplerOrbit:
 
     @property
     def mean_motion(self) -> float:
-        """The mean motion, rad/s.
+        """The mean motion, in rad/s.
 
         For a hyperbola it is computed from the absolute value of the semi-major axis.
         """
@@ -70,7 +70,7 @@ class KeplerOrbit:
 
     @property
     def period(self) -> float:
-        """The orbital period, s.
+        """The orbital period, in s.
 
         It is infinite for a hyperbola.
         """
@@ -90,7 +90,7 @@ class KeplerOrbit:
         return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
 
     def position(self, t: float) -> np.ndarray:
-        """Return the position relative to the mass point at a time, m.
+        """Return the position relative to the mass point at a time, in m.
 
         It has the shape (3,) and is in inertial axes.
         """
@@ -140,7 +140,7 @@ def tidal(mu: float, position: np.ndarray) -> np.ndarray:
 
 
 def elliptic_anomaly(mean: float, e: float) -> float:
-    """Solve Kepler's equation E - e sin E = mean for the eccentric anomaly E, rad.
+    """Solve Kepler's equation E - e sin E = mean for the eccentric anomaly E, in rad.
 
     It is required that |mean| <= pi and 0 <= e < 1.  Newton's method starts at E = pi, on the side
     of the mean anomaly, and comes down without passing the root (Charles and Tatum, Celestial

@@ -52,7 +52,7 @@ Panel = tuple[float, float]
 
 
 def rounding(count: float, turned: float) -> float:
-    """Estimate the accumulated rounding error of an integration, rad.
+    """Estimate the accumulated rounding error of an integration, in rad.
 
     count: number of kicks; turned: angle by which a body turns, rad.
 
@@ -111,7 +111,7 @@ class Panels(Mesh):
         return float(coarse / fine) if fine else np.inf
 
     def piece(self, t: float, state: State) -> Panel:
-        """Choose the panel that begins at t, and return its end and step, s.
+        """Choose the panel that begins at t, and return its end and step, in s.
 
         Raises HopelessError, and whatever the torque raises.
         """
@@ -241,7 +241,7 @@ class Panels(Mesh):
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
     def _reach(self, begin: float) -> np.ndarray:
-        """Return the sensitivity of the final error to a change of the rates, s.
+        """Return the sensitivity of the final error to a change of the rates, in s.
 
         It turns the body until the end of the run, and it is a part of the body's rates.
         """
@@ -274,7 +274,7 @@ class Panels(Mesh):
         return self._splitting.probe(times, states.q, states.omega)
 
     def _weights(self, begin: float, torques: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """Return the sensitivity of the final error to an impulse, rad/(N m s).
+        """Return the sensitivity of the final error to an impulse, in rad/(N m s).
 
         It has the shape (..., 1).  This also updates the largest rates of the bodies.
         """
@@ -284,7 +284,7 @@ class Panels(Mesh):
         return (self._reach(begin) / self._least_moment)[..., None]
 
     def _kicked(self, path: Path, begin: float, step: float, count: int) -> np.ndarray:
-        """Return the sum of the kicks of `count` steps along a path of states, N m s.
+        """Return the sum of the kicks of `count` steps along a path of states, in N m s.
 
         It has the shape (..., 3).
         """

@@ -154,7 +154,7 @@ class Splitting:
         return State(q, omega + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
 
     def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque divided by the moments of inertia, rad/s^2.
+        """Return the torque divided by the moments of inertia, in rad/s^2.
 
         Raises InputError for an invalid torque.
         """

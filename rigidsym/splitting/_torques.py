@@ -52,7 +52,7 @@ class DirectionTorque:
         return self.source.tide(t) if isinstance(self.source, KeplerOrbit) else self.source
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque in body axes, N m.
+        """Return the torque in body axes, in N m.
 
         It has the shape (..., 3).
         """
@@ -118,7 +118,7 @@ class FieldPotential(DirectionTorque):
         super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the potential energy of the bodies, J."""
+        """Return the potential energy of the bodies, in J."""
         v = _in_body(q, self.field)
         quadratic = np.sum(v * np.squeeze(self.quadratic @ v[..., None], -1), axis=-1)
         return quadratic / 2 - np.sum(self.linear * v, axis=-1)
@@ -167,7 +167,7 @@ class GravityGradient(DirectionTorque):
         super().__init__(orbit, _coefficients(Q=_differences(self.inertia)))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """Return the part of the potential energy that depends on the attitude, J.
+        """Return the part of the potential energy that depends on the attitude, in J.
 
         It is of second order in the size of the body (MacCullagh's formula).
         """
@@ -191,7 +191,7 @@ class Potential:
     gradient: Callable[[float, np.ndarray], np.ndarray]
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque in body axes, N m.
+        """Return the torque in body axes, in N m.
 
         It has the shape (..., 3).
         """
@@ -260,7 +260,7 @@ class TorqueInC(DirectionTorque):
         self._function = SIGNATURE(function)
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque in body axes, N m.
+        """Return the torque in body axes, in N m.
 
         It has the shape (..., 3).
         """

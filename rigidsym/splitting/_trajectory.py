@@ -88,7 +88,7 @@ class Trajectory:
 
     @property
     def step(self) -> float:
-        """The length of the longest step, s."""
+        """The length of the longest step, in s."""
         return max(self.mesh.steps, default=np.nan)
 
     def __iter__(self) -> Iterator[np.ndarray]:
@@ -168,7 +168,7 @@ def _reach(
 
 
 def _steps(t: float, begin: float, step: float) -> tuple[int, float]:
-    """Return the number of whole steps from `begin` to t, and the remaining time, s."""
+    """Return the number of whole steps from `begin` to t, and the remaining time, in s."""
     count = int((t - begin) / step + 0.5)
     rest = t - (begin + count * step)
     if abs(rest) <= _NEAR * max(abs(t), abs(begin)):

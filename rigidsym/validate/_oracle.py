@@ -51,7 +51,7 @@ class Reference:
 
     @property
     def turned(self) -> np.ndarray:
-        """The angles |omega0 t| by which the body has turned at each time, rad."""
+        """The angles |omega0 t| by which the body has turned at each time, in rad."""
         return np.abs(self.sample.times) * self.rate
 
     def within(self, reach: float) -> "Reference":

@@ -48,7 +48,7 @@ AT_REST = 10.0
 
 
 def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
-    """Return an interval of time in which the body rates trace the polhode once, s."""
+    """Return an interval of time in which the body rates trace the polhode once, in s."""
     period = motion.period or 0.0
     if math.isfinite(period):
         return 0.0, period
@@ -61,7 +61,7 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
 
 
 def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.ndarray:
-    """Return the user's times for a picture, or default times, s.
+    """Return the user's times for a picture, or default times, in s.
 
     Default times begin at zero and cover two periods or a few turns at the initial rate.  Raises
     InputError for fewer than two times.
@@ -85,12 +85,12 @@ def chosen(motion: "TorqueFreeMotion", times: Times | None, count: int) -> np.nd
 
 
 def moments(motion: "TorqueFreeMotion") -> np.ndarray:
-    """Return the principal moments of a motion's body as floats, kg m^2."""
+    """Return the principal moments of a motion's body as floats, in kg m^2."""
     return np.array([float(x) for x in motion.exact["inertia"]])
 
 
 def momentum(motion: "TorqueFreeMotion") -> np.ndarray:
-    """Return the angular momentum at t = 0 in body axes, kg m^2/s."""
+    """Return the angular momentum at t = 0 in body axes, in kg m^2/s."""
     return moments(motion) * [float(x) for x in motion.exact["omega0"]]
 
 

@@ -52,7 +52,10 @@ class Fourier:
         return len(self.series[0])
 
     def states(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the states at times t (N,), which are q (N, 4) and omega (N, 3)."""
+        """Evaluate the Fourier series, and return the states at times.
+
+        These are q (N, 4) and omega (N, 3) at t (N,).
+        """
         v, half_psi = (np.pi * _reduced(t, *rate) for rate in (self.v, self.psi))
         rest, sn, cn, dn = self.series
         x, twice = np.cos(2 * v), np.sin(2 * v)
@@ -94,7 +97,7 @@ class Series:
     prepare_exactly = prepare
 
     def states(self, prepared: Fourier, t: Any) -> tuple[np.ndarray, np.ndarray]:
-        """Return the states of a prepared motion at times t (N,)."""
+        """Return the states of a prepared motion at times."""
         return prepared.states(t)
 
 

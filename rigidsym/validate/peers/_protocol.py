@@ -105,7 +105,7 @@ class Start:
 
 
 def checked(t: ArrayLike) -> np.ndarray:
-    """Convert times to an array (N,) of finite numbers.
+    """Convert times to a one-dimensional array of finite numbers.
 
     Raises EngineError for others.
     """

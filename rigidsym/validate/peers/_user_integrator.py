@@ -106,9 +106,9 @@ class _OfFunction(Integrator):
 
 
 def shaped(states: object, count: int) -> States:
-    """Convert a user's result to float64 arrays of attitudes (N, 4) and rates (N, 3).
+    """Convert a user's result to float64 arrays of attitudes and rates.
 
-    Raises EngineError for all else.
+    Their shapes are (N, 4) and (N, 3).  Raises EngineError for all else.
     """
     if not isinstance(states, Sequence | np.ndarray) or len(states) != 2:
         raise EngineError("integrator", f"gives {type(states).__name__}: must be (q, omega)")
