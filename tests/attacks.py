@@ -1,4 +1,4 @@
-"""Ledgers that an attacker would write: one definition changed, all proofs redone.
+"""Forged ledgers: one definition is changed and all proofs are redone.
 
 What no longer follows is left out, and what was published of it is taken from definitions.  The
 attacker may do more than the kernel lets him: witnesses are not looked at again, and balls agree.
@@ -16,17 +16,20 @@ from rigidsym.proof.kernel._ledger import _frozen
 
 
 class Unwitnessed(Context):
-    """Context whose witness is not checked."""
+    """Context whose sample point is not checked."""
 
     __slots__ = ()
 
     def check_point(self, ring, values):
-        """Accept any point."""
+        """Accept any sample point."""
         return []
 
 
 def changes(text: str) -> dict[str, str]:
-    """Return a definition with a flipped sign, a dropped term or factor, and a doubled factor."""
+    """Return forged versions of a definition, by the kind of change.
+
+    A version has a flipped sign, a dropped term or factor, or a factor 2.
+    """
     tree = parse(text)
     found = {"flipped": _flipped(tree), "doubled": Operation("*", Number(2), tree)}
     if isinstance(tree, Operation) and tree.operator != "**":
@@ -44,14 +47,14 @@ def _flipped(tree):
 
 
 def definitions(specification: str, data: Any) -> list[tuple[str, str]]:
-    """Return name and text of each definition in the contexts of a specification."""
+    """Return the name and text of each definition in the contexts of a specification."""
     named = theorems(specification)
     contexts = [context for context in data["contexts"] if context["name"] in named]
     return [*dict.fromkeys(pair for c in contexts for pair in c["definitions"].items())]
 
 
 class Attacker:
-    """Writer of changed ledgers from an honest one."""
+    """Forger of ledgers from a valid one."""
 
     def __init__(self, text: str) -> None:
         self._data, self._ledger = json.loads(text), Ledger()
@@ -62,7 +65,7 @@ class Attacker:
             self._ledger.facts[fact.id] = fact
 
     def redefine(self, name: str, text: str, changed: str) -> Any:
-        """Return the ledger in which a name has another definition everywhere."""
+        """Return the ledger with one definition of a name replaced everywhere."""
         hit = {c.name for c in self._ledger.contexts.values() if c.definitions.get(name) == text}
         builder = LedgerBuilder()
         builder.ledger = Ledger(lambda *_: True)
@@ -96,7 +99,7 @@ class Attacker:
                 ledger.contexts.pop(context.name, None)
 
     def _sequences(self, ledger: Ledger, group: str) -> dict[str, list[Any]]:
-        """Return the published formulas, by definition where the fact is lost."""
+        """Return the published formulas, each by its definition if its fact is lost."""
         return {
             sequence: [self._entry(ledger, entry) for entry in entries]
             for sequence, entries in self._data["published"][group].items()
@@ -114,7 +117,7 @@ class Attacker:
 
 
 def _restated(fact: Fact, name: str, text: str, changed: str) -> Fact:
-    """Return a fact with the changed definition wherever it restates it."""
+    """Return a fact with the changed definition wherever the fact restates it."""
     if fact.kind not in ("equal", "root"):
         return fact
     pairs = zip(fact.lhs, fact.rhs, strict=True)
@@ -122,7 +125,7 @@ def _restated(fact: Fact, name: str, text: str, changed: str) -> Fact:
 
 
 def _redo(builder: LedgerBuilder, fact: Fact) -> None:
-    """Prove a fact again, if it still follows."""
+    """Prove a fact again in the forged ledger, if it still follows."""
     if (
         fact.context not in builder.ledger.contexts
         or {*fact.premises} - builder.ledger.facts.keys()

@@ -1,4 +1,4 @@
-"""Motions in balls: boxes of uncertain inputs, the exact motions in them, and what holds these."""
+"""Boxes of uncertain inputs, sampled exact motions in them, and checks of enclosures."""
 
 from fractions import Fraction
 from random import Random
@@ -19,7 +19,10 @@ def numbers(state):
 
 
 def spread(value, size):
-    """Return a number with a radius; the number itself for no radius."""
+    """Return a number with an uncertainty.
+
+    It is the number itself if the uncertainty is zero.
+    """
     return Uncertain(Fraction(value), Fraction(size)) if size else Fraction(value)
 
 
@@ -40,14 +43,19 @@ def distance(one, other):
 
 
 def point_of(motion, choose):
-    """Return the exact motion with each number moved by `choose()` times its radius."""
+    """Return an exact motion inside a box of uncertain inputs.
+
+    Each number is moved from its middle by `choose()` times its radius.
+    """
     given = motion.inertia, motion.omega0, motion.attitude0
     inputs = [[middle(x) + Fraction(choose()) * radius(x) for x in values] for values in given]
     return TorqueFreeMotion(*inputs, allow_nonphysical=True)
 
 
 def points(motion, count, random=None):
-    """Yield points inside of a box and corners of it in turn; without a generator, also its middle.
+    """Yield random motions inside a box and at its corners, in turn.
+
+    Without a generator the first is the middle of the box.
 
     random: a generator to continue with.
     """
@@ -64,14 +72,15 @@ def sharp(motion, time):
 
 
 def holds_points(found, motion, time):
-    """Return True if balls contain the balls of sampled motions of a box."""
+    """Return True if balls contain the enclosures of motions sampled from a box."""
     return all(contain(found, numbers(x.enclose(time, 60))) for x in points(motion, 10))
 
 
 def holds(found, motion, time, count, random=None):
-    """Return True if balls hold sampled motions of a box, up to twice these motions' own radii.
+    """Return True if balls contain the states of motions sampled from a box.
 
-    Their own balls are the wider ones where all inputs that matter are exact.
+    Balls may be too small by twice the radii of the motions' own balls, which are the wider ones
+    where all inputs that matter are exact.
     """
     with working(300):
         return all(

@@ -1,4 +1,4 @@
-"""Fixtures of all tests: processes of a run, and results that are computed once."""
+"""Fixtures for all tests: worker processes, and results that are computed once."""
 
 import fcntl
 import os
@@ -14,7 +14,7 @@ import pytest
 
 
 def pytest_configure(config):
-    """Keep bytecode in pytest's own folder where sources may have none beside them.
+    """Keep bytecode in pytest's cache folder if Python writes none beside the sources.
 
     Tests start hundreds of processes, each of which would compile all that it imports again.
     """
@@ -30,14 +30,17 @@ def pytest_configure(config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_xdist_auto_num_workers(config):
-    """Run the tests of one file in this process, others in one process for each processor."""
+    """Run a single test file in this process, and several files in one process per processor."""
     named = [Path(argument.partition("::")[0]) for argument in config.args]
     return 0 if len(named) == 1 and named[0].is_file() else None
 
 
 @pytest.fixture(scope="session")
 def once(tmp_path_factory):
-    """Return `once(name, make)`, a folder of this run that one process fills for all."""
+    """Return `once(name, make)`, which fills a shared folder once per test run.
+
+    One process fills the folder for all.
+    """
     own = tmp_path_factory.getbasetemp()
     shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
@@ -79,13 +82,13 @@ def _checked():
 
 @pytest.fixture
 def replayed_once(monkeypatch, _checked):
-    """Let commands ask the second checker about the sealed ledger once in this process."""
+    """Let commands run the second checker on the sealed ledger once in this process."""
     monkeypatch.setattr("rigidsym._cli.proofs.replayed", _checked)
 
 
 @pytest.fixture(scope="session")
 def reproduced(once):
-    """Return a folder with the files of one `rigidsym reproduce` and its `stdout`."""
+    """Return a folder with the output of `rigidsym reproduce`: its files, and `stdout`."""
 
     def run(folder):
         command = [sys.executable, "-m", "rigidsym", "reproduce", "-o", folder / "files"]
@@ -101,7 +104,7 @@ def reproduced(once):
 
 @pytest.fixture
 def run(capsys):
-    """Run a command; return what it prints as `out` and `err`.
+    """Run a command, and return its output as `out` and `err`.
 
     The first argument is split as a shell splits it, the others are taken as they are.
     """
@@ -122,7 +125,7 @@ def run(capsys):
 
 @pytest.fixture
 def refused(run):
-    """Run a command that is refused with status 2; return its one line of error."""
+    """Run a command that must fail with status 2, and return its one line of error."""
 
     def refused(command, *arguments, status=2):
         (error,) = run(command, *arguments, status=status).err.splitlines()
@@ -133,7 +136,10 @@ def refused(run):
 
 @pytest.fixture(scope="session")
 def here(once):
-    """Return a folder of this run with all C sources, and with what is built of them."""
+    """Return a folder with all C sources and with the programs built from them.
+
+    It is shared in this run of the tests.
+    """
     from compilers import written
 
     return once("c_builds", written)
@@ -141,7 +147,10 @@ def here(once):
 
 @pytest.fixture(scope="session")
 def exact_motions(once):
-    """Return motions in every regime, each with its exact states, which one process computes."""
+    """Return motions in every regime, each with its exact states.
+
+    One process computes the states for all.
+    """
     from regimes import save_exact, with_exact
 
     return with_exact(once("exact_motions", save_exact))

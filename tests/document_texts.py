@@ -1,4 +1,4 @@
-"""Texts of README and pages, and the commands that all documents name."""
+"""Texts of the README and the pages, and the commands that documents name."""
 
 import re
 from collections.abc import Iterator
@@ -22,18 +22,18 @@ FENCED = {
 
 
 def blocks(language, name=None):
-    """Return the fenced blocks of a language in one text, or in all."""
+    """Return the fenced code blocks of a language in one document, or in all."""
     chosen = FENCED if name is None else [name]
     return [text for document in chosen for info, text in FENCED[document] if info == language]
 
 
 def words(name):
-    """Return a text without its line breaks."""
+    """Return the text of a document without its line breaks."""
     return " ".join(TEXTS[name].split())
 
 
 def rows(name):
-    """Return the rows of a text's tables, as cells."""
+    """Return the rows of all tables in a document, each as a list of cells."""
     lines = (line for line in TEXTS[name].splitlines() if line.startswith("| "))
     return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
 
@@ -47,7 +47,7 @@ COMMAND = re.compile(rf"(?:{'|'.join(PROGRAMS)}) +\S")
 
 
 def documents() -> dict[str, str]:
-    """Return every document that may name commands as Markdown, by its path."""
+    """Return the Markdown text of every document that may name commands, by its path."""
     paths = [ROOT / "CHANGELOG.md", *PATHS[:2], *sorted(PAGES.rglob("*.md"))]
     notebooks = sorted((ROOT / "notebooks" / "text").glob("*.py"))
     texts = {path: path.read_text("utf-8") for path in paths}
@@ -56,7 +56,7 @@ def documents() -> dict[str, str]:
 
 
 def _markdown(notebook: str) -> str:
-    """Return a notebook's prose, and the commands of its code cells as a block of a shell."""
+    """Convert a notebook to Markdown: its prose, and shell commands as code blocks."""
     told = []
     for cell in re.split(r"^# %%", notebook, flags=re.MULTILINE)[1:]:
         head, _, body = cell.partition("\n")
@@ -69,7 +69,7 @@ def _markdown(notebook: str) -> str:
 
 
 def commands() -> dict[str, str]:
-    """Return every command that a document names, with the last such document.
+    """Return every command that a document names, with the last document that names it.
 
     Commands stand in blocks of a shell, line by line, and in other text as code that begins with
     the name of a program.
@@ -92,7 +92,10 @@ def _named(text: str) -> Iterator[str]:
 
 
 def _alternatives(command: str) -> Iterator[str]:
-    """Yield `x a` and `x b` for `x a|b`, as it is run in an environment that is set up."""
+    """Yield the commands `x a` and `x b` for `x a|b`.
+
+    They are the commands as they are run in an environment that is set up, without `uv run`.
+    """
     command = re.sub(
         r"^(?:time|nice|uv run(?: --no-dev| --no-sync| --group all)*) (?=\w)", "", command
     )

@@ -1,4 +1,4 @@
-"""Random edits of a ledger that change what a specified theorem says.
+"""Random edits of a ledger that change the meaning of a specified theorem.
 
 An edit changes one expression to another, drops a hypothesis or adds one: in the contexts of the
 theorems, in a definition wherever it stands, or in all facts that state what a theorem does.
@@ -20,7 +20,7 @@ _LISTS = ("generators", "units", "relations", "nonnegative")
 
 
 def edited(text: str, specification: str, seed: int) -> tuple[str, Any]:
-    """Return a random change of a ledger in words, and the changed ledger as data."""
+    """Return a random edit of a ledger: its description, and the edited ledger as data."""
     random, data = Random(seed), json.loads(text)
     while True:
         kind = random.choice([_hypothesis, _meaning, _statement])
@@ -29,7 +29,7 @@ def edited(text: str, specification: str, seed: int) -> tuple[str, Any]:
 
 
 def changed(text: str, names: list[str], random: Random) -> str:
-    """Return another expression, with one name, number, sign, power or factor changed."""
+    """Return an expression with one name, number, sign, power or factor changed at random."""
     tokens = [*_TOKEN.finditer(text)]
     while True:
         token = random.choice(tokens)
@@ -83,7 +83,7 @@ def _hypothesis(data: Any, specification: str, random: Random) -> str:
 
 
 def _meaning(data: Any, specification: str, random: Random) -> str:
-    """Change a definition in every context that has it, and in all facts that restate it."""
+    """Change a definition in all contexts that have it and in all facts that restate it."""
     context = _context(data, specification, random)
     if not context["definitions"]:
         return ""
@@ -97,7 +97,7 @@ def _meaning(data: Any, specification: str, random: Random) -> str:
 
 
 def _statement(data: Any, specification: str, random: Random) -> str:
-    """Change a side of an equation that a theorem states, in all facts that state it."""
+    """Change one side of an equation of a theorem, in all facts that state the equation."""
     stated = {
         frozenset((lhs, rhs))
         for theorem in theorems(specification).values()

@@ -1,4 +1,4 @@
-"""Imported first by tests of what needs CasADi: without it they skip, and say so."""
+"""Skip of the tests that need CasADi if it is not installed; these import this module first."""
 
 import pytest
 

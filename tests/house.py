@@ -1,4 +1,4 @@
-"""Import graph of the project: packages, layers, dependencies between packages, and circles.
+"""Import graph of the project: packages, layers, dependencies between packages, and cycles.
 
     python tests/house.py
 
@@ -27,12 +27,12 @@ Graph = Mapping[str, set[str]]
 
 
 def plain(name: str) -> str:
-    """Return a dotted name without the underscores that mark private modules and folders."""
+    """Return a dotted module name without the leading underscores of private parts."""
     return re.sub(r"\._(?!_)", ".", name)
 
 
 def modules() -> dict[str, Path]:
-    """Return every module of the package and of the derivation, by its dotted name."""
+    """Return the path of every module of package and derivation, by its dotted name."""
     found = {}
     for top in ("rigidsym", "derivations"):
         for path in sorted((ROOT / top).rglob("*.py")):
@@ -44,7 +44,7 @@ def modules() -> dict[str, Path]:
 
 @cache
 def imported(path: Path, types: bool = True) -> tuple[str, ...]:
-    """Return the dotted names of all that a module imports, for example `package.module.name`.
+    """Return the dotted names that a module imports, for example `package.module.name`.
 
     Without `types`, those under `if TYPE_CHECKING` are left out.
     """
@@ -61,7 +61,10 @@ def imported(path: Path, types: bool = True) -> tuple[str, ...]:
 
 
 def imports() -> Graph:
-    """Return the project's modules that each module imports; for views, when they run."""
+    """Return the modules of the project that each module imports.
+
+    For views, these are the imports that run.
+    """
     every = modules()
 
     def home(name: str) -> str:
@@ -78,7 +81,10 @@ def imports() -> Graph:
 
 
 def package(module: str) -> str:
-    """Return the folder of a module; within proof, view and codegen the folder inside that."""
+    """Return the name of the package that a module belongs to.
+
+    It is the module's folder, and within proof, view and codegen the folder inside that.
+    """
     top, *rest = module.split(".")
     if top != "rigidsym" or not rest:
         return top
@@ -87,7 +93,7 @@ def package(module: str) -> str:
 
 
 def circle(graph: Graph) -> list[str]:
-    """Return modules that import each other in a circle; none where there is none."""
+    """Return modules that import each other in a cycle; none if there is no cycle."""
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -96,13 +102,16 @@ def circle(graph: Graph) -> list[str]:
 
 
 def dependencies(graph: Graph) -> Counter[tuple[str, str]]:
-    """Count the imports from one package to another."""
+    """Count the imports from each package to each other one."""
     pairs = ((package(name), package(other)) for name, others in graph.items() for other in others)
     return Counter(pair for pair in pairs if pair[0] != pair[1])
 
 
 def layers(graph: Graph) -> dict[str, int]:
-    """Return the layer of each package, that of its highest module: above all that it imports."""
+    """Return the layer of each package in the import graph.
+
+    It is that of the package's highest module, and a module is above all that it imports.
+    """
     height: dict[str, int] = {}
     found: dict[str, int] = {}
     for name in TopologicalSorter(graph).static_order():
@@ -112,7 +121,7 @@ def layers(graph: Graph) -> dict[str, int]:
 
 
 def main() -> None:
-    """Print the packages by layer with what they import, or the first circle."""
+    """Print the packages by layer with their imports, or the first import cycle."""
     graph = imports()
     if found := circle(graph):
         print("circle:", " -> ".join(found))

@@ -7,7 +7,10 @@ VOID = {"br", "meta"}
 
 
 class Elements(HTMLParser):
-    """HTML elements with their attributes; tags that are not closed in order fail."""
+    """Parser of HTML elements with their attributes.
+
+    It fails for tags that are not closed in order.
+    """
 
     def __init__(self, text):
         super().__init__()
@@ -34,7 +37,7 @@ class Elements(HTMLParser):
 
 
 def well_formed(text):
-    """Return the words of a card, after checks that it is well formed and has no fixed colours."""
+    """Check that an HTML card is well formed and has no fixed colours; return its words."""
     elements = Elements(text)
     assert not elements.all("script")
     assert not re.search(r"[: ](black|white)[;\" ]|#000|#fff", text)

@@ -1,4 +1,4 @@
-"""Helpers for tests of ledgers: facts decided in any ledger, and unchecked ledgers."""
+"""Helpers for tests of ledgers: proofs of facts, unchecked ledgers, and tampering."""
 
 import json
 from collections.abc import Iterable
@@ -21,19 +21,19 @@ FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 
 
 def prove(ledger: Ledger, fact: Fact) -> Fact:
-    """Admit an identity with cofactors computed as by the builder."""
+    """Add an identity to a ledger, with cofactors computed as the builder does."""
     builder = LedgerBuilder()
     builder.ledger = ledger
     return builder.decide(fact)
 
 
 def written(data: Any) -> str:
-    """Return data as JSON in the spelling of ledgers."""
+    """Return data as JSON text in the format of ledgers."""
     return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
 def unchecked(contexts: Iterable[Context], facts: Iterable[Fact]) -> str:
-    """Return the text of a ledger of unchecked contexts and facts."""
+    """Return the text of a ledger from contexts and facts that nothing has checked."""
     return Ledger(
         contexts={context.name: context for context in contexts},
         facts={fact.id: fact for fact in facts},
@@ -44,7 +44,11 @@ GONE = object()
 
 
 def tampered(text: str, path: str, value: Any) -> str:
-    """Return a ledger with the entry at a path replaced, removed (GONE) or appended (+)."""
+    """Return the text of a ledger with one entry changed.
+
+    The entry at the path is replaced by a value, removed (GONE), or copied to the end of its list
+    (+).
+    """
     data = place = json.loads(text)
     *outer, last = [int(key) if key.isdigit() else key for key in path.split("/")]
     for key in outer:
@@ -60,7 +64,10 @@ def tampered(text: str, path: str, value: Any) -> str:
 
 
 def both_refuse(text: str, match: str | None = None) -> str:
-    """Assert that kernel and checker refuse a ledger in one plain line; return the checker's."""
+    """Assert that kernel and second checker reject a ledger; return the checker's message.
+
+    Both messages are one line of printable ASCII.
+    """
     with pytest.raises(KernelError, match=match) as first:
         replay(text)
     with pytest.raises(Refused, match=match) as second:
@@ -72,7 +79,7 @@ def both_refuse(text: str, match: str | None = None) -> str:
 
 
 def require_again(ledger: Any, specification: str) -> None:
-    """Compare a ledger with the specification as the second checker reads both."""
+    """Compare a ledger with the specification, both as read by the second checker."""
     contexts = {entry["name"]: fill(Hypotheses, entry) for entry in ledger["contexts"]}
     facts = {entry["id"]: fill(Claim, entry) for entry in ledger["facts"]}
     Catalogue(contexts, facts, ledger["published"]).require(specification)

@@ -1,4 +1,7 @@
-"""Transfers to fly that need no planner: the target is where a known motion arrives."""
+"""Transfers for flight tests, made from known motions and not by the planner.
+
+The target is where the known motion arrives.
+"""
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -22,7 +25,7 @@ NO_CONTROL = {"natural_frequency": 0.0}
 
 @dataclass(frozen=True)
 class Known:
-    """A motion that takes the place of a transfer."""
+    """Known motion in place of a planned transfer."""
 
     duration: float
     motion: TorqueFreeMotion
@@ -53,13 +56,19 @@ def short(length=40, period="0.1", **parts):
 
 
 def flown(length=40, period="0.1", transfer=None, **parts):
-    """Fly along the motion of `known(**transfer)` for a short time."""
+    """Fly along the known motion of a manoeuvre for a short time.
+
+    transfer: the arguments of `known`.
+    """
     asked, track = known(**(transfer or {}))
     return fly(asked, short(length, period, **parts), track)
 
 
 def tracked(length=40, message=None, **parts):
-    """Fly along a motion of 10 s; return the flight with its manoeuvre and settings."""
+    """Fly along a known motion of 10 s, and return the flight as a `Tracked` result.
+
+    It has the manoeuvre and the settings of the flight, too.
+    """
     asked, transfer = known(duration=10, omega0=(0.01, 0.02, -0.01))
     flight = replace(short(length, **parts), message=message or {})
     return Tracked(asked, flight, transfer, fly(asked, flight, transfer))

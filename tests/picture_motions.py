@@ -1,4 +1,4 @@
-"""A motion of every regime, and pictures of them that several tests share."""
+"""One motion of every regime, and pictures of them that several tests share."""
 
 from functools import cache
 
@@ -21,5 +21,8 @@ MOVING = [name for name in MOTIONS if name != "rest"]
 
 @cache
 def picture(draw, name):
-    """Draw a picture of a motion once; tests that change it have to draw their own."""
+    """Draw a picture of a motion, and cache it.
+
+    Tests that change the picture have to draw their own.
+    """
     return draw(MOTIONS[name])

@@ -1,4 +1,4 @@
-"""Bodies under a torque by a potential, with reference states by DOP853."""
+"""Rigid bodies under a torque by a potential, with reference states by DOP853."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ LEVER = np.array([0.1, 0.2, 0.3])
 
 
 def energy(t, q):
-    """Return the potential energy of a lever in a field along z that changes with time, J."""
+    """Return the potential energy of a lever in a time-dependent field along z, in J."""
     up = np.broadcast_to([0.0, 0.0, 1.0], (*q.shape[:-1], 3))
     return np.cos(0.3 * t) * np.sum(LEVER * rotated(conjugate(q), up), axis=-1)
 
@@ -44,7 +44,10 @@ class Pushed:
         return found
 
     def reference(self):
-        """Return q (N, 4) and omega (N, 3) by DOP853."""
+        """Return the reference attitudes and rates at all times, integrated by DOP853.
+
+        q has the shape (N, 4), and omega (N, 3).
+        """
         span, start = (self.times[0], self.times[-1]), [*self.q0, *self.omega0]
         found = solve_ivp(
             self.derivative, span, start, "DOP853", self.times, rtol=1e-13, atol=1e-14

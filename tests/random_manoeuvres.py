@@ -1,4 +1,7 @@
-"""Random manoeuvres, and a search for the cheapest one without the planner's geometry."""
+"""Random manoeuvres, and a brute-force search for the cheapest transfer.
+
+The search does not use the planner's geometry.
+"""
 
 from fractions import Fraction
 
@@ -21,17 +24,17 @@ SKEW = np.array([2.0, -1.0, 2.0]) / 3
 
 
 def turn(axis, angle) -> tuple:
-    """Return the quaternion of a turn about a unit vector."""
+    """Return the quaternion of a rotation by an angle about a unit vector."""
     return (np.cos(angle / 2), *(np.sin(angle / 2) * np.asarray(axis)))
 
 
 def turning(inertia, target, engine="c") -> Problem:
-    """Return the problem of a turn from the identity in 1 s."""
+    """Return the transfer problem from the identity to a target in 1 s."""
     return posed(asked_for.manoeuvre(inertia, START, target, 1), engines.engine(engine))
 
 
 def manoeuvre(index: int, seed: int = 1) -> Manoeuvre:
-    """Return a random manoeuvre of a kind that goes with its index."""
+    """Return a random manoeuvre; its index selects the kinds of body and target."""
     rng = np.random.default_rng([seed, index])
     inertia = _body(rng, BODIES[index % len(BODIES)])
     start = rng.normal(size=4)
@@ -50,7 +53,7 @@ def posed(asked: Manoeuvre, engine) -> Problem:
 
 
 def _body(rng, kind):
-    """Return random moments of a kind, in any order, of a body that can exist."""
+    """Return random principal moments of a physical body of a given kind, in any order."""
     a, b = rng.uniform(0.1, 1, size=2)
     c = rng.uniform(abs(a - b), a + b)
     if kind == "near symmetric":
@@ -81,15 +84,18 @@ def _turn(rng, inertia, kind):
 
 
 def brute(problem: Problem, rng, starts: int = STARTS, refined: int = REFINED) -> float:
-    """Return the least momentum with which random rates arrive, once the best are refined."""
+    """Return the least momentum of a transfer found by a search from random rates.
+
+    The best of the random rates are refined.
+    """
     found = arriving(problem, rng, 1.05 * least(problem), starts, refined)
     return float(np.min(problem.momenta(found), initial=np.inf))
 
 
 def arriving(problem: Problem, rng, bound: float, starts: int, refined: int) -> np.ndarray:
-    """Return rates (N, 3) that arrive, refined from random ones with momenta up to a bound.
+    """Return initial rates (N, 3) that reach the target, refined from random rates.
 
-    Some are there many times.
+    bound: that of the momenta of the random rates.  Some rates are there many times.
     """
     direction = rng.normal(size=(starts, 3))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)

@@ -1,4 +1,4 @@
-"""A small notebook with text, mathematics and a 3-D picture."""
+"""Small notebook with text, mathematics and a 3-D picture."""
 
 CELLS = (
     "import numpy as np\n\nimport rigidsym\n\n"

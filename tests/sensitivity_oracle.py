@@ -1,4 +1,4 @@
-"""Sensitivities by differences of states of many digits, and errors of other sensitivities."""
+"""Reference sensitivities by differences of precise states, and errors of sensitivities."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -15,9 +15,10 @@ Numbers = Sequence[Fraction]
 def differences(
     inertia: Numbers, omega0: Numbers, attitude0: Numbers, times: Numbers, step: int, digits: int
 ) -> np.ndarray:
-    """Return the derivatives (N, 6, 7) of turn and rates by omega0, the moments and the time.
+    """Return reference derivatives of the states by central differences.
 
-    Inputs move by 10^-step of their size, either way; states have so many digits.
+    They are those of turn and rates (N, 6, 7) by omega0, the moments and the time.  Inputs are
+    moved by 10^-step of their size, either way; states have `digits` digits.
     """
 
     def states(rates: Numbers, moments: Numbers, at: Numbers):
@@ -39,7 +40,10 @@ def differences(
 
 
 def _quotients(after, before, here, step, digits):
-    """Return difference quotients (N, 6) of small turns in space, 2 dq q*, and of rates."""
+    """Return the difference quotients of attitudes, as small turns in space, and of rates.
+
+    They have the shape (N, 6); a small turn is 2 dq q*.
+    """
     with working(bits_of(digits)):
         rows = []
         for (p, w), (q, v), r in zip(
@@ -55,7 +59,7 @@ def _quotients(after, before, here, step, digits):
 def errors(
     found: Sensitivity, true: np.ndarray, inertia: Numbers, omega0: Numbers, t: Fraction
 ) -> np.ndarray:
-    """Return the error of each of the six columns, relative to the column.
+    """Return the relative error of each of the six sensitivity columns.
 
     Turns are times |omega0|, and a moment changes by itself: so all are rates.  Until the body has
     turned by 1 rad a column is taken to be no shorter than the change itself, and never shorter

@@ -13,14 +13,14 @@ TUMBLING = rigidsym.TorqueFreeMotion((1.0, 0.85, 0.4), (0.3, -0.5, 1.1), (0.5, 0
 
 
 def attitudes(motion, times, sigma, random):
-    """Return quaternions (N, 4) of a motion with random errors and signs."""
+    """Return simulated quaternions (N, 4) of a motion, with random errors and signs."""
     q, _ = motion(times)
     turned = product(q, of_rotation_vectors(sigma * random.normal(size=(len(times), 3))))
     return turned * random.choice([-1.0, 1.0], size=(len(times), 1))
 
 
 def rates(motion, times, sigma, random):
-    """Return rates (N, 3) of a motion with random errors."""
+    """Return simulated rates (N, 3) of a motion, with random errors."""
     return motion(times)[1] + sigma * random.normal(size=(len(times), 3))
 
 
@@ -39,13 +39,16 @@ def drawn(truth, scatter, seed, looks=40, span=38.0, **arguments):
 
 
 def at_epoch(fit, truth):
-    """Return the truth as a point of the problem of a fit."""
+    """Return the true state at the epoch of a fit, as a point of its problem."""
     q, omega = truth(fit.problem.epoch)
     return Point(q, omega, np.array(truth.exact["inertia"], float), np.eye(4)[0])
 
 
 def told(fit, truth):
-    """Return the distances (k,) of a fit from the truth in all observable directions, in errors."""
+    """Return the deviations (k,) of a fit from the truth, in standard errors.
+
+    They are along all observable directions.
+    """
     there, here = at_epoch(fit, truth), fit.observability.here
     apart = np.empty(fit.problem.parameters.count)
     apart[:3] = rotation_vectors(product(fit.point.attitude, conjugate(there.attitude)))
@@ -59,12 +62,12 @@ def told(fit, truth):
 
 
 def is_true(fit, most=30):
-    """Return True for a probable fit of TUMBLING that has the truth within its errors."""
+    """Return True if a fit of TUMBLING is probable and agrees with the truth within errors."""
     return fit.probability > 1e-3 and np.sum(told(fit, TUMBLING) ** 2) < most
 
 
 def refused(make, message):
-    """Check that a call raises an InputError of one line with a message in it."""
+    """Check that a call raises an InputError of one line that contains a message."""
     with pytest.raises(InputError) as error:
         make()
     assert message in str(error.value)

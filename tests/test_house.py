@@ -81,7 +81,7 @@ OTHERS = {
 
 
 def rule(module):
-    """Return the longest name in ALLOWED that a module is or lies in."""
+    """Return the entry of ALLOWED that applies to a module, the one with the longest name."""
     while module not in ALLOWED:
         module = module.rpartition(".")[0]
     return module

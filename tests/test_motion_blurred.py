@@ -1,4 +1,4 @@
-"""Motions that doubles cannot tell from the separatrix, or from spin about the middle axis.
+"""Tests of motions that doubles cannot tell from the separatrix or from middle-axis spin.
 
 They are right up to a time, and refused beyond it.
 """
@@ -38,7 +38,7 @@ CASES = {
 
 
 def shuffled(case, number):
-    """Return a case with permuted axes and changed signs of rates."""
+    """Return a test case with its axes permuted and signs of its rates changed."""
     inertia, omega = CASES[case]
     order, signs = ORDERS[number % len(ORDERS)], SIGNS[(5 * number + 3) % len(SIGNS)]
     return [inertia[k] for k in order], [signs[k] * omega[k] for k in order]

@@ -159,7 +159,7 @@ RATES, ATTITUDE = np.array([0.1, 0.7, -0.3]), np.array([2.0, -1.0, 3.0, 1.0])
 
 
 def along_given_axes(tensor, rates, t):
-    """Return q, omega and the sensitivity along the given axes."""
+    """Return the attitude, rates and sensitivity of a motion along the given axes."""
     axes = principal_axes(tensor)
     motion = TorqueFreeMotion(axes.moments, *axes.to_principal(rates, ATTITUDE))
     q, omega, found = motion.sensitivity(t)

@@ -148,7 +148,10 @@ def _parts(found):
 
 
 def same(parts, found):
-    """Compare arrays with states and their sensitivity, which may be NaN."""
+    """Assert that arrays equal states and their sensitivity exactly.
+
+    Both may be NaN.
+    """
     for part, true in zip(parts, _parts(found), strict=True):
         np.testing.assert_array_equal(part, true)
 
@@ -173,7 +176,7 @@ SOME = [names for count in range(1, 5) for names in combinations(COLUMNS, count)
 
 
 def _chosen(whole, names):
-    """Return the chosen columns of a whole result."""
+    """Select the columns by the named inputs from a complete sensitivity result."""
     wanted = [3 * COLUMNS.index(name) + k for name in names if name != "t" for k in range(3)]
     by_t = slice(None) if "t" in names else slice(0)
     q, omega, attitude, rates, attitude_t, rates_t = whole

@@ -127,7 +127,10 @@ def test_bad_input_is_one_line(engine, changes, message):
 
 
 def drawn(seed, cases=4):
-    """Return moments, attitude, rates and a time within a turn, for every stratum."""
+    """Return random inputs of a step for every stratum: moments, attitude, rates and time.
+
+    The body rotates by less than one turn.
+    """
     rows = []
     for stratum in STRATA:
         for index in range(cases):
@@ -139,7 +142,7 @@ def drawn(seed, cases=4):
 
 
 def bits(state):
-    """Return the bytes of q and omega, which include signs of zeros."""
+    """Return q and omega as bytes, which distinguish the signs of zeros."""
     return [x.tobytes() for x in state]
 
 
@@ -242,7 +245,7 @@ def test_an_unknown_engine_is_refused_last(monkeypatch):
 
 
 def outputs():
-    """Yield new inputs and outputs of every kind."""
+    """Yield inputs of a step together with output arrays of every kind, each newly made."""
     inertia, q, omega = map(np.array, (BODY, START, RATES))
     state, whole = np.array([*START, *RATES]), np.zeros(20)
     read_only = np.zeros(3)

@@ -1,4 +1,4 @@
-"""The tree as it is committed: nothing in it was left behind by an editor or a merge."""
+"""Tests that the committed files contain no leftovers of an editor or a merge."""
 
 import re
 import subprocess
@@ -12,7 +12,7 @@ CONFLICT = re.compile(rb"^(<{7} |\|{7} |>{7} |={7}$)", re.MULTILINE)
 
 
 def tracked(root=ROOT):
-    """The files that git knows."""
+    """Return the names of the files that git tracks."""
     found = subprocess.run(["git", "ls-files", "-z"], cwd=root, capture_output=True, check=False)
     if found.returncode:
         pytest.skip("needs a checkout and git")

@@ -1,4 +1,4 @@
-"""Reference for asymmetric motions by mpmath: random bodies, constants, quaternions.
+"""Reference solution of asymmetric motions by mpmath, with random bodies.
 
 Nothing here comes from the project, so that what it derives can be compared.
 """
@@ -19,7 +19,10 @@ FAMILIES = [(order, about) for order in ORDERS for about in CIRCULATIONS]
 
 
 def draw(order, about, signs, seed=0):
-    """Draw exact inertia, omega and attitude; axis k has the moment of rank order[k]."""
+    """Draw exact random inertia, angular velocity and attitude of an asymmetric body.
+
+    Axis k has the moment of rank order[k].
+    """
     random = Random(f"{seed}/{order}/{about}/{signs}")
     while True:
         moments = sorted(Fraction(random.randint(20, 99), 10) for _ in range(3))
@@ -76,13 +79,13 @@ def root(value: Fraction) -> Any:
 
 
 def exactly(value: Any) -> Fraction:
-    """Convert an mpf to the equal rational."""
+    """Convert an mpf to the rational number that is equal to it."""
     sign, mantissa, exponent, _ = value._mpf_
     return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def multiply(p, q):
-    """Return the Hamilton product, scalar first."""
+    """Return the Hamilton product of two quaternions, scalar first."""
     (a, b, c, d), (e, f, g, h) = p, q
     return [
         a * e - b * f - c * g - d * h,

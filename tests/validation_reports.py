@@ -1,4 +1,4 @@
-"""Small validation report, and variations of it."""
+"""Small validation report, with variations of it for tests."""
 
 import copy
 import json
@@ -15,7 +15,7 @@ STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "res
 
 @cache
 def whole():
-    """Return the report, measured once."""
+    """Run a small campaign once, and return its validation report."""
     progress = Progress(Campaign.of(["numpy"], cases=3, strata=STRATA))
     with local(1) as place:
         complete(progress, place)
@@ -23,17 +23,17 @@ def whole():
 
 
 def passed():
-    """Return the data of a report that passed, read from JSON."""
+    """Return the data of a validation report that passed, as read from JSON."""
     return json.loads(whole().to_json())
 
 
 def direct():
-    """Return the data of the report as `to_data` returns them."""
+    """Return the data of a validation report, as `to_data` returns them."""
     return whole().to_data()
 
 
 def failed():
-    """Return the data of a report with a broken bound."""
+    """Return the data of a validation report with a broken bound."""
     report = whole()
     key, cells = ("numpy", "angle", "share", "uniform"), report.tally.cells
     broken = {**cells, key: replace(cells[key], count=1, worst=37.2)}
@@ -43,7 +43,10 @@ def failed():
 
 
 def with_peer(data, name="peer rk"):
-    """Add a peer that is worse by many decades, and has no number in places."""
+    """Add a much less accurate peer to the data of a report.
+
+    It is worse by many decades, and has no number in places.
+    """
     peer = copy.deepcopy(data["implementations"][0])
     peer |= {"name": name, "peer": True, "passed": False, "digest": None}
     for view in ("distance", "turned", "condition"):

@@ -1,4 +1,4 @@
-"""Values of single expressions."""
+"""Evaluation of single expressions."""
 
 from functools import cache
 
@@ -11,6 +11,6 @@ def _compiled(expression):
 
 
 def value_of(expression, values, functions=()):
-    """Return the value of an expression over any numbers; functions include powers."""
+    """Evaluate an expression over any kind of numbers; `functions` include powers."""
     known = {"power": pow, **dict(functions)}
     return _compiled(expression).evaluate(values, known)["value"]

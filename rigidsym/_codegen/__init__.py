@@ -9,8 +9,8 @@
   line; one folder for each language.
 * `generate`.  Input: the name of a target.  Output: files, map from lines to equations, and
   manifest, as values; writing them is separate.
-* `seal`.  Input: lets, and files read back.  Output: how many statements the kernel decided, that
-  what is printed is what was derived; or the first that is not.
+* `seal`.  Input: lets, and files read back.  Output: the number of statements for which the
+  kernel decided that the printed code is the derived code, or the first for which it is not.
 * `trace`.  Input: a line, or an equation.  Output: the facts behind it, or its lines.
 """
 

@@ -2,9 +2,10 @@
 
 It has no theta function.
 
-For k_1^2 <= 1/2 the mean slope of that integral goes into the rate of psi.  Above, up to the
-separatrix, psi is measured from the saddle, and u_1 from the nearest crossing of the middle axis'
-plane, up to half a quarter period; past that, where the motion rests near the saddle, from there.
+For k_1^2 <= 1/2 the mean slope of that integral is part of the rate of psi.  For larger moduli, up
+to the separatrix, psi is measured from the saddle.  There u_1 is measured from the nearest crossing
+of the middle axis' plane, up to half a quarter period; beyond that, where the motion rests near the
+saddle, it is measured from the saddle.
 """
 
 from collections.abc import Iterable, Mapping

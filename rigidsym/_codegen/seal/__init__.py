@@ -6,15 +6,15 @@ these and compares with the ledger, or with what a special function states:
     structure  every name is set once, before it is used, and every line is needed; functions take
                and give numbers in the order that the runtimes count on; lines put together again
                are the formulas that ledger and special functions state
-    facts      formulas that name a fact, definition or reading of the ledger are it
-    states     rows, gains and states together are the ledger's attitude and rates
+    facts      every formula that cites a fact, definition or reading of the ledger equals it
+    states     rows, gains and states together give the ledger's attitude and rates
     text       printed files read back: numbers, signatures, lines and tables are what they print,
                in order, and all else is what the package has written by hand, word for word;
                digests are those of the files, and the map says of each line what its comment says
 
-Not seen: whether a special function (nome, theta series, angles and their reduction) is the
-standard one that it stands for, which its proved bounds and tests speak of, and what the runtimes
-make of it all.  Of these the arithmetic of pairs is held against exact arithmetic by tests.
+The seal does not cover two things.  Whether a special function (nome, theta series, angles and
+their reduction) is the standard one is shown by its proved bounds and by tests.  The hand-written
+runtimes are only tested; their double-double arithmetic is compared with exact arithmetic.
 """
 
 from rigidsym._codegen.forms import THETA

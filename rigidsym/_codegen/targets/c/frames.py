@@ -6,8 +6,8 @@ number is two members, `<name>_hi` and `<name>_lo`, and a function that takes it
 the first.  The constants of motions have structs of their own, in the order of one motion's.
 
 Functions of steps take the number of bodies.  Those of motions fill all lanes, as many as a
-register holds, even for one motion: a compiler should make vectors alone of lines this long, and no
-second copy.
+register holds, even for one motion: for functions this long a compiler should emit vector
+code only, without a scalar copy.
 """
 
 from collections.abc import Iterable, Iterator
