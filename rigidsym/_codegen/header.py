@@ -118,7 +118,7 @@ def _up(bound: float | Fraction) -> str:
 
 
 def text(target: str, form: str) -> str:
-    """Return the header text of a module, with placeholders for numbers that come later.
+    """Return the header text of a module, with placeholders for numbers not yet known.
 
     These are the counts of lines, the digest and the measured errors.
     """
@@ -171,7 +171,10 @@ def digest_in(file: str, text: str) -> str:
 
 
 def _measured(target: str, digest: str) -> str:
-    """Format the worst errors, by regime, that were measured for the code with a digest."""
+    """Format the worst measured errors of a module, by regime.
+
+    Errors hold only for the code with this digest.
+    """
     known = json.loads(MEASURED_FILE.read_text("utf-8")) if MEASURED_FILE.is_file() else {}
     found = known.get(target)
     if not found or found["digest"] != digest:

@@ -70,7 +70,7 @@ class Module:
     digest: str
 
     def places(self) -> dict[str, list[Place]]:
-        """Return the map entries of the derived lines, by file."""
+        """Return the entries of the line map for each file."""
         return {
             name: [
                 {

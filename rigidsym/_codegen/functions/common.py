@@ -147,9 +147,9 @@ def elapsed_phase(half_period: str) -> list[Let]:
 
 
 def hyperbolic_turns() -> list[Let]:
-    """Return assignments that add the turns by Lambda t and by the half periods of y.
+    """Return assignments that compute the phase from Lambda t and the half periods of y.
 
-    The sum is a number of whole half turns and a remainder.
+    The phase is a number of whole half turns and a remainder.
     """
     return [
         *reduction.product("L", "Lambda_rate"),

@@ -55,9 +55,9 @@ def parts(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
-    """Return assignments for the constant factors of the attitude: left factor and rows.
+    """Return assignments for the factors of the attitude that do not change with time.
 
-    A component is q_x = (sum of row times part) * scale.
+    They are the left factor, and the rows of q_x = (sum of row times part) * scale.
     """
     sequence = solution.sequences["circular_state"]
     pull_back = solution.sequences["pull_back"]
@@ -74,7 +74,10 @@ def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[
 
 
 def _linear(solution: Solution) -> tuple[Let, ...]:
-    """Return assignments for the attitude as a linear function of the theta parts over N."""
+    """Return assignments for the attitude as a linear function of the theta parts.
+
+    The parts are divided by N.
+    """
     given = (*_FRONT, *PARTS, "N", *SIGNS)
     return inlined(select(solution.sequences["circular_state"], ATTITUDE, given), ATTITUDE)
 
@@ -118,7 +121,10 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
 
 
 def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
-    """Return assignments that compute attitude and rates from parts, rows, gains and thetas."""
+    """Return assignments that compute attitude and rates from theta functions.
+
+    They use the parts, rows and gains.
+    """
     lets = []
     for x in ("0", *AXES):
         first, second, third, fourth = (f"row_{x}_{part}*{part}" for part in PARTS)

@@ -214,9 +214,9 @@ OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 
 
 def level(target: str, name: str, letters: tuple[str, str]) -> Names:
-    """Map the ledger's names for a Landen step to the names on the level of a target.
+    """Map names in the ledger's Landen step to the names of a numbered level.
 
-    Levels are numbered from 1.
+    The level is that of the step that computes `target`; levels are numbered from 1.
 
     >>> level("k_3", "k_next", ("k", "kc"))["kc"], level("s", "s", ("k", "kc"))["s_next"]
     ('kc_2', 's_2')

@@ -75,9 +75,9 @@ def _duplication(n: int) -> list[Let]:
 
 
 def _arctangent(variable: str, terms: int) -> str:
-    """Format the series of arctan(root(e))/root(e), which is R_C(1, 1 + e).
+    """Format the truncated series of R_C(1, 1 + e) in e.
 
-    It is 1 - e/3 + e^2/5 - ...
+    R_C(1, 1 + e) = arctan(sqrt(e))/sqrt(e) = 1 - e/3 + e^2/5 - ...
     """
     return horner(variable, ["1", *(f"({(-1) ** n})/{2 * n + 1}" for n in range(1, terms))])
 

@@ -60,9 +60,9 @@ def constants() -> list[Constant]:
 
 @cache
 def coefficients(count: int) -> tuple[float, ...]:
-    """Return `count` coefficients of the polynomial E in the approximation of e^r.
+    """Return the coefficients of the polynomial E in the approximation of e^r.
 
-    They are doubles, lowest first.
+    They are `count` doubles, lowest first.
     """
 
     def tail(r: mpmath.mpf) -> mpmath.mpf:

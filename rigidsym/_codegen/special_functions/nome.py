@@ -61,7 +61,7 @@ def coefficients(count: int) -> list[int]:
 
 
 def root_ratio() -> Function:
-    """Build the function that computes r = k/root q from the modulus k with nome q.
+    """Build the function that computes r = k/sqrt(q) from the modulus k with nome q.
 
     r is 4 at k = 0.
     """

@@ -1,4 +1,7 @@
-"""Generated functions for the derivatives of the body rates, and for their moduli."""
+"""Generated functions that compute the derivatives of the body rates.
+
+They include the moduli of the Jacobi functions of elapsed time.
+"""
 
 from collections.abc import Iterable
 
@@ -61,7 +64,7 @@ def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
 
 
 def moduli(solution: Solution) -> Function:
-    """Build the function that computes the moduli of the elapsed time's Jacobi functions."""
+    """Build the function that computes the moduli of the Jacobi functions of elapsed time."""
     alphas = ("alpha_a", "alpha_b", "alpha_d", "tilt")
     lets = [
         *coefficients(solution, alphas),
@@ -114,9 +117,9 @@ def _constants_along(solution: Solution) -> list[Let]:
 
 
 def _there(name: str) -> Let:
-    """Return the assignment that replaces a divisor by 1 where it is zero.
+    """Return an assignment that copies a divisor, with 1 in place of zero.
 
-    The quotient is not used there.
+    The quotient is not used where the divisor is zero.
     """
     return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
 

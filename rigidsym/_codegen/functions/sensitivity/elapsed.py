@@ -339,9 +339,10 @@ def _middle(w2: str, p2: str) -> str:
 
 
 def _near_coefficients() -> list[Let]:
-    """Return assignments for the short-time Taylor coefficients of both integrals.
+    """Return assignments for the Taylor coefficients of the integrals E_t and F_t.
 
-    The n-th coefficient is that of t^3 t^(2 n), made from p, r and p - r.
+    The n-th coefficient is that of t^3 t^(2 n), made from p, r and p - r.  The series serve short
+    times.
     """
     lets = [
         let("p_d = rounded(p)"),
@@ -356,7 +357,7 @@ def _near_coefficients() -> list[Let]:
 
 
 def _near_of(name: str) -> list[Let]:
-    """Return assignments for the Taylor coefficients of a square and of its integral.
+    """Return assignments for the Taylor coefficients of a squared function and of its integral.
 
     The coefficient square_n is that of t^(2 n + 2).
     """
@@ -395,7 +396,7 @@ def _root() -> Let:
 
 
 def _near_values() -> list[Let]:
-    """Return assignments for the two integrals at short times."""
+    """Return assignments for the integrals E_t and F_t at short times."""
     rows = {x: [f"{x}_{n}" for n in range(_TERMS)] for x in "EF"}
     return [
         let(f"E_near = t*t2*({horner('t2', rows['E'])})", _TAYLOR),

@@ -142,7 +142,7 @@ def _loop(name: str, function: Function, members: set[str]) -> Frame:
 
 
 def takes_several(function: Function) -> bool:
-    """Return True if a generated C function computes several bodies at once."""
+    """Return True if a generated C function handles several bodies at once."""
     return _is_step(function) or function.name in _MOTIONS
 
 
@@ -155,7 +155,7 @@ def _has_struct(function: Function) -> bool:
 
 
 def pairs(functions: Iterable[Function]) -> frozenset[str]:
-    """Return the names of extended numbers in all functions that compute several bodies."""
+    """Return the names of extended numbers in all functions that handle several bodies."""
     own = filter(takes_several, functions)
     return frozenset(name for f in own for name in (*f.extended, *_split(f)))
 
@@ -174,7 +174,7 @@ def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
 
 
 def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
-    """Return the frame of a C loop over several bodies side by side."""
+    """Return the frame of a C loop that handles several bodies side by side."""
     name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
     place = "x->" if is_step else "lane->"
     if is_step:

@@ -208,6 +208,6 @@ def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
 
 
 def _part(name: str) -> str:
-    """Return the text of a C file, with the files that it includes by placeholders."""
+    """Read a C file, and insert the files that its placeholders name."""
     text = resources.files("rigidsym._codegen.targets.c").joinpath(name).read_text("utf-8").strip()
     return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)
