@@ -1,4 +1,4 @@
-"""The commands `plan`, `track`, `figures`, `compare` and `fit`.
+"""Functions that run the commands `plan`, `track`, `figures`, `compare` and `fit`.
 
 Packages that a command needs are imported when it runs: `main` reports those that are missing.
 """

@@ -1,4 +1,4 @@
-"""The commands `codegen` and `trace`."""
+"""Functions that run the commands `codegen` and `trace`."""
 
 import sys
 from argparse import Namespace

@@ -1,4 +1,4 @@
-"""The table of all commands, in the order of the help.
+"""Table of all commands with their arguments and options, in the order of the help.
 
 The parser, the completion of shells and the reference on the site are computed from this table.
 Functions are named as "module:function" of `rigidsym._cli` and imported when they run.  Nothing

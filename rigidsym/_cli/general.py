@@ -1,4 +1,4 @@
-"""The commands `reproduce`, `init` and `completion`."""
+"""Functions that run the commands `reproduce`, `init` and `completion`."""
 
 from argparse import Namespace
 from importlib import resources

@@ -1,4 +1,4 @@
-"""The commands `derive`, `check`, `export`, `audit` and `errata`."""
+"""Functions that run the commands `derive`, `check`, `export`, `audit` and `errata`."""
 
 import json
 import sys

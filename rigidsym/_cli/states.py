@@ -1,4 +1,4 @@
-"""The commands `propagate` and `methods`."""
+"""Functions that run the commands `propagate` and `methods`."""
 
 import sys
 from argparse import Namespace

@@ -1,4 +1,4 @@
-"""The commands `validate` and `compare-forms`."""
+"""Functions that run the commands `validate` and `compare-forms`."""
 
 import signal
 from argparse import Namespace

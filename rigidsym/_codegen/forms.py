@@ -1,4 +1,4 @@
-"""Forms of the solution (theta, Pi and step) for generated modules, and their numeric limits."""
+"""Forms of the solution for generated modules (theta, Pi, step), and limits of their domains."""
 
 from dataclasses import dataclass
 

@@ -24,8 +24,9 @@ from rigidsym.validate._oracle import AGREEMENT
 from rigidsym.validate._tally import DRAWN, Cell, Tally
 from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.view import _report_data as report_data
+from rigidsym.view._report_data import COLUMNS, columns_of
 from rigidsym.view._tables import table
-from rigidsym.view._validation import BROKEN, COLUMNS, PASSED, columns_of, report_html
+from rigidsym.view._validation import BROKEN, PASSED, report_html
 
 SCHEMA = "rigidsym.validation/3"
 FAILURES = "failures"

@@ -1,11 +1,11 @@
-"""Data schema of validation reports, and functions that format their numbers.
+"""Data schema of validation reports, the columns of their tables, and number formats.
 
 The schema is rigidsym.validation/3.  A figure is a number, or "inf" or "nan", for which JSON has no
 number.  Errors and bounds are in units of 2^-53.  A report has the keys
 
 * schema, command, passed, complaints, unit; run, what the campaign ran on; campaign, its options;
 * bounds and meanings, by measure; agreement, the tolerance of the oracles;
-* strata: name, about, and the keys of `rigidsym.view._validation.COLUMNS` each;
+* strata: name, about, and the keys of `COLUMNS` each;
 * implementations: name, peer, digest (None for a peer), passed; share, the largest part of a bound
   by stratum; strata, shares and regimes, cells by part and measure; distance, turned and condition,
   cells by measure and decade; sizes, counts by stratum, measure and half octave;
@@ -20,9 +20,12 @@ hexadecimal and other numbers as fractions.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from rigidsym.validate._report import ValidationReport
 
 Figure = float | str
 Data = Mapping[str, Any]
@@ -32,6 +35,7 @@ ULP = 2.0**-53
 KAPPA = "\N{GREEK SMALL LETTER KAPPA}"
 TIMES = "\N{MULTIPLICATION SIGN}"
 UNIT = "2\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT FIVE}\N{SUPERSCRIPT THREE}"
+_EVERYWHERE = ("page", "card", "markdown", "terminal")
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -148,3 +152,52 @@ def _tidy(written: str) -> str:
     mantissa, mark, power_of_ten = written.partition("e")
     mantissa = mantissa.removesuffix(".")
     return f"{mantissa}e{int(power_of_ten)}" if mark else mantissa
+
+
+class Column(NamedTuple):
+    """Column of the report tables that have a row for each stratum.
+
+    It has a key in the data, a title and a value.  `shown` formats the value, `bad` marks strata,
+    and `tables` are those that have the column: "page", "card", "markdown" and "terminal". A new
+    entry of `COLUMNS` needs no change elsewhere.
+    """
+
+    key: str
+    title: str
+    value: Callable[["ValidationReport", str], Figure]
+    shown: Callable[[Figure], str]
+    bad: Callable[[Data], bool]
+    tables: Sequence[str]
+
+
+COLUMNS = (
+    Column(
+        "cases",
+        "cases",
+        lambda report, stratum: report.tally.cases.get(stratum, 0),
+        str,
+        lambda stratum: not stratum["cases"],
+        _EVERYWHERE,
+    ),
+    Column(
+        "states",
+        "states",
+        lambda report, stratum: report.tally.states.get(stratum, 0),
+        str,
+        lambda stratum: not stratum["cases"],
+        _EVERYWHERE,
+    ),
+    Column(
+        "disagreement",
+        "oracles",
+        lambda report, stratum: report.agreement(stratum),
+        units,
+        lambda stratum: number(stratum["disagreement"]) > 1,
+        ("page",),
+    ),
+)
+
+
+def columns_of(table: str) -> list[Column]:
+    """Return the stratum columns of one of the report tables."""
+    return [column for column in COLUMNS if table in column.tables]

@@ -2,14 +2,14 @@
 
 import json
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from rigidsym.view import _cards as cards
 from rigidsym.view import _report_data as formats
 from rigidsym.view._pages import render
-from rigidsym.view._report_data import Data, Figure, number
+from rigidsym.view._report_data import Data, columns_of, number
 from rigidsym.view._validation.figures import VIEWS, histograms, key, scatter
 
 if TYPE_CHECKING:
@@ -23,56 +23,6 @@ _FORMATS = (
     *("brief", "condition", "counted", "decimal", "number", "place", "plain", "seconds", "share"),
     *("units", "UNIT"),
 )
-_EVERYWHERE = ("page", "card", "markdown", "terminal")
-
-
-class Column(NamedTuple):
-    """Column of the report tables that have a row for each stratum.
-
-    It has a key in the data, a title and a value.  `shown` formats the value, `bad` marks strata,
-    and `tables` are those that have the column: "page", "card", "markdown" and "terminal". A new
-    entry of `COLUMNS` needs no change elsewhere.
-    """
-
-    key: str
-    title: str
-    value: Callable[["ValidationReport", str], Figure]
-    shown: Callable[[Figure], str]
-    bad: Callable[[Data], bool]
-    tables: Sequence[str]
-
-
-COLUMNS = (
-    Column(
-        "cases",
-        "cases",
-        lambda report, stratum: report.tally.cases.get(stratum, 0),
-        str,
-        lambda stratum: not stratum["cases"],
-        _EVERYWHERE,
-    ),
-    Column(
-        "states",
-        "states",
-        lambda report, stratum: report.tally.states.get(stratum, 0),
-        str,
-        lambda stratum: not stratum["cases"],
-        _EVERYWHERE,
-    ),
-    Column(
-        "disagreement",
-        "oracles",
-        lambda report, stratum: report.agreement(stratum),
-        formats.units,
-        lambda stratum: number(stratum["disagreement"]) > 1,
-        ("page",),
-    ),
-)
-
-
-def columns_of(table: str) -> list[Column]:
-    """Return the stratum columns of one of the report tables."""
-    return [column for column in COLUMNS if table in column.tables]
 
 
 def page(data: Data) -> str:

@@ -8,8 +8,9 @@ from html_cards import Elements
 from validation_reports import STRATA, direct, failed, passed, whole, with_peer
 
 from rigidsym.validate import _report as reports
-from rigidsym.view import _validation as validation
-from rigidsym.view._validation import COLUMNS, Column, page
+from rigidsym.view import _report_data as report_data
+from rigidsym.view._report_data import COLUMNS, Column
+from rigidsym.view._validation import page
 from rigidsym.view._validation.figures import fitted
 
 HOSTILE = """</title><script src="https://x.example/y.js">&'"""
@@ -133,7 +134,7 @@ def test_an_axis_keeps_room_for_what_is_not_tiny():
 def test_a_new_column_on_strata_is_one_entry(monkeypatch):
     tables = ("page", "card", "markdown", "terminal")
     new = Column("used", "part used", lambda x, name: x.share("numpy", name), str, bool, tables)
-    for module in (validation, reports):
+    for module in (report_data, reports):
         monkeypatch.setattr(module, "COLUMNS", (*COLUMNS, new))
     report = whole()
     data = report.to_data()
