@@ -142,6 +142,8 @@ class Library:
         header, source = module.HEADERS[form], module.SOURCES[form]
         path = compiler.linked(here, *flags, sources=(source,), end=".so")
         self.c = library.load(path, {header: (here / header).read_text("utf-8")})
+        of_body = "body_init" in self.c.signatures
+        assert (self.c.body_size() if of_body else self.c.motion_size()) <= ROOM
 
     def prepare(self, inertia, omega0=RATES, attitude0=ATTITUDE) -> tuple[int, ctypes.Array]:
         """Return the code for a motion, or for the body of a step, and the memory prepared."""

@@ -167,4 +167,4 @@ def errors(found: np.ndarray, exact: np.ndarray) -> tuple[float, float]:
 
 def are_right(found: np.ndarray, exact: np.ndarray, bound: float = 2e-15) -> bool:
     """Return True where both errors of states are below a bound."""
-    return max(errors(found, exact)) <= bound
+    return all(error <= bound for error in errors(found, exact))

@@ -124,9 +124,9 @@ def test_bodies_that_cannot_exist_are_refused_times_they_turn_too_often_by(name,
 @pytest.mark.parametrize(
     ("message", "inertia", "omega0", "attitude0"),
     [
-        ("every number must be finite", (NAN, 1, 1), (0, 0, 1), (1, 0, 0, 0)),
-        ("every number must be finite", (1, 1, 1), (0, -INF, 1), (1, 0, 0, 0)),
-        ("every number must be finite", (1, 1, 1), (0, 0, 1), (1, 0, 0, INF)),
+        ("inertia: every number must be finite", (NAN, 1, 1), (0, 0, 1), (1, 0, 0, 0)),
+        ("omega0: every number must be finite", (1, 1, 1), (0, -INF, 1), (1, 0, 0, 0)),
+        ("attitude0: every number must be finite", (1, 1, 1), (0, 0, 1), (1, 0, 0, INF)),
         ("inertia: principal moments must be positive", (1, 0.0, 1), (0, 0, 1), (1, 0, 0, 0)),
         ("inertia: principal moments must be positive", (1, 1, -5e-324), (0, 0, 1), (1, 0, 0, 0)),
         ("inertia: principal moments differ by", (1, 1, 2.0**-201), (0, 0, 1), (1, 0, 0, 0)),

@@ -90,11 +90,7 @@ def sets(lets, name):
 
 def renaming(**names):
     """Spoil a renaming: some names get the new names of others."""
-    return lambda renamed: (
-        lambda lets, new: renamed(
-            lets, new | {old: new.get(name, name) for old, name in names.items()}
-        )
-    )
+    return lambda renamed: lambda lets, new: renamed(lets, new | names)
 
 
 def said_to_be(name, **provenance):

@@ -33,8 +33,8 @@ KIND = "application/vnd.plotly.v1+json"
 
 
 def points(figure, name):
-    """Return the points of the first trace of a name, with its gaps."""
-    found = next(trace for trace in figure.data if trace.name == name)
+    """Return the points of the one trace of a name, with its gaps."""
+    (found,) = (trace for trace in figure.data if trace.name == name)
     return np.stack([found.x, found.y, found.z], 1).astype(float)
 
 

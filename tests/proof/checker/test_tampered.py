@@ -7,7 +7,7 @@ import pytest
 from ledgers import GONE, both_refuse, prove, tampered, written
 
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.kernel import Context, Fact, Grade, Ledger, replay
+from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger, replay
 
 
 def small_ledger() -> str:
@@ -180,7 +180,7 @@ def test_refuses_what_has_the_wrong_shape(path, value, culprit):
     "text",
     [
         *("null", "[]", "1", '"x"', "{}", "[" * 100_000, '{"schema": NaN}', "\x00"),
-        *(SMALL[:end] for end in (0, 1, 100, -1, -2, -100, -200)),
+        *(SMALL[:end] for end in (0, 1, 100, len(SMALL) // 2, -1, -2, -100, -200)),
         SMALL + SMALL,
         written(DATA).replace("\n ", "\n  "),
         written({"summary": "all equations proved", **DATA}),
@@ -189,10 +189,15 @@ def test_refuses_what_has_the_wrong_shape(path, value, culprit):
         SMALL.replace('"s": "0"', '"s": "0",\n    "s": "0"'),
         SMALL.replace('"lhs": [', '"lhs": ["0"], "lhs": [', 1),
     ],
-    ids=range(21),
+    ids=range(22),
 )
 def test_both_checkers_refuse_a_damaged_file(text):
     assert both_refuse(text).startswith("ledger: ")
+
+
+def test_another_schema_is_named():
+    with pytest.raises(KernelError, match="schema"):
+        replay(tampered(SMALL, "schema", "rigidsym.ledger/3"))
 
 
 def test_replay_gives_back_the_same_text():

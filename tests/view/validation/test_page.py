@@ -63,7 +63,7 @@ def test_everybody_and_every_stratum_and_plot_is_there(peers):
     assert len(elements.all("table")) == len(elements.all("caption"))
     bars = [given["style"] for given in elements.all("span") if "style" in given]
     assert bars
-    assert all(re.fullmatch(r"--part:\d+%", bar) for bar in bars)
+    assert all(re.fullmatch(r"--part:(\d\d?|100)%", bar) for bar in bars)
 
 
 def test_worst_cases_come_with_inputs_and_a_command(data):
