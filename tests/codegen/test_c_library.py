@@ -270,6 +270,11 @@ def test_every_code_has_words_of_its_own(any_form):
         assert message == (f"{field}: {rule}" if field else rule)
 
 
+def test_codes_keep_their_numbers(motions):
+    names = ("OK", "NOT_FINITE", "INERTIA", "THIN", "ATTITUDE", "SEPARATRIX", "TIME", "RATES")
+    assert [getattr(motions.c.raw, name) for name in names] == [*range(8)]
+
+
 @pytest.mark.parametrize("garbage", [b"\0", b"\x01", b"\xff", b"\x7f"])
 def test_what_was_not_prepared_is_refused(motions, steps, garbage):
     room = ctypes.create_string_buffer(garbage * ROOM, ROOM)

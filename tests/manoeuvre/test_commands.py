@@ -162,6 +162,7 @@ BOTH = [
     ("inertia = [", "manoeuvre = the file: is not TOML"),
 ]
 BY_PLAN = [
+    (PLANNED.replace("duration = 20", "duration = 0"), "duration = 0: must be above zero"),
     (PLANNED.replace("duration = 20", "duration = nan"), "duration = nan: must be finite"),
     (PLANNED.replace("0.9", "inf"), "target[0] = inf: must be finite"),
     (PLANNED + "[limits]\nmax_rate = 1e-3", "max_rate = 0.001: no natural motion of 20 s keeps"),

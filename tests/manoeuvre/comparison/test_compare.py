@@ -129,6 +129,20 @@ def test_pieces_of_work_keep_their_order_and_tell_how_many_are_done():
     assert told == [0, 1, 2]
 
 
+def test_progress_is_how_many_pieces_are_done_of_all(monkeypatch):
+    def records(work, seed, indices):
+        work([partial(pow, 2, k) for k in range(2)])
+        work([partial(pow, 2, 2)])
+        return ()
+
+    told, module = [], "rigidsym.manoeuvre._comparison.results"
+    monkeypatch.setattr(f"{module}._records", records)
+    monkeypatch.setattr(f"{module}.TASKS", ())
+    monkeypatch.setattr(f"{module}._WAYS", (None, None))
+    compare(1, workers=1, progress=lambda done, total: told.append((done, total)))
+    assert told == [(1, 3), (2, 3), (3, 3)]
+
+
 def test_spreads():
     assert spread([3, 1, 2]) == {"min": 1, "q1": 1.5, "median": 2, "q3": 2.5, "max": 3}
 
