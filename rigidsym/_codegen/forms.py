@@ -51,7 +51,7 @@ def key(target: str, form: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Numeric limit of a form, a power of two.
+    """Numeric limit in a generated module, always a power of two.
 
     `exponent` is that of the power, and `meaning` says what is limited.
     """
@@ -80,7 +80,7 @@ LIMITS = (
 
 
 def limits(form: str) -> tuple[Limit, ...]:
-    """Return the numeric limits of a form.
+    """Return the numeric limits for one form of the solution.
 
     Only the default form has sensitivities, and with them the limit `max_real`.
     """

@@ -111,7 +111,7 @@ class Function:
 
 
 def named(functions: Iterable[Function], constants: Iterable[Constant]) -> list[Constant]:
-    """Select the constants that functions use."""
+    """Select the named constants that occur in the functions."""
     used = {name for function in functions for name in function.used()}
     return [constant for constant in constants if constant.name in used]
 

@@ -131,7 +131,7 @@ RUNTIMES = {
 
 
 def shares(kinds: Iterable[str], module: str) -> str:
-    """Format a table with the number of lines of each kind in a module.
+    """Format a table with the number and share of each kind of lines in a module.
 
     kinds: the kinds of the derived lines.  module: the key of the module.
     """

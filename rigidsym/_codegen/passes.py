@@ -25,7 +25,7 @@ _SHARED = "common_"
 def select(
     formulas: Iterable[Formula], results: Iterable[str], given: Iterable[str]
 ) -> tuple[Let, ...]:
-    """Select the formulas that the wanted quantities need.
+    """Select the formulas needed to compute the wanted quantities from the given ones.
 
     Input: formulas, names wanted, names given.  Output: the lets that the wanted names need.
     """
@@ -110,7 +110,7 @@ def coefficient(expression: Expression, of: str, among: Iterable[str], over: str
 
 
 def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
-    """Drop the assignments that the wanted quantities do not need.
+    """Drop the assignments that no wanted quantity depends on.
 
     Input: lets, and the names wanted.  Output: the lets that these names need.
     """
@@ -239,7 +239,7 @@ def _shared(
 
 
 def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Substitute shared subexpressions back.
+    """Put shared subexpressions back into the expressions that use their names.
 
     Input: lets after `share`.  Output: the lets before it.
     """

@@ -31,7 +31,7 @@ from rigidsym.solution import Solution
 
 
 def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """Return all functions of a form of the solution, optimised for printing.
+    """Return all generated functions for one form of the solution, optimised for printing.
 
     Each calls only functions before it.
     """
@@ -39,14 +39,14 @@ def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
 
 
 def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
-    """Return all functions of a form before optimisation.
+    """Return all generated functions for one form of the solution, before optimisation.
 
     Unused lines are still there, and no common part is shared.
     """
     carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
 
     def cited(let: Let) -> Let:
-        """Insert the paper's equations for an assignment's facts before its references."""
+        """Cite the paper's equations behind an assignment's facts before its other references."""
         equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
         return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
 

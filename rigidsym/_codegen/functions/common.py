@@ -56,7 +56,7 @@ def circulation(solution: Solution) -> Function:
 
 
 def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
-    """Build the function that computes the quantities at t = 0 that both branches need."""
+    """Build the function that computes a motion's signs, invariants and amplitudes at t = 0."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS, "tau")
     names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
@@ -100,7 +100,7 @@ def circular_time() -> list[Let]:
 
 
 def hyperbolic_time(half_period: str) -> list[Let]:
-    """Return assignments that reduce y by the nearest multiple of its half period.
+    """Return assignments that reduce the scaled time y by whole half periods.
 
     half_period: the reference for the half period.
     """
@@ -147,7 +147,7 @@ def elapsed_phase(half_period: str) -> list[Let]:
 
 
 def hyperbolic_turns() -> list[Let]:
-    """Return assignments that compute the phase from Lambda t and the half periods of y.
+    """Return assignments that compute the phase: Lambda t, and a jump for each half period.
 
     The phase is a number of whole half turns and a remainder.
     """
@@ -164,7 +164,7 @@ def hyperbolic_turns() -> list[Let]:
 
 
 def imaginary_phase(ladder: str) -> list[Let]:
-    """Return assignments that compute sinh(y) at t = 0.
+    """Return assignments that compute sinh(y) for the imaginary phase y at t = 0.
 
     ladder: the call of Landen's ladder with the complementary modulus.
     """
@@ -181,7 +181,7 @@ def imaginary_phase(ladder: str) -> list[Let]:
 
 
 def period_bounds(vanished: str, half_period: str) -> list[Let]:
-    """Return assignments for the half period of y and its inverse.
+    """Return assignments for the half period and its inverse, finite on the separatrix too.
 
     vanished: the name of a quantity that is 0 on the separatrix.
     """
@@ -193,7 +193,7 @@ def period_bounds(vanished: str, half_period: str) -> list[Let]:
 
 
 def phase_at_start(*parity: str) -> list[Let]:
-    """Return assignments that compute y at t = 0 from its hyperbolic sine.
+    """Return assignments that compute the phase y at t = 0 from its hyperbolic sine.
 
     parity: the references for the sign of y.
     """
@@ -208,7 +208,7 @@ def phase_at_start(*parity: str) -> list[Let]:
 
 
 def phase() -> list[Let]:
-    """Return assignments that compute the cosine and sine of Lambda t."""
+    """Return assignments that compute the cosine and sine of the phase Lambda t."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),

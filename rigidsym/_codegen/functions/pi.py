@@ -1,4 +1,4 @@
-"""Pi form of the solution: psi from one elliptic integral of the third kind.
+"""Pi form of the solution: the angle psi from one elliptic integral of the third kind.
 
 It has no theta function.
 
@@ -103,7 +103,7 @@ def state(solution: Solution) -> tuple[Let, ...]:
 
 
 def front(solution: Solution) -> tuple[Let, ...]:
-    """Return assignments for tau and the constant left factor p of the attitude."""
+    """Return assignments for the sign tau and the constant left factor p of the attitude."""
     given = ("K", "epsilon", "sigma", "rho", *HALF, *INERTIA, *RATES, *ATTITUDE)
     return select(solution.sequences["constants"], ("tau", *FRONT), given)
 
@@ -186,7 +186,7 @@ def _circular_angles(solution: Solution) -> list[Let]:
 
 
 def numbers() -> list[Constant]:
-    """Return the named constants for arguments at which tanh is 1 and sech is 0.
+    """Return the largest argument of tanh and the least value of sech, as named constants.
 
     They are `deepest` and `least_c`.
     """

@@ -50,7 +50,7 @@ def step(solution: Solution) -> tuple[Function, ...]:
         return renamed(lets("thirds", ("P_re", "P_im"), "T_re", "T_im", "E_re", "E_im"), names)
 
     def second_half(w_re: str, w_im: str) -> list[Let]:
-        """Return assignments for psi/2 at twice the time.
+        """Return assignments that add the change of psi/2 in the second half of a doubled time.
 
         They use psi/2 and the momentum's projection at the time itself.
         """

@@ -49,13 +49,13 @@ def secular(solution: Solution) -> list[Let]:
 
 
 def parts(solution: Solution) -> tuple[Let, ...]:
-    """Return assignments for the products of e^(i Lambda t) with theta_4 and theta_1."""
+    """Return assignments for the theta products: e^(i Lambda t) times theta_4 and theta_1."""
     given = ("X_re", "X_im", "T4_re", "T4_im", "T1_re", "T1_im")
     return select(solution.sequences["circular_state"], PARTS, given)
 
 
 def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
-    """Return assignments for the factors of the attitude that do not change with time.
+    """Return assignments for the constant factors of the attitude.
 
     They are the left factor, and the rows of q_x = (sum of row times part) * scale.
     """
@@ -74,16 +74,16 @@ def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[
 
 
 def _linear(solution: Solution) -> tuple[Let, ...]:
-    """Return assignments for the attitude as a linear function of the theta parts.
+    """Return assignments for the attitude as a linear function of the theta products.
 
-    The parts are divided by N.
+    The products, the parts P4 and P1, are divided by N.
     """
     given = (*_FRONT, *PARTS, "N", *SIGNS)
     return inlined(select(solution.sequences["circular_state"], ATTITUDE, given), ATTITUDE)
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
-    """Return assignments for the factor of each theta part in each attitude component.
+    """Return assignments for the factor of each theta product in each attitude component.
 
     The factors are multiplied by over_N.
     """
@@ -240,7 +240,7 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
 
 
 def _phase_at_initial_state() -> list[Let]:
-    """Return assignments for y and its exponentials at t = 0, and for the period of y."""
+    """Return assignments for the phase y and its exponentials at t = 0, and for its period."""
     return [
         # On the separatrix the nome is zero and nothing ever returns.
         let("nome_d = rounded(nome)", "DLMF 20.2.2"),

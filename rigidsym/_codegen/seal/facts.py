@@ -214,7 +214,7 @@ OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 
 
 def level(target: str, name: str, letters: tuple[str, str]) -> Names:
-    """Map names in the ledger's Landen step to the names of a numbered level.
+    """Map the ledger's names in a Landen step to generated names at a numbered level.
 
     The level is that of the step that computes `target`; levels are numbered from 1.
 
@@ -268,7 +268,7 @@ def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
 
 
 def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
-    """Check that an assignment cites only equations of the paper that its facts carry."""
+    """Check that each paper equation cited by an assignment belongs to one of its facts."""
     for fact in let.facts:
         if fact not in ledger:
             raise InputError(place, let, f"{fact}: the ledger has no such formula")

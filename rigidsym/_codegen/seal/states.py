@@ -80,9 +80,9 @@ def _attitude(
 def _norm(
     branch: str, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Claim:
-    """Return the claim that the norm's factors satisfy (over_N scale)^2 W = 1, where W = N^2.
+    """Return the claim that over_N times scale is 1/N, where N is the attitude's norm.
 
-    Both factors are positive.
+    The claim is (over_N scale)^2 W = 1, where W = N^2; both factors are positive.
     """
     scale = put(state["scale"], {"over": state["over"]})
     product = Operation("*", _squared(branch, constants["over_N"]), _squared(branch, scale))

@@ -1,4 +1,4 @@
-"""Checks of generated functions: order of definitions, interfaces, and shared parts."""
+"""Checks of generated functions: order of definitions, interfaces, shared subexpressions."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
@@ -185,7 +185,7 @@ def _among(name: str, what: str, found: Iterable[str], known: Iterable[str]) -> 
 
 
 def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) -> Iterator[Claim]:
-    """Yield the claims that printed lines with shared parts still give the stated formulas."""
+    """Yield claims that lines with shared subexpressions still compute the original formulas."""
     for origin, function in zip(stated, functions, strict=True):
         _check_stated(origin, function)
         _check_shared(function)
@@ -203,7 +203,7 @@ def sharing_claims(stated: Iterable[Function], functions: Iterable[Function]) ->
 
 
 def _check_stated(origin: Function, function: Function) -> None:
-    """Check that a function has only formulas that were stated, in their order.
+    """Check that a function's formulas are among the original ones, and in their order.
 
     Some of these may be left out.
     """
@@ -216,7 +216,7 @@ def _check_stated(origin: Function, function: Function) -> None:
 
 
 def _check_shared(function: Function) -> None:
-    """Check that each shared part cites exactly the facts of the lines that use it."""
+    """Check that each shared subexpression cites exactly the facts of the lines that use it."""
     formulas = {formula.targets[0] for formula in function.formulas}
     users: dict[str, set[str]] = {}
     for let in reversed(function.lets):

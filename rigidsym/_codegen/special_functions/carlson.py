@@ -75,7 +75,7 @@ def _duplication(n: int) -> list[Let]:
 
 
 def _arctangent(variable: str, terms: int) -> str:
-    """Format the truncated series of R_C(1, 1 + e) in e.
+    """Format the truncated arctangent series of Carlson's R_C(1, 1 + e) in powers of e.
 
     R_C(1, 1 + e) = arctan(sqrt(e))/sqrt(e) = 1 - e/3 + e^2/5 - ...
     """

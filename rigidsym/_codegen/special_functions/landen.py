@@ -68,9 +68,9 @@ def ladder() -> Function:
 
 
 def complete() -> Function:
-    """Build the function that computes complete elliptic integrals from k' and 1 - n.
+    """Build the function that computes complete elliptic integrals of the first and third kind.
 
-    These are K(k^2) and the sum of Q.
+    From k' and 1 - n it computes K(k^2) and the sum of Q, which gives Pi(n).
     """
     lets: list[Let] = []
     for n in range(MEANS):

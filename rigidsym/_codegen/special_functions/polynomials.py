@@ -14,7 +14,7 @@ _PIECES = 64
 
 
 def linear(terms: Mapping[str, int]) -> str:
-    """Format a linear combination of names with whole coefficients.
+    """Format a linear combination of names with integer coefficients.
 
     The name "1" stands for the number.
 
@@ -92,5 +92,5 @@ def distance(
 
 
 def ball(value: Fraction) -> arb:
-    """Convert a rational number to a ball."""
+    """Convert a rational number to a ball of Arb's interval arithmetic."""
     return arb(fmpq(value.numerator, value.denominator))

@@ -37,7 +37,7 @@ def constants() -> list[Constant]:
 def product(
     name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
 ) -> list[Let]:
-    """Return assignments for an extended product as a double and its error.
+    """Return assignments for a product of extended numbers, as a double and its error.
 
     name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra, without of_lo unless `later`.
     """
@@ -108,18 +108,18 @@ def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
 
 @cache
 def sine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the polynomial S in the approximation sin(pi f) = f (pi + z S(z)), z = f^2.
+    """Return the coefficients of S in the approximation sin(pi f) = f (pi + z S(z)), z = f^2.
 
-    Its `count` coefficients are doubles, lowest first.
+    They are `count` doubles, lowest first.
     """
     return _near(lambda z: mpmath.pi * (mpmath.sincpi(mpmath.sqrt(z)) - 1), count)
 
 
 @cache
 def cosine_coefficients(count: int) -> tuple[float, ...]:
-    """Return the polynomial C in the approximation cos(pi f) = 1 + z C(z), z = f^2.
+    """Return the coefficients of C in the approximation cos(pi f) = 1 + z C(z), z = f^2.
 
-    Its `count` coefficients are doubles, lowest first.
+    They are `count` doubles, lowest first.
     """
     return _near(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
 

@@ -1,4 +1,4 @@
-"""Taylor series of the functions X, Y and J at the short time that a step starts from.
+"""Taylor series at a step's shortest time: Jacobi sine X, its derivative Y, and integral J.
 
 X' = Y and Y' = -e_1 X + 2 e_2 X^3 give X/t and Y as series in a = e_1 t^2 and b = e_2 t^4.  J, the
 integral of X^2/(1 - nu X^2) dt, is one in x = X^2 by 1/Y (Legendre's, DLMF 18.12.11) and the
@@ -48,7 +48,7 @@ def _solution(linear: Any, cubic: Any, one: Any, count: int) -> list[Any]:
 
 @cache
 def series() -> tuple[Polynomial, ...]:
-    """Return the coefficients of t, t^3, t^5, ... in the Taylor series of X."""
+    """Return the coefficients of t, t^3, t^5, ... in the Taylor series of the Jacobi sine X."""
     context = fmpq_mpoly_ctx.get(("e_1", "e_2"), "lex")
     e_1, e_2 = context.gens()
     found = _solution(-e_1, e_2, context.constant(1), TERMS)
@@ -58,7 +58,7 @@ def series() -> tuple[Polynomial, ...]:
 
 
 def elapsed() -> list[Let]:
-    """Return assignments for X and Y at the shortest time `first_t`."""
+    """Return assignments for the Jacobi sine X and its derivative Y at the shortest time."""
     return [
         let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
         let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
@@ -70,7 +70,7 @@ def elapsed() -> list[Let]:
 
 
 def _sum(factors: list[int]) -> str:
-    """Format the Taylor series of X without its first term.
+    """Format the Taylor series of X, with a factor for each term, and without the first.
 
     factors: the numbers that its terms are multiplied by.
     """
@@ -93,7 +93,10 @@ def _number(value: Fraction) -> str:
 
 
 def third_kind() -> list[Let]:
-    """Return assignments for the cosine and sine of Im(rate J), with complex rate and nu."""
+    """Return assignments for the cosine and sine of an angle from the third-kind integral J.
+
+    The angle is Im(rate J), with complex rate and nu.
+    """
     lets = [
         let("square_X = X*X", _LEGENDRE),
         let("d_0 = 1", _LEGENDRE),
@@ -143,7 +146,7 @@ def elapsed_tail() -> Fraction:
 
 
 def third_kind_tail() -> Fraction:
-    """Bound the truncation error in psi/2 after all doublings.
+    """Bound the error in psi/2 that truncating the third-kind integral leaves after a step.
 
     1/Y is a product of two (1 - a x)^(-1/2) with a <= p, so that d_j <= p^j; |nu| <= h <= p/4 then
     gives |c_j| <= (4/3) p^j.  X <= t; the rate is h z z' with |z| <= 1 and |z'| <= |omega|, since

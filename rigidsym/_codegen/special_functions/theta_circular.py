@@ -70,7 +70,7 @@ def coefficients() -> list[Let]:
 
 
 def rates() -> list[Let]:
-    """Return assignments for the coefficients of theta_1 to theta_4 as polynomials in x.
+    """Return assignments for the coefficients of the theta polynomials that body rates need.
 
     These thetas have real v and the nome Q.
     """
@@ -136,7 +136,7 @@ def argument() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """Return assignments for theta_1 to theta_4 at v, with nome Q.
+    """Return assignments for the body rates' thetas: theta_1 to theta_4 at v, with nome Q.
 
     The first two are divided by 2 Q^(1/4).
     """

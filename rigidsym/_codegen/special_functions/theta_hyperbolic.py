@@ -110,7 +110,7 @@ def values() -> list[Let]:
 
 
 def rate_values() -> list[Let]:
-    """Return assignments for theta_1 to theta_4 at 2 i y, with nome q^2.
+    """Return assignments for the body rates' thetas: theta_1 to theta_4 at 2 i y, nome q^2.
 
     They are divided by q^(1/2) e^|2 y|.
     """

@@ -46,7 +46,7 @@ def sensitivity(solution: Solution) -> tuple[Function, ...]:
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:
-    """Build the functions that compute the derivatives of the attitude, and their constants."""
+    """Build the functions that compute the attitude's derivatives as small turns in space."""
     given = (*INERTIA, *DIFFERENCES, *START, *BEGUN)
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(

@@ -79,7 +79,7 @@ def moduli(solution: Solution) -> Function:
 
 
 def along(solution: Solution) -> tuple[Function, ...]:
-    """Build the functions that differentiate the rates along two directions.
+    """Build the functions that differentiate the rates along two directions in parameter space.
 
     Along the first p and r grow equally; along the second r alone grows.
     """
@@ -144,7 +144,7 @@ def _state_along(solution: Solution) -> list[Let]:
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
-    """Build the functions that differentiate the rates by initial rates and moments."""
+    """Build the functions for the Jacobian columns: rates by initial rates and by moments."""
     constants = Function(
         "_columns_constants",
         "Constants of the rates' sensitivities.",

@@ -42,7 +42,7 @@ _NEAR_COEFFICIENTS = tuple(f"{x}_{n}" for x in "EF" for n in range(_TERMS))
 
 
 def real(solution: Solution) -> tuple[Function, ...]:
-    """Build the functions of the elapsed time for m <= 1/2."""
+    """Build the functions of elapsed time for parameters m <= 1/2, by thetas of real time."""
     return _functions(
         *("real", "m <= 1/2", "S_t, C_t, D_t, E_t and D_t F_t"),
         *(_real_constants(), _real_angles(), _real_state(solution)),
@@ -59,7 +59,7 @@ def real(solution: Solution) -> tuple[Function, ...]:
 
 
 def imaginary() -> tuple[Function, ...]:
-    """Build the functions of the elapsed time for m > 1/2."""
+    """Build the functions of elapsed time for parameters m > 1/2, by thetas of imaginary time."""
     return _functions(
         *("imaginary", "m > 1/2", "S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase"),
         *(_imaginary_constants(), _imaginary_angles(), _imaginary_state()),
@@ -247,7 +247,7 @@ def _exponentials(z: str, period_lo: str) -> list[Let]:
 
 
 def _over_phase(z: str, integral: str, whole: str = "") -> list[Let]:
-    """Return assignments for r times the integral of sd^2/lambda^2 from 0 to z.
+    """Return assignments for r times the integral of sd^2/lambda^2 over the phase from 0 to z.
 
     They follow those of `_exponentials`.
     """
@@ -339,7 +339,7 @@ def _middle(w2: str, p2: str) -> str:
 
 
 def _near_coefficients() -> list[Let]:
-    """Return assignments for the Taylor coefficients of the integrals E_t and F_t.
+    """Return assignments for the short-time Taylor coefficients of the integrals E_t and F_t.
 
     The n-th coefficient is that of t^3 t^(2 n), made from p, r and p - r.  The series serve short
     times.
@@ -357,7 +357,7 @@ def _near_coefficients() -> list[Let]:
 
 
 def _near_of(name: str) -> list[Let]:
-    """Return assignments for the Taylor coefficients of a squared function and of its integral.
+    """Return assignments for Taylor coefficients of a squared Jacobi function and its integral.
 
     The coefficient square_n is that of t^(2 n + 2).
     """
@@ -382,7 +382,7 @@ def _growth() -> list[Let]:
 
 
 def _sine(far: str) -> Let:
-    """Return the assignment for S_t, which equals t for tiny p t^2.
+    """Return the assignment for the scaled Jacobi sine S_t, equal to t where p t^2 is tiny.
 
     Products with p may underflow there.
     """
@@ -390,7 +390,7 @@ def _sine(far: str) -> Let:
 
 
 def _root() -> Let:
-    """Return the assignment that computes S_t at short times as the square root of dE_t/dt."""
+    """Return the assignment for the scaled Jacobi sine S_t at short times, as a square root."""
     square = horner("t2", [f"{2 * n + 3}*E_{n}" for n in range(_TERMS)])
     return let(f"S_near = t*sqrt(size({square}))", _TAYLOR)
 

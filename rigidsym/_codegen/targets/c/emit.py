@@ -107,7 +107,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
 
 
 def pieces(function: Function, among: tuple[Function, ...]) -> list[Lines]:
-    """Print one function of a module in C.
+    """Print the C code of one function, in one piece for each kind of numbers it takes.
 
     `_discriminant` is printed twice, for two kinds of numbers.
     """

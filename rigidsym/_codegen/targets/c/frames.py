@@ -65,7 +65,7 @@ def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame
 
 
 def branch(function: Function) -> str:
-    """Return the branch that a function belongs to, which is the first word of its name."""
+    """Return the branch of a function, the first word of its name."""
     return function.name.split("_")[1]
 
 
@@ -101,7 +101,7 @@ def _handing_out(name: str, function: Function) -> Frame:
 
 
 def _constants(name: str, function: Function) -> Frame:
-    """Return the frame of a C function that stores its results in a struct.
+    """Return the frame of a C function that stores a motion's constants in a struct.
 
     Each result is stored as one or two doubles.
     """
@@ -155,7 +155,7 @@ def _has_struct(function: Function) -> bool:
 
 
 def pairs(functions: Iterable[Function]) -> frozenset[str]:
-    """Return the names of extended numbers in all functions that handle several bodies."""
+    """Return the names of numbers that functions for several bodies hold as pairs of doubles."""
     own = filter(takes_several, functions)
     return frozenset(name for f in own for name in (*f.extended, *_split(f)))
 

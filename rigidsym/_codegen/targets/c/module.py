@@ -92,7 +92,7 @@ def build(
 
 
 def named(text: str, form: str) -> str:
-    """Replace the default prefix of the names in a text by that of a form.
+    """Replace the default prefix of C names in a text by the prefix of a form.
 
     >>> named("torque_free_motion TORQUE_FREE_H torque_free_pi.h", PI)
     'torque_free_pi_motion TORQUE_FREE_PI_H torque_free_pi.h'
@@ -104,7 +104,7 @@ def named(text: str, form: str) -> str:
 
 
 def plain(text: str, form: str) -> str:
-    """Replace the prefix of the names in a text by the default prefix.
+    """Replace a form's prefix of C names in a text by the default prefix.
 
     This is the inverse of `named`.
     """

@@ -54,7 +54,7 @@ class Statement(NamedTuple):
 
 
 def statements(file: str, derived: Between) -> Iterator[Statement]:
-    """Yield the C statements in derived text.
+    """Yield the C statements in generated text.
 
     Raises InputError for a character that derived text never has.
     """
@@ -199,7 +199,7 @@ def check(
 
 
 def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
-    """Return the files with the default prefix of names.
+    """Return the C files with each name's prefix replaced by the default prefix.
 
     Raises InputError for a name with another form's prefix.
     """

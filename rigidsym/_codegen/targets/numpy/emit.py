@@ -117,7 +117,7 @@ def _results(function: Function) -> str:
 
 
 class _Code(str):
-    """Name of a function in a table, printed without quotes."""
+    """String printed without quotes: the name of a function in a table."""
 
     __slots__ = ()
     __repr__ = str.__str__
@@ -162,7 +162,7 @@ def _branch(name: str, functions: Mapping[str, Function]) -> Table:
 
 
 def _part(name: str, functions: Mapping[str, Function]) -> Table:
-    """Return the table entry for one part of the sensitivities."""
+    """Return the table entry for one group of sensitivity functions."""
     first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
     kept = set(flat_results(first))
     part = _entry(first) | {

@@ -166,7 +166,7 @@ def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[
 
 
 def _expected(function: Function, let: Let) -> Expression:
-    """Return the expression of an assignment for t_lo = 0.
+    """Return the expression expected in Python: that of an assignment, with t_lo set to 0.
 
     Times are doubles in the NumPy module.
     """
