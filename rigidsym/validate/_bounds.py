@@ -61,7 +61,7 @@ _TIMES = {"numpy-pi": 1.5, "c-pi": 1.5, "numpy-step": 0.5, "c-step": 0.5}
 
 
 def bounds_of(implementation: str) -> dict[str, float]:
-    """Return an implementation's documented error bounds by the name of the measure.
+    """Return an implementation's documented error bounds, keyed by measure name.
 
     >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
     (1e-15, 2e-15)

@@ -1,4 +1,4 @@
-"""Validation campaigns, whose results do not depend on the executor that measures them.
+"""Validation campaigns, which give the same results on every executor.
 
 Cases are measured in chunks.  A campaign may be saved in a file, from which it is resumed.
 """

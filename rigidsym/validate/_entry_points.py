@@ -46,14 +46,14 @@ LARGEST = 1020
 
 
 def is_due(index: int) -> bool:
-    """Return True if an engine's entry points are compared in the case of this index."""
+    """Return True if an engine's entry points are compared in the case with a given index."""
     return index % SHARE in (0, 1)
 
 
 def differences(
     engine: Engine | Steps, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
 ) -> np.ndarray:
-    """Return the largest difference of each entry point's states from those at given times.
+    """Return, for each way to call an engine, the largest difference from the expected states.
 
     Differences are of angle, and of rates over their size.  body: inertia, rates and attitude as
     float64 arrays, or None where doubles are not exact.
@@ -106,7 +106,7 @@ def _apart(found: States, expected: States) -> float:
 
 
 def by_callers(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[States, States]]:
-    """Call an engine in several ways, and yield the states found and those expected."""
+    """Call an engine in several ways, and yield pairs of computed and expected states."""
     asked = np.append(times, 0.0)
     prepared = engine.prepare(*body)
     # The caller overwrites the arrays that it passed.
@@ -139,7 +139,7 @@ def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States
 
 
 def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, States]:
-    """Compute states in a batch that includes impossible bodies, and for each body alone."""
+    """Compute states in a batch with invalid bodies, and again for each valid body alone."""
     inertia, omega0, attitude0 = body
     moments, rates = (COMPANY[:, k] * _size(x) for k, x in enumerate((inertia, omega0)))
     moments = np.vstack([batches.possible(moments, False, lenient=True), inertia])

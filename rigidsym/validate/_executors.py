@@ -25,7 +25,7 @@ Found = TypeVar("Found")
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Executor with its name and the number of chunks that are submitted ahead."""
+    """Executor, with its name and how many chunks of work to submit in advance."""
 
     executor: Executor
     ahead: int
@@ -59,7 +59,7 @@ class Here(Executor):
 
 @contextmanager
 def undisturbed() -> Generator[None]:
-    """Delay interrupts until the block ends, and block them in processes that it starts."""
+    """Delay interrupts during a `with` block, and block them in processes started within it."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

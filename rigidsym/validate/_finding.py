@@ -112,9 +112,9 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
 
 
 def hexadecimal(sample: Sample) -> Data:
-    """Return the exact inputs and times of a sample as text.
+    """Return the inputs and times of a sample as text, with doubles in hexadecimal.
 
-    Doubles are written in hexadecimal, other numbers as fractions.
+    Other numbers are written as fractions.
     """
     found: Any = {
         name: [str(x) if isinstance(x, Fraction) else float(x).hex() for x in getattr(sample, name)]
@@ -133,7 +133,7 @@ def case_text(sample: Sample, remarks: Iterable[str] = ()) -> str:
 
 
 def file_name(sample: Sample) -> str:
-    """Return the name of a sample's case file, which has its stratum and index."""
+    """Return the name of a sample's case file, made of its stratum and index."""
     return f"{'-'.join(sample.stratum.replace(',', '').split())}-{sample.index}.toml"
 
 

@@ -1,4 +1,4 @@
-"""Validation of fits to simulated attitudes whose linearised errors may be wrong.
+"""Checks that the errors of fits agree with the fitted covariance, or that the fits warn.
 
 Either the Mahalanobis distance of the true quantities is small by the covariance of the fit, or
 the fit flags its covariance.  A share is the square of that distance over the value that chi2 of as

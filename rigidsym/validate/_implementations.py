@@ -1,4 +1,4 @@
-"""Implementations under test, which are generated modules, steps and peers."""
+"""Implementations under test: generated modules, step functions and peer programs."""
 
 import json
 import threading
@@ -54,7 +54,7 @@ class Steps:
         return self._after(inertia, _rows(q, times), _rows(omega, times), times)
 
     def ways(self, prepared: Start, times: np.ndarray) -> Iterator[tuple[States, States]]:
-        """Call steps in several ways, and yield the states found and those expected."""
+        """Call the step function in several ways, and yield computed and expected states."""
         expected = self.states(prepared, times)
         # A call for each step.
         alone = [self._after(*prepared, times[k : k + 1]) for k in range(len(times))]
@@ -79,7 +79,7 @@ class Steps:
         return out
 
     def _among_others(self, prepared: Start, times: np.ndarray) -> States:
-        """Compute states in a batch in which every second body is of another kind."""
+        """Compute states in a batch where every second row is a different body."""
         # Powers of two near the sizes, of which quarters are doubles of full length.
         sizes = [np.frexp(np.max(np.abs(x)) or 1.0)[1] - 4 for x in prepared]
         scales = 2.0 ** np.clip(np.array(sizes, float), -1000, 1000)
@@ -137,7 +137,7 @@ def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
 
 
 def implementation(name: str) -> Implementation:
-    """Return the implementation with a given name, which is a target or "peer NAME".
+    """Return the implementation of a given name, such as "c" or "peer heyoka".
 
     Raises InputError where there is none.
     """

@@ -1,4 +1,4 @@
-"""Measurement of the errors of states.
+"""Measurement of the errors of computed states.
 
 They are in units of 2^-53, and as ratios to the documented bounds.
 """
@@ -125,7 +125,7 @@ def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | N
 
 
 def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
-    """Return the distances of vectors from exact vectors, which are sums of two doubles."""
+    """Return the distances of vectors from exact vectors given as sums of two doubles."""
     return lengths((given - exact[0]) - exact[1], 0.0)
 
 

@@ -165,18 +165,18 @@ def condition(sample: Sample, rows: Sequence[Sequence[arb]]) -> Mapping[str, np.
 
 
 def _norms(rows: np.ndarray) -> np.ndarray:
-    """Return the Euclidean norms of rows, which are infinite if an entry is."""
+    """Return the Euclidean norms of rows, with infinity for rows that have an infinite entry."""
     infinite = np.isinf(np.max(np.abs(rows), axis=1, initial=0.0))
     return np.where(infinite, np.inf, lengths(np.where(infinite[:, None], 0.0, rows), 0.0))
 
 
 def is_due(index: int) -> bool:
-    """Return True if Taylor series check the true states in the case of this index."""
+    """Return True if Taylor series check the true states of the case with a given index."""
     return index % SECOND_SHARE in (0, 1)
 
 
 def disagreement(motion: PreciseMotion, backwards: bool) -> float:
-    """Return the distance between Taylor series and enclosures, over the allowed distance.
+    """Return the difference of Taylor series from enclosures, divided by the allowed difference.
 
     The allowed distance is AGREEMENT.  The series of the equations of motion use no elliptic
     function.  Compared is the state after SECOND_REACH radians.

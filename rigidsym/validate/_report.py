@@ -122,7 +122,7 @@ class ValidationReport:
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
     def agreement(self, stratum: str) -> float:
-        """Return the distance between the two oracles in a stratum, over the allowed distance."""
+        """Return the difference of Taylor series from enclosures in a stratum, over its limit."""
         cell = self.tally.cells.get((ORACLES, DISAGREEMENT, "stratum", stratum))
         return float("inf") if cell is None else cell.worst
 
@@ -145,7 +145,7 @@ class ValidationReport:
         return self._options(f"--cases {campaign.cases}", *chosen)
 
     def _options(self, first: str, *last: str) -> str:
-        """Return a command line's targets and options, including additional ones.
+        """Return the campaign's targets and options as part of a command line.
 
         first, last: those before and after the common options.
         """
@@ -244,8 +244,8 @@ class ValidationReport:
         campaign, view = self.campaign, self.tally.view
         peer = name.startswith(PEER)
 
-        def by_part(kind: str) -> report_data.Data:
-            """Return the errors of one view as nested dictionaries, by part and measure."""
+        def by_group(kind: str) -> report_data.Data:
+            """Return the worst errors as nested dictionaries, by group of cases, then measure."""
             parts: dict[str, dict[str, report_data.Data]] = {}
             for measure in MEASURES:
                 for part, cell in view(name, measure, kind).items():
@@ -253,7 +253,7 @@ class ValidationReport:
             return parts
 
         def by_measure(kind: str) -> report_data.Data:
-            """Return the errors of one view as nested dictionaries, by measure and part."""
+            """Return the worst errors as nested dictionaries, by measure, then group of cases."""
             return {m: {x: _cell(y) for x, y in view(name, m, kind).items()} for m in DRAWN}
 
         return {
@@ -261,10 +261,10 @@ class ValidationReport:
             "peer": peer,
             "digest": None if peer else campaign.digests[campaign.targets.index(name)],
             "passed": all(self.share(name, stratum) <= 1 for stratum in campaign.strata),
-            "strata": by_part("stratum"),
-            "shares": by_part("share"),
+            "strata": by_group("stratum"),
+            "shares": by_group("share"),
             "share": {stratum: _figure(self.share(name, stratum)) for stratum in campaign.strata},
-            "regimes": by_part("regime"),
+            "regimes": by_group("regime"),
             "sizes": {
                 stratum: {
                     m: {x: y.count for x, y in view(name, m, f"sizes: {stratum}").items()}

@@ -1,4 +1,4 @@
-"""Measurement of the errors of states' derivatives, column by column.
+"""Measurement of errors in the derivatives of states with respect to inputs and time.
 
 The true derivatives are enclosures.  A column is what the small turn eta, in rad, and the rates,
 over |omega0|, change by with an input, in units of the input's own: 1 rad of the attitude at t = 0,
@@ -38,7 +38,7 @@ Sensitive = Callable[[Sample], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Wider:
-    """Exceptional, wider error bound of a stratum.
+    """Error bound of one stratum that is wider than the general bound.
 
     It has a reason, and a case that comes near the bound.
     """
@@ -92,7 +92,7 @@ class StratumErrors:
     refused: int
 
     def row(self) -> tuple[str, ...]:
-        """Return the table row of these errors.
+        """Return the errors as a row of a table.
 
         The columns are those of `HEADS`.
         """
@@ -108,7 +108,7 @@ class StratumErrors:
 
 @dataclass(frozen=True, slots=True)
 class ColumnsReference:
-    """True derivatives of a sample's states, with the lengths to which errors are relative.
+    """True derivatives of a sample's states, with the norms by which errors are divided.
 
     columns (N, 6, 10), lengths (N, 10).
     """
@@ -119,7 +119,7 @@ class ColumnsReference:
 
     @classmethod
     def of(cls, sample: Sample, digits: int = DIGITS) -> "ColumnsReference":
-        """Compute the reference of a sample by enclosures."""
+        """Compute a sample's true derivatives and their norms by enclosures."""
         found = enclosed(sample, digits)
         lengths, times = _lengths(found), np.array(sample.times)
         early = EARLY / (math.hypot(*map(float, sample.omega0)) or 1.0)
@@ -191,9 +191,9 @@ def errors(
 
 
 def _lengths(expected: np.ndarray) -> np.ndarray:
-    """Return the lengths of the columns of derivatives.
+    """Return the Euclidean norm of each column of derivatives.
 
-    For columns (N, 6, 10) they are (N, 10).
+    For columns (N, 6, 10) they are (N, 10), and at least LEAST.
     """
     with np.errstate(all="ignore"):
         return np.maximum(np.linalg.norm(expected, axis=1), LEAST)
@@ -224,7 +224,7 @@ def columns(
     attitude_t: np.ndarray,
     rates_t: np.ndarray,
 ) -> np.ndarray:
-    """Combine derivatives into columns, in the inputs' own units.
+    """Combine derivatives into one column per input, scaled by the size of that input.
 
     The columns have the shape (N, 6, 10). attitude and rates: sensitivities (N, 3, 9); attitude_t
     and rates_t: those by time (N, 3).

@@ -72,7 +72,7 @@ def write(report: ValidationReport, directory: Path) -> Path:
 
 
 def replay(name: str, campaign: Campaign) -> Finding:
-    """Measure one case, which is given by a name such as "uniform:7" or a case file.
+    """Measure one case, named like "uniform:7" or read from a case file.
 
     Raises InputError for names of neither.
     """

@@ -1,4 +1,4 @@
-"""Tallies, which keep the counts and worst errors of a campaign in bounded memory.
+"""Tallies of the counts and worst errors of a campaign, in bounded memory.
 
 A tally is one flat table of cells.  Merging adds counts and takes the worst, so that tallies give
 the same result merged in any order and grouping.
@@ -26,7 +26,7 @@ DRAWN = ("angle", "omega")
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """Number of measured errors, with the worst of them, its place and its condition number."""
+    """Entry of a tally: the number of errors, the largest one and the state where it occurred."""
 
     count: int
     worst: float
@@ -54,12 +54,12 @@ class Tally:
     states: Counter[str] = field(default_factory=Counter)
 
     def count(self, reference: Reference) -> None:
-        """Add a case and its states to the counts."""
+        """Count a case and its states."""
         self.cases[reference.sample.stratum] += 1
         self.states[reference.sample.stratum] += len(reference.sample.times)
 
     def add(self, target: str, reference: Reference, errors: Mapping[str, Errors]) -> None:
-        """Add the errors of one case to the table."""
+        """Add the errors of one case to the tally's cells."""
         sample, regime = reference.sample, reference.regime.value
         for measure, found in errors.items():
             worst = _cell(sample.stratum, sample.index, found, int(np.argmax(found.units)))
@@ -68,10 +68,10 @@ class Tally:
             self.put((target, measure, "regime", regime), whole)
             self.put((target, measure, "share", sample.stratum), _beyond(whole, found))
         for measure in DRAWN:
-            self._draw(target, measure, reference, errors[measure])
+            self._add_plotted(target, measure, reference, errors[measure])
 
-    def _draw(self, target: str, measure: str, reference: Reference, found: Errors) -> None:
-        """Add the error of each state to the groups that are plotted.
+    def _add_plotted(self, target: str, measure: str, reference: Reference, found: Errors) -> None:
+        """Add the error of each state to the cells that are plotted.
 
         These are by decades of properties, and by sizes of the error.
         """
@@ -104,7 +104,7 @@ class Tally:
         self.states.update(other.states)
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
-        """Return the cells that group errors by one property of the cases.
+        """Return an implementation's cells for one measure, keyed by the values of a property.
 
         view: the property.  Cells are sorted by name.
         """

@@ -223,7 +223,7 @@ def smooth(random: Random) -> Case:
 
 
 def measured(case: Case, engine: str = "c") -> float | None:
-    """Integrate a case, and return its true error over the tolerance.
+    """Integrate a case, and return its true error divided by the tolerance.
 
     Returns None if `integrate` refuses.
     """

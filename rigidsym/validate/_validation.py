@@ -288,9 +288,9 @@ def _is_bounded(sample: Sample) -> bool:
 def environment(
     campaign: Campaign, place: str, seconds: float, states: int
 ) -> dict[str, Figure | None]:
-    """Return the part of a report that differs between runs.
+    """Return a report's data about the run: versions, machine, duration and memory.
 
-    It has versions, the machine, the time and the memory.
+    It differs between runs of the same campaign.
     """
     compiler = {}
     if any(x.startswith("c") for x in campaign.targets):

@@ -80,7 +80,7 @@ def formulas(parts: Sequence[str]) -> Markup:
 
 
 def head(title: object, *others: object) -> Markup:
-    """Return the heading of a card, which is a bold title followed by badges and remarks."""
+    """Return a card's heading: a bold title followed by badges and remarks."""
     return tag("div", tag("strong", title), *(join(" ", other) for other in others))
 
 

@@ -1,4 +1,4 @@
-"""Times, polhodes and circles that the pictures of a motion share.
+"""Geometry of motions for pictures: polhodes, great circles, separatrices and times.
 
 Curves have the shape (N, 3).
 """
@@ -48,7 +48,7 @@ AT_REST = 10.0
 
 
 def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
-    """Return an interval of time in which the body rates trace the polhode once, in s."""
+    """Return a time span, in s, during which the body rates trace the polhode once."""
     period = motion.period or 0.0
     if math.isfinite(period):
         return 0.0, period
@@ -95,7 +95,7 @@ def momentum(motion: "TorqueFreeMotion") -> np.ndarray:
 
 
 def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
-    """Return points along the whole polhode, which are body rates in rad/s.
+    """Return points along the whole polhode, as body rates in rad/s.
 
     Their shape is (count, 3).  There is one row where the rates are constant.
     """
@@ -124,7 +124,7 @@ def great_circles(size: float) -> list[np.ndarray]:
 
 
 def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
-    """Return the separatrix on the momentum sphere, which consists of two circles.
+    """Return the circles of the separatrix on the momentum sphere.
 
     The sphere is |M| = K, and the circles go through the middle axis b.  There K^2 = 2H c_b, that
     is, M_a^2 (c_a - c_b)/c_a = M_d^2 (c_b - c_d)/c_d.  Symmetric bodies have one circle, of steady
@@ -150,7 +150,7 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
 
 
 def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["TorqueFreeMotion"]:
-    """Yield motions of the same body whose angular momentum has the same magnitude.
+    """Yield other motions of a motion's body, with a given magnitude of angular momentum.
 
     There are `count` around each end of two axes.  They start between axis and separatrix, in the
     plane of the axes of largest and least inertia.

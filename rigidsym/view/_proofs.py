@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def derivation_html(derivation: "Derivation") -> str:
-    """Return a notebook card with the chapters of a derivation and their facts.
+    """Return a notebook card that lists the chapters of a derivation with counts of their facts.
 
-    It has the number and the grades of the facts.
+    The counts are for each grade of a fact: assumed, enclosed or proved.
     """
     rows = [(code(c.name), c.title, len(c.facts), _grades(c)) for c in derivation.chapters]
     total = sum(len(chapter.facts) for chapter in derivation.chapters)
@@ -26,7 +26,7 @@ def derivation_html(derivation: "Derivation") -> str:
 
 
 def chapter_html(chapter: "Chapter", facts: str) -> str:
-    """Return a notebook card with a chapter's title and grades, followed by its facts.
+    """Return a notebook card with a chapter's title and counts of facts by grade, then its facts.
 
     facts: their HTML.
     """

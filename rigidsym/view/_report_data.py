@@ -40,13 +40,13 @@ _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def number(figure: Figure) -> float:
-    """Convert a number of a report to a float, with infinity for NaN."""
+    """Convert a reported number to a float, with infinity for NaN."""
     value = float(figure)
     return math.inf if math.isnan(value) else value
 
 
 def units(figure: Figure, digits: int = 3) -> str:
-    """Format a number of a report to three digits, or as "no number" if it is infinite.
+    """Format a reported number to three digits, or as "no number" if it is infinite.
 
     >>> units(9.9), units(18.0), units(4.2e12), units(0.0), units("inf")
     ('9.90', '18.0', '4.20e12', '0', 'no number')
@@ -58,7 +58,7 @@ def units(figure: Figure, digits: int = 3) -> str:
 
 
 def brief(figure: Figure) -> str:
-    """Format a number of a report to three digits, or as "< 0.01" if it is small.
+    """Format a reported number to three digits, or as "< 0.01" if it is small.
 
     >>> brief(3.91e-36), brief(0.0), brief(4.46)
     ('< 0.01', '0', '4.46')
@@ -199,5 +199,5 @@ COLUMNS = (
 
 
 def columns_of(table: str) -> list[Column]:
-    """Return the stratum columns of one of the report tables."""
+    """Return the columns of a report's table for one output, such as "page" or "terminal"."""
     return [column for column in COLUMNS if table in column.tables]

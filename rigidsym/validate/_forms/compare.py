@@ -69,7 +69,7 @@ class FormCost:
     omega: float | None
 
     def row(self) -> tuple[str, ...]:
-        """Return the table row of these costs.
+        """Return the costs as a row of a table.
 
         The columns are those of `COLUMNS`.
         """
@@ -102,7 +102,7 @@ class StratumError:
     omega: float | None
 
     def row(self) -> tuple[str, ...]:
-        """Return the table row of these errors.
+        """Return the errors as a row of a table.
 
         The columns are those of `STRATA_COLUMNS`.
         """
@@ -311,7 +311,7 @@ def _seconds(run: Callable[[], object]) -> float:
 
 
 def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
-    """Count the arithmetic operations that a state takes on a branch of a generated module.
+    """Count the arithmetic operations per state on one branch of a generated module.
 
     These are sums, products, quotients, roots and exponentials.
     """

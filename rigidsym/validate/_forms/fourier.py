@@ -103,7 +103,7 @@ class Series:
 
 @cache
 def state() -> Callable[..., tuple[np.ndarray, ...]]:
-    """Generate the function that computes states from Fourier sums, by the ledger's formulas."""
+    """Generate, from the derived formulas, the function that turns Fourier sums into states."""
     function = fourier.state(sealed())
     namespace: dict[str, Any] = dict(vars(torque_free))
     exec("\n".join(emit.function_lines(function).text), namespace)

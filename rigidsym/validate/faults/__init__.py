@@ -1,4 +1,4 @@
-"""Injection of faults into generated modules, which tests that the validation detects them."""
+"""Injection of faults into generated modules, to test that the validation detects them."""
 
 from rigidsym.validate.faults._drawn import all_faults
 from rigidsym.validate.faults._fault import BY_HAND, KINDS, Fault, StaleFaultError

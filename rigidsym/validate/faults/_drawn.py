@@ -129,7 +129,7 @@ def _printer(target: str) -> _Printer:
 
 @cache
 def all_faults() -> tuple[Fault, ...]:
-    """Return all faults, which are written by hand or generated.
+    """Return all hand-written and generated faults.
 
     Generating them takes a second or two.
     """

@@ -1,4 +1,4 @@
-"""Faults as small changes of generated text, with a table of those written by hand."""
+"""Faults as replacements of text in generated modules, with a table of hand-written faults."""
 
 import re
 import tomllib
@@ -66,7 +66,7 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """The kind of results that the fault changes, which is states, sensitivities or steps."""
+        """The kind of results that the fault changes: states, sensitivities or steps."""
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 

@@ -1,4 +1,4 @@
-"""Injection of faults in processes that may crash, and its report."""
+"""Injection of faults in worker processes that may crash, with a report on their detection."""
 
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -248,7 +248,7 @@ def _until_a_crash(
 
 
 def _alone(fault: Fault, enclosed: References) -> list[Detection]:
-    """Measure a fault that may crash in a process of its own.
+    """Measure a potentially crashing fault in a process of its own.
 
     The process is replaced after a crash.
     """

@@ -1,4 +1,4 @@
-"""Other programs that compute the same motions, for comparison on the same cases.
+"""Independent programs that compute torque-free motions, for comparison with this package.
 
 Each is run at the best settings that we found for it, on float64 numbers as a user would give them.
 """
@@ -23,7 +23,7 @@ PEERS = tuple(_MAKERS)
 
 
 def peer(name: str) -> Peer:
-    """Return the peer program with a given name in PEERS.
+    """Return the peer program with a given name, such as "heyoka".
 
     Packages are imported only here, and Java starts with the first motion of a process, so that
     workers forked before each have their own.

@@ -39,11 +39,11 @@ class Integrator(ABC):
     """Abstract solver that integrates in one direction from t = 0."""
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
-        """Check the inputs of a motion, as `Peer` does."""
+        """Check the inputs of a motion, and normalise its quaternion."""
         return Start.of(inertia, omega0, attitude0)
 
     def states(self, prepared: Start, t: ArrayLike) -> States:
-        """Compute the states at times in any order, as `Peer` does.
+        """Compute the states of a motion at times in any order.
 
         From the first row of `follow` that is missing or has no number, states are NaN.
         """

@@ -102,7 +102,7 @@ class _Java:
 
 
 def started() -> _Java:
-    """Return the Java virtual machine of this process, which is started if necessary.
+    """Return the Java virtual machine of this process, and start it if necessary.
 
     Raises EngineError if it does not start.
     """

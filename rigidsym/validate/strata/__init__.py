@@ -16,7 +16,7 @@ __all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "sample
 
 
 def count(stratum: str, cases: int) -> int:
-    """Return how many cases a stratum has, at most `cases`."""
+    """Return a stratum's number of cases, limited to `cases`."""
     size = STRATA[stratum].size
     return cases if size is None else min(cases, size)
 

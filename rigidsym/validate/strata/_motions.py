@@ -279,7 +279,7 @@ Point = tuple[list[int], tuple[int, int]]
 
 @cache
 def points() -> tuple[Point, ...]:
-    """Return bodies with whole moments and whole rates that are exactly on the separatrix.
+    """Return motions exactly on the separatrix, by whole-number moments and rates.
 
     Moments are coprime and at most _MOST; the rates x, z are the least that are whole.
     """

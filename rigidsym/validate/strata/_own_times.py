@@ -104,7 +104,7 @@ def quarters(random: Random, index: int, motion: Motion) -> Floats:
 
 
 def _quarter_and_origin(motion: Motion) -> tuple[mpf, mpf]:
-    """Return the quarter period, and the time at which the elliptic functions' argument is 0, s."""
+    """Return the quarter period and the time of zero elliptic argument, both in s."""
     exact = PreciseMotion(fractions(motion.inertia), fractions(motion.omega0), fractions(IDENTITY))
     known = exact.constants(("lambda_", "u", "k_c"), _DIGITS)
     with mp.workdps(_DIGITS + 5):

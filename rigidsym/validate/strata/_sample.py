@@ -57,7 +57,7 @@ class Sample:
 
     @property
     def name(self) -> str:
-        """The name of the sample, which has the stratum and the index.
+        """The sample's name, made of its stratum and index.
 
         `rigidsym validate --case` takes it.
         """
@@ -115,7 +115,7 @@ def stepped(sample: Sample) -> Sample:
 
 
 def share(index: int, base: int = 2) -> float:
-    """Return a term of a sequence that fills [0, 1] evenly and begins with both ends.
+    """Return a term of a sequence that starts with 0 and 1 and then fills [0, 1] evenly.
 
     After the ends it is van der Corput's, whose bases make independent coordinates.
 

@@ -127,9 +127,9 @@ def transfers(several: Sequence["Transfer"]) -> "Figure":
 
 @flat.defaults()
 def attitude(run: "Run") -> "Figure":
-    """Plot the attitude quaternions of a flight and of the natural motion that it follows.
+    """Plot the attitude quaternions of a flight and of the torque-free motion that it follows.
 
-    Those of the natural motion are dashed.
+    Those of the torque-free motion are dashed.
     """
     figure, axes = flat.history(style.ATTITUDE_AXIS)
     _both(axes, run.t, (run.q, run.track.q), style.ATTITUDE, "natural", _FOUR)
@@ -156,7 +156,7 @@ def _both(
     other: str,
     colours: Sequence[str],
 ) -> None:
-    """Plot the values of a flight and, dashed, those of another motion."""
+    """Plot a flight's values as solid lines, and the values it should follow as dashed lines."""
     flown, wanted = values
     flat.lines(axes, t, flown, [f"{x} flown" for x in names], colours, linewidth=2.0)
     flat.lines(axes, t, wanted, [f"{x} {other}" for x in names], colours, **_DASHED)

@@ -66,7 +66,7 @@ class Axis:
 
     @property
     def edges(self) -> list[float]:
-        """The positions of lines that separate slots and parts of different scale."""
+        """The positions of lines that mark changes of scale and the slots at the ends."""
         ends = [self.under] * bool(self.under) + [1 - self.over] * bool(self.over)
         return ends + [place for _, place in self.knots[1:-1]]
 
@@ -185,7 +185,7 @@ class Drawing:
 
 
 class View(NamedTuple):
-    """Property of cases over which errors are plotted.
+    """Property of cases on the horizontal axis of error plots.
 
     It has a key in the data, a label, and labels of zero and infinity.
     """

@@ -109,7 +109,7 @@ def directions(
 
 
 def _transfer(transfer: "Transfer", name: str, colour: str) -> Iterator[Trace]:
-    """Yield the plotly traces of a transfer's polhode, flown part and end points."""
+    """Yield the plotly traces of a transfer's path, its end points and its whole polhode."""
     motion = transfer.motion
     size = float(np.linalg.norm(momentum(motion)))
     rates = motion(np.linspace(0, transfer.duration, ON_THE_WAY))[1]

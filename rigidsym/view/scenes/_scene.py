@@ -34,7 +34,7 @@ def line(points: np.ndarray, name: str, colour: str, width: float, **how: object
 
 
 def sketch(points: np.ndarray, name: str, colour: str, width: float, **how: object) -> Trace:
-    """Return a plotly trace of a curve with less data and without hover text."""
+    """Return the plotly trace of a curve in single precision, without hover text."""
     style = {"color": colour, "width": width}
     return _scatter(_single(points), name, mode="lines", line=style, hoverinfo="skip", **how)
 
