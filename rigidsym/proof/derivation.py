@@ -162,7 +162,7 @@ def derive(
 
 
 def sealed_counts() -> str:
-    """Return the sealed ledger as text, or "" if there is none."""
+    """Return the text of the sealed ledger with its mutant counts, or "" if none is installed."""
     try:
         return sealed_text()
     except LedgerError:

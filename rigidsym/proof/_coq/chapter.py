@@ -207,7 +207,7 @@ class Chapter:
 
 
 def comment(text: str | None) -> str:
-    """Return a text as a Coq comment, or an empty string if there is none."""
+    """Return a text as a Coq comment, or an empty string if there is no text."""
     return f" (* {text.replace('(*', '( *').replace('*)', '* )')} *)" if text else ""
 
 
@@ -253,9 +253,9 @@ def claims_list(name: str, rows: Sequence[str], kind: str = "certified") -> str:
 
 
 def path(proof: str, k: int, count: int) -> str:
-    """Return the Coq proof of the k-th part of a conjunction of `count` parts.
+    """Return the Coq term that projects a proof of a conjunction to its k-th conjunct.
 
-    `proof` proves the whole conjunction.
+    `proof` proves all `count` conjuncts, and `k` begins at 0.
     """
     for _ in range(k):
         proof = f"(proj2 {proof})"

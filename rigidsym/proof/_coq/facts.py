@@ -207,7 +207,7 @@ class Printer:
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:
-        """Return the Coq term that proves a premise of a model at time t.
+        """Return the Coq term that proves a premise of a fact at time t.
 
         The term refers to the names X, their hypotheses H, and the assumptions A0, A1, ...
         """
@@ -409,10 +409,7 @@ class Printer:
         return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
-        """Write the Coq definition of a case's quantities.
-
-        They are those of the context that was split.
-        """
+        """Write the Coq definition of a case's quantities as those of the split context."""
         text = f"Definition as_{other.name} (X : names) : {other.name}.names :="
         if other.name not in chapter.cases:
             chapter.cases.add(other.name)

@@ -75,10 +75,7 @@ def divisors(tree: Tree) -> Iterator[Tree]:
 
 
 def derivatives(tree: Tree) -> Iterator[Tree]:
-    """Yield the expressions that a syntax tree differentiates, innermost first.
-
-    These are the arguments of D.
-    """
+    """Yield the arguments of all time derivatives D(...) in a syntax tree, innermost first."""
     yield from (part[2] for part in parts(tree) if isinstance(part, tuple) and part[0] == "D")
 
 

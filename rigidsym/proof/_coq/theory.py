@@ -43,14 +43,14 @@ class Theory:
         self._place(context.definitions)
 
     def _place(self, names: Iterable[str]) -> None:
-        """Assign an index to each definition, so that it follows the definitions it uses."""
+        """Assign indices to definitions, so that each comes after the definitions that it uses."""
         for name in names:
             if name in self.texts and name not in self.index:
                 self._place(x for x in names_in(self.texts[name]) if x != name)
                 self.index[name] = len(self.index) + 1
 
     def extended(self) -> "Theory":
-        """Return a copy that starts with empty lists of steps and proofs."""
+        """Return a copy of the theory to be extended, with empty lists of steps and proofs."""
         more = copy(self)
         more.ring = copy(self.ring)
         more.ring.values = dict(self.ring.values)
@@ -123,7 +123,7 @@ class Theory:
             self.given.append(proof)
 
     def define(self, *names: str) -> None:
-        """Add a definition step for each of these names that has none yet."""
+        """Add a definition step for each given name that has none yet."""
         for name in names:
             if name in self.texts and name not in self._defined:
                 self._defined.add(name)

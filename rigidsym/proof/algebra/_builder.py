@@ -46,11 +46,11 @@ class LedgerBuilder:
         self._results[type(result)] = result
 
     def __contains__(self, kind: type) -> bool:
-        """Return whether a chapter has stored a result of this type."""
+        """Return whether a chapter has stored a result of the given type."""
         return kind in self._results
 
     def result(self, kind: type[Result]) -> Result:
-        """Return the result of this type that an earlier chapter stored."""
+        """Return the result of the given type that an earlier chapter stored."""
         if kind not in self._results:
             raise LookupError(f"no chapter has found {kind.__name__} yet")
         return self._results[kind]
@@ -106,7 +106,7 @@ class LedgerBuilder:
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
-        """Prove that quantities are nonnegative by rewriting them in a form that shows it."""
+        """Prove that quantities are nonnegative by rewriting them in a visibly nonnegative form."""
         return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(

@@ -154,7 +154,7 @@ def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
 
 
 def _tiny(lost: int) -> arb:
-    """Return the tolerance 2**(lost - precision) for a loss of some bits."""
+    """Return a tolerance that allows for a loss of `lost` bits of the working precision."""
     return arb(2) ** (lost - ctx.prec)
 
 

@@ -151,7 +151,7 @@ def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
 
 
 def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str, ast.expr]]:
-    """Yield likely slips at one node of a syntax tree, each with its kind.
+    """Yield erroneous variants of one syntax-tree node, each with the kind of error.
 
     The kinds are sign, power, factor, term, index, function and derivative.
     """

@@ -71,10 +71,7 @@ def _statement(fact: Fact, place: str, text: str) -> tuple[str, str]:
 
 
 def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | None:
-    """Return a context's ring with changed definitions.
-
-    Returns None if the kernel refuses the definitions.
-    """
+    """Return a context's ring with changed definitions, or None if the kernel refuses them."""
     if not changed:
         return ring
     try:
@@ -141,7 +138,7 @@ class UnknownRateError(ValueError):
 
 
 class Instant:
-    """Exact evaluation of a context's expressions at one rational point.
+    """A rational point at which a context's expressions are evaluated exactly.
 
     Time derivatives are evaluated, too.
     """

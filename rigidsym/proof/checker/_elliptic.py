@@ -74,7 +74,7 @@ def real(value: acb) -> arb:
 
 
 def between(low: arb | None, value: acb, high: arb) -> acb:
-    """Return a ball if it is real and lies strictly between two bounds.
+    """Check that a ball is real and lies strictly between two bounds, and return it.
 
     Raises Refused for any other ball.
     """

@@ -48,7 +48,7 @@ def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
 
 
 class Values(Language[acb]):
-    """Evaluation of a context's expressions at one point by ball arithmetic."""
+    """Values of a context's expressions at one point, computed by ball arithmetic."""
 
     def __init__(self, given: Hypotheses, point: dict[str, acb]) -> None:
         self._given, self._unread = given, {**given.reading, **given.definitions}

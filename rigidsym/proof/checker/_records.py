@@ -20,7 +20,7 @@ class Refused(ValueError):  # noqa: N818 (a verdict rather than an error)
 
 @dataclass(frozen=True, slots=True)
 class Hypotheses:
-    """Record of a context in a ledger file."""
+    """The names and hypotheses of a context, as recorded in a ledger file."""
 
     name: str
     generators: list[str]
@@ -37,7 +37,7 @@ class Hypotheses:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """Record of a fact in a ledger file.
+    """A fact that a ledger file claims, with its rule, premises and certificate.
 
     The rule decides what its certificate must hold.
     """

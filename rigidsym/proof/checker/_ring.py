@@ -117,7 +117,7 @@ class Ring(Language[Quotient]):
         return polynomial.leading_coefficient() if constant else fmpq(0)
 
     def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
-        """Reduce a polynomial modulo the relations and further zero polynomials.
+        """Reduce a polynomial modulo the relations and further polynomials that vanish.
 
         The reduction is repeated until nothing changes.
         This ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.

@@ -122,7 +122,7 @@ def model(so_far: Accepted, fact: Claim) -> str:
 
 
 def transfer(so_far: Accepted, fact: Claim) -> str:
-    """Check a fact that is restated from a context whose hypotheses hold here."""
+    """Check a fact carried over from another context whose hypotheses hold in the fact's own."""
     there, bridge = (so_far.facts[premise] for premise in fact.premises)
     if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
         raise Refused("the second premise does not make this context a model of the first's")
@@ -132,7 +132,7 @@ def transfer(so_far: Accepted, fact: Claim) -> str:
 
 
 def partition(so_far: Accepted, fact: Claim) -> str:
-    """Check that a context is split into all its cases by the sign of a name.
+    """Check that the cases of a context by the sign of a name are complete and disjoint.
 
     The cases are x = 0, x > 0 and, unless x >= 0 is visible, x < 0.
     A motion stays in its case: since x = 0 is closed under d/dt, D(x) is a multiple of x, and no
@@ -248,9 +248,9 @@ def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
 
 
 def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
-    """Return whether a combination of relations proves that a difference of sides vanishes.
+    """Return whether a combination of relations proves that lhs - rhs vanishes.
 
-    It does if it is the difference (`gap`) times a product of units.
+    It does if it is this difference (`gap`) times a product of units.
     Then the gap vanishes where the combination does.
     """
     if combination == gap.above or not combination or not gap.above:
@@ -260,9 +260,9 @@ def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
 
 
 def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
-    """Return the equations that are the premises of a model.
+    """Return the premises of a model fact, which have to be equations in its context.
 
-    Raises Refused unless they are equations of its context.
+    Raises Refused if one is not.
     """
     premises = [so_far.facts[premise] for premise in fact.premises]
     if any((p.kind, p.context) != ("equal", fact.context) for p in premises):

@@ -19,7 +19,7 @@ KINDS = {"equal": "=", "root": "root", "nonnegative": "sign"}
 
 @dataclass(slots=True)
 class Block:
-    """Assumptions and statements of one block of a specification."""
+    """A named section of a specification: hypotheses, definitions and required statements."""
 
     assumed: dict[str, set[Form]] = field(default_factory=dict)
     rates: dict[str, Form] | None = None
@@ -45,7 +45,7 @@ class Block:
 
 @cache
 def read(text: str) -> Form:
-    """Parse an expression, or return "?" unchanged.
+    """Parse an expression, or return "?", the mark of an unknown rate, unchanged.
 
     Results are cached.
     """

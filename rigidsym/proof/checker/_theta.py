@@ -211,7 +211,7 @@ def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmp
 def _classes(
     leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int, unit: int
 ) -> Iterator[tuple[tuple[object, ...], int]]:
-    """Yield one representative of each class of exponents modulo the period.
+    """Yield one exponent vector of each residue class modulo `period`, with its sign.
 
     It is a*unit, with its sign.
     The a, but for a first one, are the lattice of the rows of F.  In a triangular basis of it (the

@@ -94,7 +94,7 @@ def model(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def transfer(admitted: Admitted, fact: Fact) -> Grade:
-    """Check a fact that is restated from a context whose hypotheses hold here.
+    """Check a fact carried over from another context whose hypotheses hold in the fact's own.
     Gamma |- statement        Delta |- model of Gamma
     -------------------------------------------------
     Delta |- statement
@@ -108,7 +108,7 @@ def transfer(admitted: Admitted, fact: Fact) -> Grade:
 
 
 def partition(admitted: Admitted, fact: Fact) -> Grade:
-    """Check that a context is split into all its cases by the sign of a name.
+    """Check that the cases of a context by the sign of a name are complete and disjoint.
     Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
     -----------------------------------------------------------------------------------
     Gamma |- exactly one of these contexts, or of those that premises split them into
@@ -195,7 +195,7 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
-    """Return the numerators of lhs - rhs, where lhs is squared for square roots."""
+    """Return the numerators of lhs - rhs, or of lhs**2 - rhs for a fact on square roots."""
     sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
     left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
     return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]

@@ -18,7 +18,7 @@ _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Named quantities with hypotheses about them, which define a differential ring.
+    """A differential ring defined by named quantities and hypotheses about them.
 
     One may divide by units.  `witness` is a rational point, `definitions` abbreviate expressions,
     `reading` says what names stand for.  `rates` maps generators to rates: others are constant,
@@ -95,13 +95,13 @@ class Grade(StrEnum):
 
 
 def weakest(grades: Iterable[Grade]) -> Grade:
-    """Return the worst of some grades."""
+    """Return the weakest of several grades."""
     return min(grades, key=list(Grade).index)
 
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A statement in a context, which counts once `Ledger.add` has admitted it.
+    """A statement in a context, trusted only after `Ledger.add` has admitted it.
 
     By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context

@@ -102,7 +102,7 @@ def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
 
 
 class Series:
-    """The Fourier series of a product of theta functions and a number."""
+    """The Fourier series of a number times a product of theta functions."""
 
     def __init__(self, number: Number, factors: list[Theta], names: list[str]) -> None:
         size, self.factors = len(names), factors
@@ -124,7 +124,7 @@ class Series:
         self.weight = prod(map(pow, n, orders), start=a[0] ** 0) * number * sign * 2 ** sum(orders)
 
     def classes(self, period: int, unit: int) -> Iterable[tuple[tuple[int, ...], int]]:
-        """Return one representative of each class of exponents modulo the period."""
+        """Return one exponent vector of each residue class modulo `period`, with its sign."""
         steps = [[int(x * unit) for x in row] for row in self.rows]
         flips = [factor.index in (1, 4) for factor in self.factors]
         halves = [row for row, factor in zip(steps, self.factors, strict=True) if factor.index < 3]

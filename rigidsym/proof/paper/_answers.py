@@ -22,7 +22,7 @@ parse_text = lru_cache(maxsize=4096)(_expression.parse)
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """Equations of a printed line that a fact of the ledger has to decide.
+    """The equations of one printed line, to be decided by a fact of the ledger.
 
     `definitions` are the definitions that the print gives in the context.
     """
@@ -84,7 +84,7 @@ def without_trivial(whole: Question, definitions: Texts, rates: Texts) -> Questi
 
 
 def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
-    """Return the statements of a displayed formula that define something."""
+    """Return the statements of a displayed formula that define one of the given names."""
     return tuple(
         piece
         for piece in display
@@ -167,6 +167,6 @@ def all_hold(answers: Iterable[Answer]) -> bool | None:
 
 
 def ids(answers: Iterable[Answer], kind: str) -> tuple[str, ...]:
-    """Return the distinct ids of the facts of one kind in some answers."""
+    """Return the distinct ids of all facts of a given kind in the answers."""
     facts = [answer.fact for answer in answers if answer.fact is not None]
     return tuple(dict.fromkeys(fact["id"] for fact in facts if fact["kind"] == kind))

@@ -126,7 +126,7 @@ def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexamp
 
 
 class Instant:
-    """Exact evaluation of a context's expressions at one of its points.
+    """A rational point at which a context's expressions are evaluated exactly.
 
     Time derivatives are evaluated, too.
     """

@@ -37,7 +37,7 @@ class Flaw(StrEnum):
 
 
 class Root(StrEnum):
-    """The paper's independent errors, which explain all its misprints."""
+    """Root errors of the paper, which explain all its misprints."""
 
     SCALE = "(14) and (10) to (12) take the roots in different variables"
     HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"

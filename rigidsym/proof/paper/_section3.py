@@ -53,7 +53,7 @@ UNDIVIDED, DIVIDED = "printed_sine", "printed_sine_divided"
 
 
 def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVIDED) -> Sense:
-    """Return the translation of a line that takes equation (14) as printed.
+    """Return the translation of a printed line, with equation (14) taken as printed.
 
     s_i and s_j are roots of (14).
     """
@@ -61,7 +61,7 @@ def _sense(number: str, vocabulary: Vocabulary, *only: int, context: str = DIVID
 
 
 def _mended(sense: Sense, amplitude: int) -> Sense:
-    """Return the translation of a line that takes equation (14) as repaired.
+    """Change the translation of a printed line to use equation (14) as repaired.
 
     The roots are in (c_i Omega_i)^2, and the amplitude is multiplied by c_i.
     """

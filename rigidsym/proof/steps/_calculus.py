@@ -145,7 +145,7 @@ def integrate(
 def nonnegative(
     scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Prove that an expression is nonnegative by rewriting it in a form that shows it.
+    """Prove that an expression is nonnegative by rewriting it in a visibly nonnegative form.
 
     Such a form is a sum or product of nonnegative parts and even powers.
     """

@@ -159,9 +159,9 @@ def _parallel(
     particular: Matrix,
     direction: Matrix,
 ) -> list[tuple[str, str]]:
-    """State that solutions differ by multiples of a direction.
+    """Return equations which state that all solutions differ by multiples of `direction`.
 
-    Returns the minors of (difference, direction) as combinations of the equations.
+    They express the minors of (difference, direction) as combinations of `equations`.
     """
     size = len(unknowns)
     lefts = [f"({scope.text(x)}) - ({scope.text(y)})" for x, y in equations]

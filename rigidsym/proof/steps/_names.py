@@ -98,7 +98,7 @@ class _Printer(StrPrinter):
 
 
 def collected(expression: Expr) -> Expr:
-    """Rewrite an expression as one fraction of factors.
+    """Rewrite an expression as one fraction with factored numerator and denominator.
 
     Each factor has its shorter form and sign.
     """
@@ -114,9 +114,9 @@ def positive(expression: Expr) -> Expr:
 
 
 def _side(side: Expr) -> tuple[int, Expr]:
-    """Return the sign of a product, and its shortest form.
+    """Write a product as a sign times the shorter of its factored and expanded forms.
 
-    The factors of this form begin with a plus.
+    No factor of that form begins with a minus sign.
     """
     sign, factors = 1, []
     for factor in Mul.make_args(side):

@@ -155,10 +155,7 @@ class Scope:
         return sympy.S.Zero
 
     def rates(self, expression: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
-        """Return the time derivative of an expression in two forms.
-
-        The first uses names, the second has their definitions expanded.
-        """
+        """Return two forms of a time derivative: in names, and with definitions expanded."""
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
@@ -251,7 +248,7 @@ class Scope:
         ]
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Scope":
-        """Return the scope of a fact's context, which is created if it does not exist.
+        """Return the scope of a fact's context, creating the context if necessary.
 
         In a new context the given quantities are nonzero.
         """

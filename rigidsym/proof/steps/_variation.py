@@ -18,7 +18,7 @@ Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """Equations of motion M' = moment from a variation, with momenta M."""
+    """Equations of motion M' = moment for momenta M, derived by a variation."""
 
     momenta: tuple[sympy.Expr, ...]
     moments: tuple[sympy.Expr, ...]

@@ -253,10 +253,9 @@ class Interpreter:
         return self.meant["C_i"]
 
     def condition(self, left: Expression, relation: str, right: Expression) -> None:
-        """Require that a printed inequality has the expected meaning.
+        """Require that a printed inequality states `when` >= 0, the condition in the vocabulary.
 
-        It has to state that the vocabulary's quantity `when` is not negative.
-        This quantity is then the larger side minus the smaller one.
+        The quantity `when` is then the larger side minus the smaller one.
         """
         if self.vocabulary.when:
             x, y = map(self._size, (left, right))
@@ -264,10 +263,7 @@ class Interpreter:
             self.ask(over, _number(self.vocabulary.when))
 
     def _size(self, tree: Expression) -> Complex:
-        """Return one side of an inequality as a number.
-
-        Absolute values and plain numbers are squared.
-        """
+        """Return one side of an inequality, squared if it is an absolute value or a number."""
         match tree:
             case Call("abs", (inner,)):
                 return Complex(self.number(inner).square())

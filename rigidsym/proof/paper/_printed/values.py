@@ -201,7 +201,7 @@ def power(x: Value, exponent: int) -> Value:
 
 
 def alike(x: Value, y: Value) -> tuple[Value, Value]:
-    """Convert two values to two numbers or to two matrices.
+    """Convert two values to the same type, both to numbers or both to matrices.
 
     A number beside a matrix becomes a multiple of the identity.
     """
