@@ -165,8 +165,9 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     rows = inputs.sequence("tensor", tensor, ndim=2)
     if len(rows) != 3:
         raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
-    exact = {f"tensor[{i}]": inputs.vector(f"tensor[{i}]", row, 3) for i, row in enumerate(rows)}
-    given = np.array([inputs.doubles(n, inputs.certain(n, x)) for n, x in exact.items()])
+    named = {f"tensor[{i}]": row for i, row in enumerate(rows)}
+    exact = {n: inputs.certain(n, inputs.vector(n, row, 3)) for n, row in named.items()}
+    given = np.array([inputs.doubles(n, x) for n, x in exact.items()])
     size = float(np.max(np.abs(given)))
     apart = np.abs(given - given.T)
     i, j = (int(k) for k in np.unravel_index(np.argmax(apart), apart.shape))

@@ -115,6 +115,7 @@ def test_what_is_nearly_symmetric_is_made_so():
         ([[1, 0, 0], [0, 1j, 0], [0, 0, 1]], "tensor[1][1] = 1j: must be a number"),
         (["1 +/- 0.1", 0, 0], "tensor[0] = '1 +/- 0.1': must be a list of numbers"),
         ([["1 +/- 0.1", 0, 0], [0, 1, 0], [0, 0, 1]], "tensor[0][0] = 1 +/- 0.1: is uncertain"),
+        ([["1 +/- 0.1", 0, 0], [0, 1], [0, 0, 1]], "tensor[0][0] = 1 +/- 0.1: is uncertain"),
         ([["1e999", 0, 0], [0, 1, 0], [0, 0, 1]], "tensor[0] = [1.00000000000E+999, 0, 0]: "),
         (np.eye(2), "tensor = 2 rows: must have 3 rows of 3 numbers"),
         (np.ones((3, 4)), "tensor[0] = [1. 1. 1. 1.]: must have 3 numbers, not 4"),

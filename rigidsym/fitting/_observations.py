@@ -330,7 +330,7 @@ class Rates(Observations):
 
         They are zero and the identity.
         """
-        return np.broadcast_to(np.eye(3, 6, 3), (*residuals.shape, 6))
+        return np.broadcast_to(np.eye(3, 6, 3), (*residuals.shape, 6)).copy()
 
     def rate_series(self) -> RateSeries:
         """Return the observed rates as one time series."""

@@ -30,6 +30,7 @@ def test_derivatives_are_those_of_the_residuals(name):
     here = one.residuals(Q, OMEGA)
     assert here.shape == (7, one.width)
     slopes = one.derivatives(Q, OMEGA, here)
+    assert slopes.flags.writeable
     for k, step in enumerate(1e-6 * np.eye(6)):
         ahead, behind = (
             one.residuals(product(of_rotation_vectors(x[:3]), Q), OMEGA + x[3:])
