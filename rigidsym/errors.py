@@ -98,7 +98,7 @@ class PrecisionError(ArithmeticError):
 
 
 def package(name: str, user: str, extra: str = "lab") -> ModuleType:
-    """Import an optional module.
+    """Import an optional package.
 
     Raises an ImportError with a one-line message if it is not installed.
     """

@@ -64,7 +64,7 @@ class PrincipalAxes:
         omega: ArrayLike,
         found: Sensitivity,
     ) -> Sensitivity:
-        """Convert derivatives of states to the body's given axes and its inertia tensor.
+        """Convert derivatives of states from principal axes to given axes and the inertia tensor.
 
         Digits are lost where two moments are nearly equal.
 

@@ -89,7 +89,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 class _Help(argparse.RawDescriptionHelpFormatter):
-    """Help text that ends with the default value of an option."""
+    """Formatter that appends default values to the help texts of options."""
 
     def _get_help_string(self, action: argparse.Action) -> str | None:
         silent = action.default in (None, argparse.SUPPRESS) or isinstance(action.default, bool)

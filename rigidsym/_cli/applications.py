@@ -11,7 +11,7 @@ from rigidsym.io._files import probe
 
 
 def plan(options: Namespace) -> int:
-    """Print the cheapest natural motions of a manoeuvre."""
+    """Print the cheapest torque-free motions of a manoeuvre."""
     from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
 
     asked, _ = open_manoeuvre(options.manoeuvre)

@@ -54,7 +54,7 @@ def _format(options: Namespace) -> str:
 
 
 def _heading(options: Namespace) -> dict[str, Any]:
-    """Return the options that only the format `aem` has.
+    """Return the user's options for the heading of a message in the format `aem`.
 
     Raises InputError if one of them is given with another format.
     """

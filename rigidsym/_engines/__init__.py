@@ -12,7 +12,7 @@ from typing import Any
 from rigidsym._engines.arrays import Outputs, States, columns, is_lenient
 from rigidsym._engines.base import Engine, Prepared
 from rigidsym._engines.numpy_engine import NumpyEngine
-from rigidsym._engines.steps import CStepper, Kicks, NumpyStepper, Stepper
+from rigidsym._engines.steps import CStepper, KickInputs, NumpyStepper, Stepper
 from rigidsym.errors import EngineError, InputError
 
 __all__ = [
@@ -21,7 +21,7 @@ __all__ = [
     "STEPPERS",
     "Engine",
     "EngineError",
-    "Kicks",
+    "KickInputs",
     "Outputs",
     "Prepared",
     "States",

@@ -203,7 +203,7 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
 
 
 def shapes(columns: tuple[str, ...] | None) -> tuple[tuple[int, ...], ...]:
-    """Return the trailing axes of the arrays for states and their derivatives.
+    """Return the trailing shapes of the arrays for states and their derivatives.
 
     Those of derivatives are left out if `columns` is None.
     """

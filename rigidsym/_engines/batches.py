@@ -219,7 +219,7 @@ def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
 
 
 def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
-    """Return the leading shape of an array, which is the shape of its bodies.
+    """Return the shape of an input array over its bodies, without the axis of components.
 
     It has all axes but the last, or all axes of dt.
     """

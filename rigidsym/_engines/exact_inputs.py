@@ -62,7 +62,7 @@ def exact_inputs(
 
 
 def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
-    """Undo the scaling of the moments in derivatives with respect to them.
+    """Undo the scaling of moments of inertia in derivatives with respect to moments.
 
     Moments are then in kg m^2.  The arrays are changed in place.  `exact_inputs` has divided the
     moments by a power of two.

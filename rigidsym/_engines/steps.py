@@ -47,8 +47,8 @@ class _Splitting(ctypes.Structure):
 
 
 @dataclass(frozen=True, slots=True)
-class Kicks:
-    """Bodies, torque and splitting method of an integration in C.
+class KickInputs:
+    """Inputs of an integration in C: bodies, torque and splitting method.
 
     Arrays are contiguous and float64.
 
@@ -76,7 +76,7 @@ def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
 
 
 class Stepper(ABC):
-    """Abstract engine of single time steps of torque-free motion.
+    """Abstract engine that advances torque-free bodies by one time step.
 
     It uses a generated module of the form `step`.
     """
@@ -236,7 +236,11 @@ class CStepper(Stepper):
         return out
 
     def integrate(
-        self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
+        self,
+        kicks: KickInputs,
+        span: tuple[float, float, int, int],
+        q: np.ndarray,
+        omega: np.ndarray,
     ) -> None:
         """Integrate the motion of bodies under a torque, in place.
 

@@ -93,7 +93,7 @@ def later(instant: int, seconds: float) -> int:
 
 
 def decimals(instants: Iterable[int]) -> int:
-    """Return the least number of decimals of a second that writes all instants exactly.
+    """Return the least number of decimals needed to write the seconds of all instants exactly.
 
     It is at least 3.
     """

@@ -47,7 +47,7 @@ _IMAGES = np.array([signs for signs in product((1, -1), repeat=3) if np.prod(sig
 
 @dataclass(frozen=True)
 class Bursts:
-    """The bursts that start and stop motions of a manoeuvre, and their limits.
+    """Sizes and limits of bursts, the impulses that start and stop a motion.
 
     Numbers are for motions that take 1 s.
 
@@ -63,7 +63,7 @@ class Bursts:
 
     @classmethod
     def of(cls, problem: Problem, manoeuvre: Manoeuvre) -> "Bursts":
-        """Create the bursts of a manoeuvre from its spins and limits."""
+        """Create an instance from a manoeuvre's initial spin, final spin and limits."""
         largest = max(manoeuvre.inertia)
 
         def momentum(spin: tuple[Fraction, ...]) -> np.ndarray:
@@ -82,7 +82,7 @@ class Bursts:
 
     @cached_property
     def spin(self) -> float:
-        """Sum of the momenta before and after the manoeuvre.
+        """Sum of the magnitudes of the momenta before and after the manoeuvre.
 
         The cost of a motion of momentum K differs from 2 K by at most this sum.
         """
@@ -103,7 +103,7 @@ class Bursts:
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Return for each motion the larger ratio of a required rate or burst to its limit.
+        """Return for each motion the larger of two ratios: peak rate to limit, burst to limit.
 
         The result has the shape (N,), for rates (N, 3).
         """
@@ -245,7 +245,7 @@ def _all(bursts: Bursts, bound: float, best: Callable[[np.ndarray], np.ndarray])
 
 
 def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
-    """Replace each motion by the cheapest of its family within the limits.
+    """Replace each motion by the cheapest allowed motion of its one-parameter family.
 
     Motions are given by their rates (N, 3).
 
@@ -265,7 +265,7 @@ def _within_limits(bursts: Bursts, rates: np.ndarray, duration: float) -> np.nda
 
 
 def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
-    """Replace each motion by the member of its family with the least value.
+    """Replace each motion by the minimiser of a function over its one-parameter family.
 
     Motions are given by their rates (N, 3).
     """

@@ -1,4 +1,4 @@
-"""The directions of momentum from which a natural motion can arrive at the target.
+"""Directions of angular momentum from which a torque-free motion can reach the target.
 
 The motion keeps the momentum in space, so the turn takes it from the target's body axes to the
 start's; it keeps the energy, too.  Both momenta m and mR of size 1 then have the same energy:
@@ -49,7 +49,7 @@ class Arcs:
 
 
 def arcs(problem: Problem) -> Arcs:
-    """Return the arcs of all directions from which a motion can arrive at the target.
+    """Return arcs made of all momentum directions from which a motion can reach the target.
 
     There are none for spherical bodies.
 
@@ -82,7 +82,7 @@ def is_symmetry(problem: Problem) -> bool:
 
 
 def _inverse(problem: Problem) -> np.ndarray:
-    """Return the differences of the inverse moments from that of the middle axis.
+    """Return each inverse moment of inertia minus that of the middle axis.
 
     They are 1/c_k - 1/c_middle for each axis k, computed without cancellation.
     """
@@ -120,7 +120,7 @@ def _meridian(problem: Problem, split: float) -> Arcs:
 def _cone(
     form: np.ndarray, axes: list[np.ndarray], middle: np.ndarray, planes: list[np.ndarray]
 ) -> Arcs:
-    """Return the arcs of the cone m A m = 0 on the sphere, A being `form`."""
+    """Return arcs of the curves in which the cone of a quadratic form meets the unit sphere."""
     values, frame = np.linalg.eigh(form)
     if values[1] < 0:
         values, frame = -values[::-1], frame[:, ::-1]

@@ -81,7 +81,7 @@ def refine(
 
 
 def smallness(rates: np.ndarray) -> np.ndarray:
-    """Return the scale (N,) of accepted misses, which is smaller for small turns."""
+    """Return factors (N,) that make angular tolerances smaller for small turns."""
     return np.clip(np.linalg.norm(rates, axis=1), _SMALLEST, 1.0)
 
 
@@ -165,7 +165,7 @@ def least(problem: Problem) -> float:
 
 
 def families(problem: Problem, bound: float) -> np.ndarray:
-    """Return the initial rates (N, 3) of all motions to the target up to a momentum.
+    """Return the initial rates (N, 3) of all motions to the target with momentum <= bound.
 
     They are sorted by momentum.
 
@@ -183,12 +183,12 @@ def families(problem: Problem, bound: float) -> np.ndarray:
 
 @lru_cache(1)
 def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Return the refined rates of spins of less than a whole turn."""
+    """Return the refined initial rates of spins through less than a whole turn."""
     return refine(problem, _spins(problem, _LESS_THAN_ONE))
 
 
 def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:
-    """Return the rates (N, 3) of spins by the wanted turn plus some whole turns.
+    """Return the rates (N, 3) of spins through the turn to the target plus whole turns.
 
     They arrive where that is a principal axis, and nearly where the body is nearly a sphere.
     """

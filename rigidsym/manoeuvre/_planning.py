@@ -175,7 +175,7 @@ def plan(
     families: int = 1,
     engine: str = "c",
 ) -> Plan:
-    """Plan natural motions that take a body from one attitude to another in a given time.
+    """Plan torque-free motions that take a body from one attitude to another in a given time.
 
     Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
     digits.  Source: section V of the paper.
@@ -281,7 +281,7 @@ def _too_many(asked: Manoeuvre, count: int) -> InputError:
 
 
 def directions_of(plan: Plan) -> "Figure":
-    """Draw the momentum directions of a plan on a sphere, in the body axes of the start.
+    """Draw the paths of a plan's momentum directions on a sphere, relative to body axes.
 
     It has the cone of all directions in which a natural motion can arrive; and of each transfer the
     polhode, thin, and the path of the momentum on it, thick, from a dot on the cone on.  A turn

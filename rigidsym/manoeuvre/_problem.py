@@ -87,7 +87,7 @@ class Problem:
         return rotation_vectors(self.arrivals(rates))
 
     def slopes(self, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the misses of motions and their derivatives with respect to the initial rates.
+        """Return the misses of motions, and derivatives of misses by the initial rates.
 
         Misses are rotation vectors (N, 3), for rates (N, 3); derivatives have the shape
         (N, 3, 3).

@@ -42,7 +42,7 @@ class TooManyError(ArithmeticError):
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Sampled motions that start on the arcs, with their arrivals.
+    """Sampled motions whose initial momentum directions lie on arcs, with arrival data.
 
     All fields are arrays with N rows.
 
@@ -67,7 +67,7 @@ class Samples:
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
-    """Return approximate initial rates (N, 3) of all motions to the target up to a momentum.
+    """Estimate the initial rates (N, 3) of all motions to the target with momentum <= bound.
 
     Raises TooManyError where there are too many motions of that momentum.
     """
@@ -89,14 +89,14 @@ def _check(count: float, most: int) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """A search for motions to the target along arcs, up to a momentum `bound`."""
+    """Search along arcs of momentum directions for all motions to the target."""
 
     problem: Problem
     curves: Arcs
     bound: float
 
     def steps(self) -> Iterator[tuple[Samples, Samples]]:
-        """Yield the samples at both ends of steps, which are halved until they are fine enough."""
+        """Halve steps along arcs until they are fine, and yield the samples at both ends."""
         samples, left, right = self._first()
         for _ in range(_ROUNDS):
             begin, end = samples[left], samples[right]
@@ -112,7 +112,7 @@ class Search:
             left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
     def _first(self) -> tuple[Samples, np.ndarray, np.ndarray]:
-        """Return the samples of the initial grid, and the rows of both ends of each step."""
+        """Return the samples of the initial grid, and the indices of each step's two samples."""
         count, grid = len(self.curves.ends), len(_GRID)
         arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
         momenta = self.curves.at(arc, x)
@@ -168,7 +168,7 @@ class Search:
         return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
     def zeros(self, begin: Samples, end: Samples) -> np.ndarray:
-        """Return the initial rates at which the half angle reaches a multiple of pi.
+        """Return the initial rates at which the angle left at arrival is a multiple of 2 pi.
 
         Those at which it comes close to one are returned as well.
         """

@@ -157,7 +157,7 @@ class Transfer:
 
     @property
     def miss(self) -> str:
-        """The residual in rad as text.
+        """The angle, in rad, by which the transfer misses the target, as text.
 
         It is an upper bound where the digits are rounding errors.
         """

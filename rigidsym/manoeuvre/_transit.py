@@ -48,7 +48,7 @@ class Phases:
 
     @property
     def period(self) -> np.ndarray:
-        """Periods of the momenta on their polhodes."""
+        """Periods with which the momenta go round their polhodes."""
         return 4 * self.quarter / self.speed
 
 
@@ -96,7 +96,7 @@ def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -
 
 @np.errstate(divide="ignore", invalid="ignore")
 def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the times at which momenta first reach the target, and their periods.
+    """Return the times at which momenta first reach their final directions, and the periods.
 
     Momenta have the shape (N, 3), times and periods (N,).
 

@@ -110,8 +110,8 @@ class Panels(Mesh):
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
-    def piece(self, t: float, state: State) -> Panel:
-        """Choose the panel that begins at t, and return its end and step, in s.
+    def interval(self, t: float, state: State) -> Panel:
+        """Choose the interval that begins at t, and return its end and step size, in s.
 
         Raises HopelessError, and whatever the torque raises.
         """

@@ -112,7 +112,7 @@ class Splitting:
                 return after
         return self._advanced(state, begin, step, first, last)
 
-    def _compiled(self, state: State) -> engines.Kicks | None:
+    def _compiled(self, state: State) -> engines.KickInputs | None:
         """Return the arguments of an integration in C, or None if C cannot compute this torque."""
         torque = self.torque
         in_c = self.bodies.engine == "c" and not self.rate_dependent
@@ -120,7 +120,7 @@ class Splitting:
             return None
         shape, source = state.omega.shape[:-1], torque.source
         on_orbit = isinstance(source, KeplerOrbit)
-        return engines.Kicks(
+        return engines.KickInputs(
             inertia=arrays.row_or_rows(self.bodies.inertia, shape),
             coefficients=arrays.row_or_rows(torque.coefficients, shape),
             vector=None if on_orbit else arrays.row_or_rows(source, shape),
@@ -210,7 +210,7 @@ def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
 
 
 def _advance_in_c(
-    found: engines.Kicks, state: State, begin: float, step: float, numbers: tuple[int, int]
+    found: engines.KickInputs, state: State, begin: float, step: float, numbers: tuple[int, int]
 ) -> State:
     """Take whole steps by the compiled C library.
 

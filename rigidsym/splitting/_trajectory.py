@@ -26,7 +26,7 @@ class Mesh:
     edges: list[float]
     steps: list[float]
 
-    def piece(self, t: float, state: State) -> tuple[float, float]:
+    def interval(self, t: float, state: State) -> tuple[float, float]:
         """Return the end and the step size, in s, of the interval that contains t."""
         k = bisect_right(self.edges, t)
         end = self.edges[k] if k < len(self.edges) else np.inf
@@ -148,7 +148,7 @@ def states(
             if step:
                 state = _reach(splitting, state, begin, end, step, done)
                 begin, done = end, 0
-            end, step = mesh.piece(begin, state)
+            end, step = mesh.interval(begin, state)
         if t == begin and not done:
             yield state
             continue

@@ -26,7 +26,7 @@ Guess = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 class Model(StrEnum):
-    """The model of the actuators, thrusters or wheels."""
+    """Model of the actuators: thrusters or reaction wheels."""
 
     THRUSTERS = "thrusters"
     "The outside: J w' = -w x J w + u.  Coasting is a natural motion and free."
@@ -36,7 +36,7 @@ class Model(StrEnum):
 
 
 class Cost(StrEnum):
-    """The integral to minimise, summed over the axes of the body."""
+    """Cost to minimise: the integral of |torque| (fuel) or of torque^2 (energy)."""
 
     FUEL = "fuel"
     "The integral of |u|."
@@ -164,7 +164,7 @@ class Trajectory:
 
 
 def still(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the first guess of a body that stays at rest at the start."""
+    """Return the states of a body that rests in the start attitude, as a first guess."""
     return np.tile([1.0, 0.0, 0.0, 0.0], (len(t), 1)), np.zeros((len(t), 3))
 
 

@@ -187,7 +187,7 @@ def _track(case: Case, motion: Guess) -> Track:
 
 @dataclass(frozen=True, slots=True)
 class Ways:
-    """The data from which all control methods of a case are set up.
+    """Ways to fly a random manoeuvre: the data from which control methods are set up.
 
     transfer: its cheapest natural motion.  impulses: of the motion of least fuel for the actuators
     that fly, without units, on the mesh of collocation.
@@ -217,7 +217,7 @@ class Ways:
 
     @property
     def optimum(self) -> Track:
-        """The track of the motion of least fuel."""
+        """The minimum-fuel motion as a track."""
         inertia = self.case.inertia / self.case.inertia.max()
         return _track(self.case, Driven(self.actuators, inertia, self.impulses, MESH))
 
@@ -278,7 +278,7 @@ def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
 
 
 def exerted(run: Run, actuators: Model) -> np.ndarray:
-    """Return the torques (N, 3) of a flight that count as its cost, in N m.
+    """Return the torques (N, 3), in N m, that given actuators exert in a flight.
 
     For thrusters, these are the wheels' torques without the gyroscopic torque of the wheels.
     """

@@ -126,7 +126,7 @@ def solved(case: Case, transfer: Transfer, task: Task) -> tuple[dict[str, Any], 
 
 
 def attempt(found: Optimum, unit: float, least: float) -> dict[str, Any]:
-    """Return the entry of one attempt in the schema rigidsym.comparison/1.
+    """Return one run of the optimiser as an entry in the schema rigidsym.comparison/1.
 
     `best` is true where the attempt found the least cost.
     """

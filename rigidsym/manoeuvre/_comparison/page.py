@@ -111,7 +111,7 @@ def tables(summary: Mapping[str, Any]) -> list[Table]:
 
 
 def conclusion(summary: Mapping[str, Any], manoeuvres: int) -> str:
-    """Return sentences that compare the cost of natural motions with all other methods."""
+    """Return sentences that compare the cost of torque-free motions with other methods."""
     parts = []
     for model, methods in summary["flown"].items():
         beaten = ", ".join(

@@ -167,7 +167,7 @@ class Comparison:
 
     @property
     def conclusion(self) -> str:
-        """Sentences that compare the cost of natural motions with all other methods."""
+        """Sentences that compare the cost of torque-free motions with other methods."""
         return page.conclusion(self.summary, len(self.records))
 
     def write(self, directory: Path) -> list[Path]:
@@ -296,14 +296,14 @@ def _records(
     Optimal control is solved first, because its motions are flown.
     """
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
-    calls = [partial(_piece, seed, k, optimiser.solved, task) for k, task in tasks]
+    calls = [partial(_call_for_case, seed, k, optimiser.solved, task) for k, task in tasks]
     solved = dict(zip(tasks, work(calls), strict=True))
     calls = [
-        partial(_piece, seed, k, flights.flown, *way, solved[k, Task(way[0], Cost.FUEL)][1])
+        partial(_call_for_case, seed, k, flights.flown, *way, solved[k, Task(way[0], Cost.FUEL)][1])
         for k, way in ways
     ]
     flown = dict(zip(ways, work(calls), strict=True))
-    ideals = work([partial(_piece, seed, k, flights.ideals) for k in indices])
+    ideals = work([partial(_call_for_case, seed, k, flights.ideals) for k in indices])
     return [
         {
             **draw(k, seed).to_data(),
@@ -318,8 +318,8 @@ def _records(
     ]
 
 
-def _piece(seed: int, index: int, work: Callable[..., Found], *given: object) -> Found:
-    """Call a function with the manoeuvre of an index and its cheapest transfer."""
+def _call_for_case(seed: int, index: int, work: Callable[..., Found], *given: object) -> Found:
+    """Call a function with the random manoeuvre of an index and its cheapest transfer."""
     return work(*_planned(seed, index), *given)
 
 

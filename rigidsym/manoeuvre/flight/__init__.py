@@ -1,4 +1,4 @@
-"""A spacecraft that follows a natural motion in closed loop, with disturbances.
+"""A spacecraft that follows a torque-free motion in closed loop, with disturbances.
 
 Conventions are those of the project: quaternions scalar first, body to inertial; vectors of the
 spacecraft in its body axes; SI units.  The inertial frame is the geocentric celestial one (its

@@ -68,7 +68,7 @@ class Burns:
         return self.torque * np.sum(np.sign(self.impulses) * shared, axis=0) / (end - begin)
 
     def pieces(self, begin: float, end: float) -> list[tuple[float, float]]:
-        """Split the interval between two times into parts with constant torque."""
+        """Split a time span into pieces during which the torque is constant."""
         inner = [x for x in np.unique(self.spans).tolist() if begin < x < end]
         return [*pairwise([begin, *inner, end])]
 

@@ -168,7 +168,7 @@ Torque = Callable[[Surroundings], np.ndarray]
 
 
 class Environment:
-    """The disturbance torques of a flight, as far as they are switched on.
+    """Environment of a flight, which exerts the disturbance torques that are switched on.
 
     `torques` has them by name.
 

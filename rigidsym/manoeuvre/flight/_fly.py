@@ -37,7 +37,7 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _Ramp:
-    """The wheels between two samples, with a torque that changes linearly.
+    """The wheels' torque between two samples, which changes linearly with time.
 
     `then` is the torque at the end.
     """
