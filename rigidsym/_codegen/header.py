@@ -147,7 +147,7 @@ def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
 
 
 def filled(text: str, target: str, digest: str) -> str:
-    """Replace the placeholders in a text by a digest and the errors measured for it."""
+    """Fill a text's placeholders with a digest and with the errors measured for that digest."""
     return text.replace(MEASURED, _measured(target, digest)).replace(DIGEST, digest)
 
 

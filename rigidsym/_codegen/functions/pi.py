@@ -307,7 +307,7 @@ def _hyperbolic_angles(solution: Solution) -> list[Let]:
 
 
 def _half_psi(solution: Solution) -> tuple[Let, ...]:
-    """Return assignments that combine the two parts of psi/2 into its cosine and sine."""
+    """Return assignments for the cosine and sine of psi/2 as a sum of two angles."""
     parts = ("X_re", "X_im", "T_re", "T_im")
     lets = select(solution.sequences["pi_hyperbolic"], tuple(HALF), parts)
     return renamed(lets, PARTS | HALF)

@@ -73,7 +73,7 @@ def _denominators(expression: Expression) -> Iterable[Expression]:
 
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:
-    """Open a ring of the kernel over the given names, with primes as its sample point."""
+    """Open a ring of the kernel with the given generators, and primes as its sample point."""
     primes = (n for n in count(101) if all(n % d for d in range(2, isqrt(n) + 1)))
     witness = dict(zip(generators, map(str, primes), strict=False))
     return Context("seal", tuple(generators), witness, units=units).open()

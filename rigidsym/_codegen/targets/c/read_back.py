@@ -159,7 +159,7 @@ class Reader:
     def _all(
         self, arguments: tuple[Expression, ...], kinds: str, function: str
     ) -> tuple[Expression, ...]:
-        """Read the arguments of a call, and check that they are numbers of the given kinds."""
+        """Read all arguments of a call, and check that each is a double or extended as required."""
         read = [self._read(argument) for argument in arguments]
         if "".join(kind for _, kind in read) != kinds:
             raise InputError(self.place, function, "is given another kind of numbers")
