@@ -1,6 +1,6 @@
-"""States by the paper's Theorem 1, with the step to y* corrected.
+"""States by the paper's Theorem 1, with one step of it corrected.
 
-Complex numbers are used.
+The corrected step is that to y*.  Complex numbers are used.
 
 Rates are zeta sn(xi t + C | mu).  About the two axes that the rates do not circulate about, zeta^2
 is the root of (13) with the moment of the circulation axis, and all is real.  About that axis
@@ -43,10 +43,7 @@ class _Amplitude:
 
 
 class _Lines(Floating):
-    """The elliptic functions of Theorem 1 for the real and complex arguments that it needs.
-
-    These are on the real line, and on the lines across it through +-K(mu).
-    """
+    """Elliptic functions of Theorem 1, on the real line and on complex lines through +-K(mu)."""
 
     def table(self) -> dict[str, Any]:
         """Return the table of functions by the names that formulas use."""
@@ -156,7 +153,7 @@ class Theorem1:
 
     @cached_property
     def _sines(self) -> list[dict[str, Any]]:
-        """The constants zeta, xi, C and mu of each body rate."""
+        """The constants in the sine function zeta sn(xi t + C | mu) of each body rate."""
         return [self._sine(i) for i in range(3)]
 
     def _sine(self, i: int) -> dict[str, Any]:
@@ -168,7 +165,7 @@ class Theorem1:
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """The constants of the angle phi1, which depends on Omega1."""
+        """The constants in Theorem 1's formula of the angle phi1."""
         known: dict[str, Any] = {f"c{k + 1}": x for k, x in enumerate(self.inertia)}
         known |= {f"Omega{k + 1}": x for k, x in enumerate(self.omega0)}
         sine = self._sines[0]
@@ -177,7 +174,7 @@ class Theorem1:
         return {name: _number(value) for name, value in found.items()}
 
     def _by_angles(self, t: Point, rates: list[Point]) -> dict[str, Any]:
-        """Evaluate the quaternion of equation (18), with axes 1, 2, 3 named a, b, d."""
+        """Evaluate the quaternion of the paper's (18), with axes 1, 2, 3 named a, b, d."""
         known = {f"Omega{k + 1}": x for k, x in enumerate(rates)}
         known |= {"side": -1 if rates[2] < 0 else 1, "t": t}
         formulas = sequence("theorem1_state")
@@ -186,14 +183,14 @@ class Theorem1:
 
     @cached_property
     def _front(self) -> dict[str, Any]:
-        """The constant quaternion of equation (37)."""
+        """The constant quaternion of the paper's equation (37)."""
         begin = self._by_angles(CTX.zero, self.start[1])
         given = {f"q_{x}": value for x, value in zip(_ABD, self.start[0], strict=True)}
         found = sequence("pull_back").evaluate({**begin, **given, "epsilon": 1}, self.functions)
         return {name: found[name] for name in (f"p_{x}" for x in _ABD)}
 
     def _flips(self, t: Point) -> int:
-        """Count the zeros of Omega2 at which Omega3 is negative.
+        """Count the sign flips of the quaternion: zeros of Omega2 at which Omega3 is negative.
 
         They are at arguments 2 n K.
         """

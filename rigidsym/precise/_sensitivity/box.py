@@ -1,7 +1,8 @@
-"""Boxes of uncertain moments and rates, and their parts between slabs.
+"""Boxes of uncertain moments and rates, and regions that pairs of hyperplanes cut out of them.
 
-A part is cut out by slabs: low <= g . (x - middle of the box) <= high for some directions g.  With
-V the matrix of these directions and any W, the deviation of inputs from the part's middle is
+Such a region, or part, is cut out by slabs: low <= g . (x - middle of the box) <= high for some
+directions g.  With V the matrix of these directions and any W, the deviation of inputs from the
+part's middle is
 
     d = W (V d) + (1 - W V) d,
 
@@ -35,7 +36,7 @@ _PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
 
 @dataclass(frozen=True)
 class Slab:
-    """A slab of the space of inputs, low <= direction . d <= high.
+    """The region between two hyperplanes: low <= direction . d <= high for input deviations d.
 
     Its numbers are taken at their exact binary value.
 
@@ -49,7 +50,7 @@ class Slab:
 
 @dataclass(frozen=True)
 class Box:
-    """A box of uncertain moments and body rates, or its part within some slabs.
+    """A box of uncertain moments and body rates, or a region that slabs cut out of it.
 
     There are three moments and three rates.
 
@@ -76,9 +77,9 @@ class Box:
 
     @cached_property
     def limits(self) -> np.ndarray | None:
-        """The lower and upper limits (n, 2) of the open inputs in the part.
+        """The lower and upper limits (n, 2) of the uncertain inputs in this region of the box.
 
-        None for an empty part.
+        None for an empty region.
 
         They are less the middles of the box, and in units of the inputs' radii.
         A slab and the ends of all other inputs limit each input.  `MARGIN` is far above the
@@ -99,9 +100,9 @@ class Box:
 
     @cached_property
     def shift(self) -> list[Fraction]:
-        """The middle (n) of the part, relative to that of the box.
+        """The shift (n) from the midpoint of the box to the midpoint of this region.
 
-        It is within the limits.
+        The latter is within the limits.
         """
         if self.limits is None or not self.slabs:
             return [Fraction(0)] * len(self.open)
@@ -115,7 +116,7 @@ class Box:
 
     @cached_property
     def inputs(self) -> arb_mat:
-        """The deviations (n, 1) of the inputs from a middle, up to differences along the slabs."""
+        """The ranges (n, 1) of the inputs' deviations, up to offsets along the slabs' normals."""
         off = arb_mat([[x] for x in self._left])
         if not self.slabs or self.limits is None:
             return off
@@ -127,7 +128,7 @@ class Box:
 
     @cached_property
     def radii(self) -> np.ndarray:
-        """The radii (n,) of the open inputs in doubles.
+        """The radii (n,) of the uncertain inputs, rounded to doubles.
 
         They are infinite beyond the range of doubles.
         """
@@ -139,7 +140,7 @@ class Box:
 
     @cached_property
     def _left(self) -> list[arb]:
-        """The ranges of the open inputs in the part, relative to the middle of the box."""
+        """The ranges left to uncertain inputs in this region, relative to the box's midpoint."""
         if self.limits is None or not self.slabs:
             return [arb(0, ball(r).upper()) for r in self._radii]
         low, high = map(self._unscaled, self.limits.T)
@@ -150,7 +151,7 @@ class Box:
 
     @cached_property
     def along(self) -> arb_mat:
-        """The deviations (s, 1) from the part's middle along the directions of the slabs."""
+        """The ranges (s, 1) of deviations from this region's midpoint along each slab's normal."""
         shift = list(map(ball, self.shift))
         rows = []
         for slab in self.slabs:
@@ -161,7 +162,7 @@ class Box:
 
     @cached_property
     def sides(self) -> arb_mat:
-        """The variables (s + n, 1) with respect to which slopes are taken.
+        """The ranges (s + n, 1) of the variables, called sides, for which numbers have slopes.
 
         They are the deviations of inputs along the slabs' directions, and those of all inputs.
         """
@@ -169,7 +170,7 @@ class Box:
 
     @cached_property
     def by_sides(self) -> arb_mat:
-        """The matrix (n, s + n) that maps the sides to deviations from the part's middle."""
+        """The matrix (n, s + n) that maps `sides` to deviations from this region's midpoint."""
         if not self.slabs:
             return self._across
         rows = zip(self._back.tolist(), self._across.tolist(), strict=True)
@@ -177,15 +178,18 @@ class Box:
 
     @cached_property
     def _across(self) -> arb_mat:
-        """The projection 1 - W V (n, n) of inputs across the directions of the slabs."""
+        """The projection (n, n) of inputs onto the subspace orthogonal to the slabs' normals.
+
+        It is 1 - W V.
+        """
         unit = arb_mat(len(self.open), len(self.open), 1)
         return unit - self._back * self._directions if self.slabs else unit
 
     @cached_property
     def _back(self) -> arb_mat:
-        """The pseudoinverse W (n, s) of the slabs' directions.
+        """The pseudoinverse (n, s) of the matrix of the slabs' directions.
 
-        Inputs are in units of their radii.
+        It is W.  Inputs are in units of their radii.
         """
         rows = zip(self._directions.transpose().tolist(), self._radii, strict=True)
         weighted = arb_mat([[x * ball(r) ** 2 for x in row] for row, r in rows])
@@ -193,11 +197,11 @@ class Box:
 
     @cached_property
     def directions(self) -> dict[str, list[arb]]:
-        """The components (s + n) of the sides along each open input, by name."""
+        """The rows (s + n) of `by_sides`, by the names of the uncertain inputs."""
         return dict(zip(self.names, self.by_sides.tolist(), strict=True))
 
     def reach(self, slopes: Sequence[arb]) -> arb:
-        """Return the range of a number with given slopes over the part of the box.
+        """Return the range of a number over this region of the box from its slopes.
 
         The slopes (s + n) are those by the sides.
 
@@ -225,7 +229,7 @@ class Box:
 
     @cached_property
     def _offsets(self) -> list[arb]:
-        """The differences between `inputs` and `along` in the direction of each slab."""
+        """The offsets along each slab's normal between the midpoints of `inputs` and `along`."""
         if self.limits is None:
             return []
         center = self._unscaled(self.limits.mean(axis=1))
@@ -235,7 +239,7 @@ class Box:
 
     @property
     def _directions(self) -> arb_mat:
-        """The matrix V (s, n) of the slabs' directions."""
+        """The matrix (s, n) whose rows are the slabs' directions, called V."""
         return arb_mat([list(slab.direction) for slab in self.slabs])
 
     @property
@@ -249,19 +253,19 @@ class Box:
 
     @cached_property
     def parameters(self) -> list[Fraction]:
-        """The parameters p, r and p - r of the middle's motion."""
+        """The parameters p, r, p - r of elliptic functions for the motion of the midpoint."""
         return parameters(*self.middles, self._axes)
 
     @cached_property
     def point(self) -> Columns:
-        """The formulas of sensitivities for the motion of the middle."""
+        """The formulas of sensitivities for the motion of this region's midpoint."""
         inertia, omega0 = (list(map(ball, values)) for values in self.middles)
         functions = {"power": balls.power}
         return Columns(inertia, omega0, STILL, self._axes, functions, self._is_sphere_amid)
 
     @cached_property
     def whole(self) -> Columns:
-        """The formulas of sensitivities for all motions of the part."""
+        """The formulas of sensitivities that enclose all motions of this region."""
         omega0, inertia = (list(map(self._sloped, places)) for places in (range(3), range(3, 6)))
         functions = {"power": power}
         product, rates, moments = None, self._wholes[:3], self._wholes[3:]
@@ -285,7 +289,7 @@ class Box:
 
     @cached_property
     def _wholes(self) -> list[arb]:
-        """The balls of the part's rates and moments."""
+        """The balls that enclose the body rates and moments in this region."""
         wholes = [ball(middle(x)) for x in self._given]
         for k, left in zip(self.open, self._left, strict=True):
             wholes[k] += left
@@ -301,12 +305,12 @@ class Box:
 
     @property
     def middles(self) -> tuple[list[Fraction], list[Fraction]]:
-        """The moments and the rates of the part's middle."""
+        """The moments and the body rates at the midpoint of this region."""
         return self._amid[3:], self._amid[:3]
 
     @cached_property
     def _amid(self) -> list[Fraction]:
-        """The rates and moments of the part's middle as one list."""
+        """The body rates and moments at the midpoint of this region, as one list."""
         amid = list(map(middle, self._given))
         for k, x in zip(self.open, self.shift, strict=True):
             amid[k] += x
@@ -320,9 +324,9 @@ def _share(
     along: arb,
     side: arb,
 ) -> float:
-    """Return the multiple of a slab's direction that gives a number the narrowest range.
+    """Choose the share of a number's slopes to count along a slab, for the narrowest range.
 
-    It is counted along the slab instead of in the slopes.
+    It is a multiple of the slab's direction, counted along the slab instead of in the slopes.
 
     It makes the range of the number least, at one of the corners of this piecewise linear function.
     """

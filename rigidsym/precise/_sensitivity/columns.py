@@ -38,7 +38,7 @@ _WAYS = tuple(f"Omega_{x}_{way}" for x in AXES for way in "kr")
 
 @dataclass(frozen=True)
 class Columns:
-    """The formulas of a motion's sensitivities to initial rates and moments.
+    """Formulas for the derivatives of a motion's states by each initial rate and moment.
 
     A column has the derivatives by one input.
 
@@ -102,7 +102,7 @@ class Columns:
         return known
 
     def _by(self, parameter: str, name: str) -> Any:
-        """Return the derivative of p or p - r with respect to an input.
+        """Return the derivative of an elliptic parameter, p or p - r, with respect to an input.
 
         Each rate changes p or r alone.
         """
@@ -112,7 +112,7 @@ class Columns:
         return self.constants.get(f"{parameter}_by_{name}", 0)
 
     def _excesses(self, t: Any, found: Named) -> Named:
-        """Return the excesses, which are integrals of the squares of the rates.
+        """Return the integrals of the excess of each squared rate over its value at t = 0.
 
         They follow from (Omega_x^2)' = 2 alpha_x Omega_a Omega_b Omega_d.
         """
@@ -153,7 +153,7 @@ class Columns:
 
 @cache
 def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
-    """Return the formulas of sensitivities in two parts.
+    """Return the formulas of sensitivities as two sequences.
 
     The first has the changes with p and r alone, the second all others but f = D_t F_t.
     """
@@ -164,9 +164,9 @@ def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
 
 
 def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[int, ...]:
-    """Return the indices of the axes a, b and d of a motion.
+    """Return the indices of a motion's circulation axis, middle axis and third axis.
 
-    b is the middle axis, and 0 <= r <= p.
+    They are a, b and d, and 0 <= r <= p.
     """
     order = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     return tuple(order if discriminant(inertia, omega0) >= 0 else order[::-1])
@@ -175,7 +175,7 @@ def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[in
 def parameters(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], axes: Sequence[int]
 ) -> list[Fraction]:
-    """Return the parameters p, r and p - r of a motion exactly."""
+    """Return the exact parameters p, r and p - r of a motion's elliptic functions."""
     known: Named = _lettered(inertia, omega0, axes)
     for name, wanted in (("moments", _COEFFICIENTS), ("columns", _PARAMETERS)):
         formulas = sequence(name).up_to(frozenset(wanted))
@@ -184,7 +184,7 @@ def parameters(
 
 
 def _lettered(inertia: Sequence[Any], omega0: Sequence[Any], axes: Sequence[int]) -> Named:
-    """Return the moments and rates by the names that formulas use."""
+    """Name moments and rates by the axis letters a, b and d, as formulas do."""
     known: Named = {"epsilon": handedness(*axes)}
     for x, k in zip(AXES, axes, strict=True):
         known |= {f"c_{x}": inertia[k], f"Omega_{x}0": omega0[k]}
@@ -197,7 +197,7 @@ RATES = [f"Omega{k}" for k in NUMBERS]
 
 @dataclass(frozen=True)
 class TurnColumns:
-    """Derivatives of the turn since t = 0 along directions of the inputs, in body axes.
+    """Derivatives of the turn since t = 0 along directions in input space, in body axes.
 
     In the body no wide number is multiplied by another; in the columns of `Columns.turned`, seen
     in space, the attitude turns all uncertainty of the rates.
@@ -243,9 +243,9 @@ class TurnColumns:
 
     @cached_property
     def _changes(self) -> list[tuple[Named, list[Any]]]:
-        """The derivatives along each direction that do not depend on the turn.
+        """The derivatives of rates, moments and initial momentum along each direction.
 
-        They are those of the rates, moments and initial momentum.
+        They do not depend on the turn.
         """
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
@@ -331,7 +331,7 @@ class Point:
 
     @cached_property
     def _parameters(self) -> list[arb]:
-        """The parameters p, r and p - r as balls.
+        """The parameters p, r and p - r of elliptic functions, as balls.
 
         They are exactly zero where they are zero.
         """

@@ -36,7 +36,7 @@ _POWER = {"power": power}
 
 
 class Elapsed(NamedTuple):
-    """The functions S, C, D, E and f of elapsed time, by the names that formulas use."""
+    """Elliptic functions of elapsed time and their integrals, named as in formulas."""
 
     S_t: arb
     C_t: arb
@@ -76,7 +76,7 @@ def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
 
 
 def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
-    """Return lambda, 0, m and 1 - m of a motion.
+    """Return a motion's frequency lambda, zero, the parameter m and its complement 1 - m.
 
     They are cached as the same objects for all times.
     """
@@ -86,7 +86,7 @@ def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """A time, and the ranges of p, r and p - r over all motions of a box.
+    """A time, and the ranges of elliptic parameters p, r, p - r over all motions of a box.
 
     grows: True if cn and dn of the middle surely have no zero before the time.
     """
@@ -140,7 +140,7 @@ class Range:
         return Elapsed(*map(intersection, found, self.limits))
 
     def slopes(self, values: Elapsed) -> arb_mat:
-        """Return the derivatives (5, 2) of the functions with respect to p and p - r.
+        """Return the slopes (5, 2) of the functions of elapsed time in p and p - r.
 
         They hold at all given values.
         """
@@ -159,10 +159,10 @@ class Range:
         return arb_mat([[found[f"{x}_k"], -found[f"{x}_r"]] for x in names])
 
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:
-        """Return upper bounds of S^2 and (S/D)^2 from 0 to the time.
+        """Return upper bounds of (sn/lambda)^2 and (sn/(lambda dn))^2 from 0 to the time.
 
-        Both grow until C or D is zero, so before that the last values are bounds; else 1/p and
-        1/(p - r) are.  C and D surely have no zero if they have none at the middle, and none at the
+        They are S^2 and (S/D)^2.  Both grow until C or D is zero, so before that the last values
+        are bounds; else 1/p and 1/(p - r) are.  C and D surely have no zero if they have none at the middle, and none at the
         end for any parameters, as zeros enter at the end; or if a quarter of a period is longer.
         """
         grow = self.grows and values.C_t > 0 and values.D_t > 0
@@ -176,7 +176,7 @@ class Range:
 
     @property
     def limits(self) -> Sequence[arb]:
-        """Bounds of the functions at all times, or NaN where there is none."""
+        """Bounds of the functions of elapsed time at all times, NaN for a function without any."""
         if not self.p > 0:
             return [arb.nan()] * 5
         most = (1 - self.r / self.p).upper().max(1).sqrt()
@@ -186,5 +186,5 @@ class Range:
 
 
 def wider(image: arb) -> arb:
-    """Return a ball a little wider than the image of the last guess."""
+    """Return a slightly wider ball around the given one, as the next guess."""
     return image + arb(0, image.rad() * MORE + LEAST)

@@ -53,19 +53,19 @@ class MeanValue:
 
     @cached_property
     def _functions(self) -> Elapsed:
-        """The functions of elapsed time for the motion of the middle."""
+        """The functions of elapsed time for the motion of the box's midpoint."""
         return elapsed(self.t, *map(ball, self.box.parameters), Theta())
 
     @cached_property
     def _changes(self) -> Rows:
-        """The derivatives (7, m) of the middle's turn and rates along the sides."""
+        """The derivatives (7, m) of turn and rates at the box's midpoint, by `Box.sides`."""
         rates = self.box.point.rates(self.t, self._functions._asdict())
         columns = TurnColumns(self.box.point, self.t, rates, self.box.directions)
         return [*columns.of(self.turn), *columns.of_rates]
 
     @cached_property
     def columns(self) -> TurnColumns | None:
-        """The derivatives of all motions along the sides of the box.
+        """Enclosures of the derivatives of all motions of the box, by `Box.sides`.
 
         None without an enclosure of the rates.
         """
@@ -95,7 +95,7 @@ class MeanValue:
         return None
 
     def _image(self, columns: TurnColumns, guess: Rows) -> Turn:
-        """Return the turn that follows from a guess of its derivatives, and their new enclosure.
+        """Return a turn computed from guessed derivatives, and the derivatives recomputed from it.
 
         The derivatives have the shape (4, m).
         """
@@ -158,9 +158,9 @@ class MeanValue:
 
     @np.errstate(all="ignore")
     def bends(self) -> np.ndarray:
-        """Return how much the phases vary along the sides of the box (6, s + n), in rad.
+        """Return the derivatives (6, s + n) of the motion's phases by `Box.sides`, in rad.
 
-        These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
+        Phases are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
         of a period, log(16 p/(p - r))/2 near the separatrix.
         """
         p, gap = (self.box.whole.constants[x] for x in ("p", "apart"))

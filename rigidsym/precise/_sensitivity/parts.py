@@ -84,7 +84,7 @@ class Part:
 
     @np.errstate(all="ignore")
     def pieces(self) -> list[tuple[Slab, ...]]:
-        """Return the slabs of the pieces into which the part should be cut.
+        """Return the smaller pieces into which to cut the part, each as the slabs that bound it.
 
         There are none where cutting is no use.
         """
@@ -184,7 +184,7 @@ class MeanStates(MotionInputs):
     def _part(
         self, time: Fraction, check: Callable[[], None], slabs: tuple[Slab, ...]
     ) -> Part | None:
-        """Enclose the states of the part of the box that slabs cut out.
+        """Enclose the states of the part of the box that lies within all given slabs.
 
         Return None for an empty part.
         """
@@ -252,7 +252,7 @@ class MeanStates(MotionInputs):
 
     @property
     def holds_rest(self) -> bool:
-        """True if a body of the box may be at rest."""
+        """True if the box may contain a body at rest."""
         return all(ball(w).contains(0) for w in self.omega0)
 
     @property
@@ -269,7 +269,7 @@ class MeanStates(MotionInputs):
         return MeanValue(box, ball(time), turn, omega)
 
     def _bits(self, time: Fraction) -> int:
-        """Return the working precision for a time.
+        """Return the working precision, in bits, that the states at a time need.
 
         Sensitivities need twice the bits of the angle more.
         """
@@ -286,7 +286,7 @@ class MeanStates(MotionInputs):
         return {}
 
     def _turned(self, turn: Sequence[Sloped]) -> list[Sloped]:
-        """Multiply the unit attitude at t = 0 by a turn, over a box of all inputs."""
+        """Return the attitudes after a turn since t = 0, as functions on the box of all inputs."""
         open_ = [k for k, x in enumerate(self.attitude0) if radius(x)]
         body = turn[0].box.entries()
         spread = [ball(radius(self.attitude0[k])).upper() for k in open_]
