@@ -162,8 +162,9 @@ class Range:
         """Return upper bounds of (sn/lambda)^2 and (sn/(lambda dn))^2 from 0 to the time.
 
         They are S^2 and (S/D)^2.  Both grow until C or D is zero, so before that the last values
-        are bounds; else 1/p and 1/(p - r) are.  C and D surely have no zero if they have none at the middle, and none at the
-        end for any parameters, as zeros enter at the end; or if a quarter of a period is longer.
+        are bounds; else 1/p and 1/(p - r) are.  C and D surely have no zero if they have none at
+        the middle, and none at the end for any parameters, as zeros enter at the end; or if a
+        quarter of a period is longer.
         """
         grow = self.grows and values.C_t > 0 and values.D_t > 0
         if not grow and self.p > 0 and self.gap >= 0:
