@@ -1,4 +1,4 @@
-"""Checks that the errors of fits agree with the fitted covariance, or that the fits warn.
+"""Checks that a fit's errors agree with its covariance, or that the fit gives a warning.
 
 Either the Mahalanobis distance of the true quantities is small by the covariance of the fit, or
 the fit flags its covariance.  A share is the square of that distance over the value that chi2 of as

@@ -38,7 +38,7 @@ Sensitive = Callable[[Sample], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Wider:
-    """Error bound of one stratum that is wider than the general bound.
+    """Widened error bound of one stratum.
 
     It has a reason, and a case that comes near the bound.
     """

@@ -104,7 +104,7 @@ class Tally:
         self.states.update(other.states)
 
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
-        """Return an implementation's cells for one measure, keyed by the values of a property.
+        """Return the tally's cells for an implementation and measure, by values of a property.
 
         view: the property.  Cells are sorted by name.
         """

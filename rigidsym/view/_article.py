@@ -251,7 +251,7 @@ def _folded(operator: str, parts: Iterable[Any]) -> Expression:
 
 
 def _quotient(expression: sympy.Expr) -> Expression:
-    """Convert a SymPy product, fraction or negative power to an expression tree, sign in front."""
+    """Convert a SymPy product, fraction or negative power to a tree with a leading sign."""
     above, below = sympy.fraction(expression, exact=True)
     negative = above.as_coeff_Mul()[0].is_negative
     if negative:
@@ -263,7 +263,7 @@ def _quotient(expression: sympy.Expr) -> Expression:
 
 
 def _matrix_product(expression: sympy.MatMul) -> Expression:
-    """Convert a SymPy product of matrices to an expression tree with its sign in front."""
+    """Convert a SymPy product of matrices to a tree with a leading sign."""
     first, *rest = map(_tree, expression.args)
     sign, bare = language.signed(first)
     factors = (*([] if bare == Number(1) else [bare]), *rest)

@@ -150,7 +150,7 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
 
 
 def members(motion: "TorqueFreeMotion", size: float, count: int) -> Iterator["TorqueFreeMotion"]:
-    """Yield other motions of a motion's body, with a given magnitude of angular momentum.
+    """Yield motions of a given motion's body with a given magnitude of angular momentum.
 
     There are `count` around each end of two axes.  They start between axis and separatrix, in the
     plane of the axes of largest and least inertia.

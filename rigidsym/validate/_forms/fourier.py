@@ -111,7 +111,7 @@ def state() -> Callable[..., tuple[np.ndarray, ...]]:
 
 
 def plan(motion: PreciseMotion) -> Fourier | None:
-    """Compute the Fourier series of a motion with as many terms as doubles need.
+    """Compute the Fourier series of a motion with enough terms for double precision.
 
     Returns None for more than MOST terms, and where rates are constant or not periodic.
     """

@@ -37,7 +37,7 @@ class Solver(Protocol):
 
 
 class Peer(Solver, Protocol):
-    """Interface of an independent program that computes states, with its name and limits.
+    """Interface of a peer, an independent program that computes states.
 
     It computes the states of a motion.  Nothing is rescaled or corrected on the way, but the
     attitude at t = 0 is normalised.  Both methods raise EngineError for what the peer refuses; a

@@ -88,7 +88,7 @@ def rest(random: Random, index: int) -> Motion:
 
 
 def scaled(inertia: float, rate: float) -> Body:
-    """Return a function that draws random motions scaled in inertia and rates."""
+    """Return a function that draws random motions and scales their inertia and rates."""
 
     def draw(random: Random, index: int) -> Motion:
         motion = uniform(random, index)

@@ -130,7 +130,7 @@ def spreads(panels: Sequence[Spread], case: str, one: str) -> "Figure":
 
 
 def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
-    """Draw each name's values as a row of dots, with a bar at the median.
+    """Draw the values of each named row as dots, with a bar at the median.
 
     The first row is on top.
     """

@@ -111,10 +111,7 @@ def _largest(one: Data, stratum: str) -> tuple[str, Data] | None:
 
 
 def _nearest(data: Data, case: Data) -> tuple[float, str, str]:
-    """Return the largest ratio of an error to its bound in a case.
-
-    The module and the measure follow it.
-    """
+    """Return a case's largest ratio of error to bound, with its module and measure."""
     shares = (
         (number(cell["share"]), name, measure)
         for name, errors in case["errors"].items()
