@@ -178,7 +178,7 @@ class LedgerBuilder:
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
     def split(self, context: str, name: str, *cases: Case) -> None:
-        """Split a context into cases by the sign of a name.
+        """Split a context into cases by the sign of a named quantity.
 
         The cases are name = 0, name > 0 and, if given, name < 0.
         Each case comes with its name and the values of its witness that differ from the context's.

@@ -20,9 +20,8 @@ Term: TypeAlias = tuple[tuple[int, ...], Number]
 
 
 def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
-    """Divide a polynomial by several polynomials.
+    """Return the cofactors and the remainder of a polynomial divided by several polynomials.
 
-    Returns the cofactors and the remainder.
     Each term, also of intermediate results, is divided by the first divisor whose leading term
     divides it.  All terms divisible by the leading term of one divisor are divided together.
     """
@@ -63,9 +62,7 @@ def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
-    """Divide a polynomial by the relations of a context.
-
-    Returns the cofactors and the remainder.
+    """Return the cofactors and the remainder of a polynomial divided by a context's relations.
 
     A remainder of 0 proves that the polynomial vanishes.
     If plain division leaves a remainder, each relation is first reduced by those before it, and

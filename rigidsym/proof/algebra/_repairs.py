@@ -158,7 +158,7 @@ class Instant:
         return {name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()}
 
     def agree(self, lhs: str, rhs: str, changed: Mapping[str, str]) -> bool:
-        """Return whether an equation holds at the point under changed definitions.
+        """Return whether an equation can hold at the point under changed definitions.
 
         Returns True if a side needs an unknown time derivative.
         """

@@ -13,7 +13,7 @@ from rigidsym.view._proofs import equation_html
 
 
 class Flaw(StrEnum):
-    """Kinds of flaws in a printed line.
+    """Kind of a flaw in a printed line.
 
     A flawed line may still be true.
     """
@@ -37,7 +37,7 @@ class Flaw(StrEnum):
 
 
 class Root(StrEnum):
-    """Root errors of the paper, which explain all its misprints."""
+    """A root error of the paper; together, these errors explain all its misprints."""
 
     SCALE = "(14) and (10) to (12) take the roots in different variables"
     HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"

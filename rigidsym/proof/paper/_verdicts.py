@@ -24,7 +24,7 @@ NEVER_ZERO = {"nu", "K + sigma*c_a*Omega_a", "side", "1 + side*(cos_half**2 - si
 
 
 class Ruling(StrEnum):
-    """Kinds of verdicts on a printed equation."""
+    """Kind of a verdict on a printed equation."""
 
     HOLDS = "holds"
     CONDITIONAL = "holds if"

@@ -85,7 +85,7 @@ def double(scope: Scope, expression: sympy.Expr) -> sympy.Expr:
 
 
 def _pairs(scope: Scope) -> list[tuple[sympy.Symbol, ...]]:
-    """Return the names of cos and sin of each angle and of the doubled angle."""
+    """Return the names of cos x, sin x, cos 2x and sin 2x for each x where all four have names."""
     names = scope.dictionary.names
     found = []
     for function, cosine in names.items():
