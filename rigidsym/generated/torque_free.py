@@ -76,7 +76,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.1e-15  5.0e-16
 
 rigidsym 0.1.0, emitter numpy/2
-digest 2fc97257d51d07f71f5a1729167c1173ee9c44d0d1ec9975bc66e1f3393a534c
+digest 3af777170aacaafdd614b5283a0681a52f1d0a5252f1ff2c2ef09ee746675e31
 """
 
 # ruff: noqa
@@ -93,7 +93,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return the rounding error a b - p of p for |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -247,7 +247,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the exponent e with x 2^-e between sqrt(1/2) and sqrt(2), for x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -263,7 +263,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the e with |x| 2^-e between 1/2 and 1."""
+    """Return the exponent e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -287,7 +287,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Reverse the order of the columns where `first` holds."""
+    """Reverse the order of the columns where `first` is True."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -1762,7 +1762,7 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """Invalid input, with the field, the broken rule, and the first body and time that break it.
+    """Error for invalid input: the field, the rule, and the first body and time that break it.
 
     Bodies are counted through the leading axes.
     """
@@ -1853,7 +1853,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """Compute the constants of motions from scaled columns: moments c, rates `given`, attitudes q.
+    """Compute the constants of motions from scaled moments c, rates `given` and attitudes q.
 
     apart: what each moment is above the next in turn.
     """
@@ -2007,7 +2007,7 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """Return the rows of t for some bodies; a single row holds for all bodies."""
+    """Return the rows of t for some bodies; a single row is used for all bodies."""
     return t if len(t) == 1 else t[bodies]
 
 
@@ -2206,7 +2206,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Replace motions too near the separatrix by limiting motions; return their last times, too.
+    """Replace motions too near the separatrix by separatrix motions or spins, with last times.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -2243,7 +2243,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Return which motions to replace, which of those by spins, and their last times.
+    """Return masks of the motions to replace and of those replaced by spins, and last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -2275,7 +2275,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Scale columns by a power of two so that the largest lies in [1, 2); return both."""
+    """Scale columns so that the largest lies in [1, 2); return them and the power of two."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -2312,13 +2312,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
+    """Return 1 or -1 by circulation about the axis of largest or smallest moment, else 0."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """Return E_b as a double-double, from exact integers where its terms cancel."""
+    """Return the discriminant E_b as a double-double, computed exactly where its terms cancel."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -2338,7 +2338,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """Compute E_b of one motion in integer arithmetic; return two doubles."""
+    """Compute the discriminant E_b of one motion in integers; return its high and low double."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -2349,7 +2349,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Write the doubles x as integers times one power of two; return both."""
+    """Write doubles as integers times one power of two; return the integers and its exponent."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))
@@ -2458,7 +2458,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """Return the phases at t = 0, and the values of p t^2 beyond which they are used."""
+    """Return the phases at t = 0, and limits of p t^2 above which these phases are used."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -2468,7 +2468,7 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """Return the indices of a group's bodies, and constants by the part that uses them.
+    """Return the indices of a group's bodies, and its constants by the function using them.
 
     Constants are arrays, or Python's floats of one body.
     """
@@ -2589,13 +2589,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """Call a function of the time and return its results by name."""
+    """Call a function of the elapsed time and return its results by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """Write the sensitivities of bodies at rest, which begin to turn when given rates."""
+    """Write the sensitivities of bodies at rest, whose rates and attitude change with omega0."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [

@@ -73,7 +73,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        6.8e-16  1.9e-16
 
 rigidsym 0.1.0, emitter numpy/2
-digest 2f1bd1b3224b0895c586646a6f12e4c35997434732a8c28376632aad347242ed
+digest 5c83446008a6254cd223e4d8eb6825534230c7ae184aecab2a62566093b769b4
 """
 
 # ruff: noqa
@@ -90,7 +90,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return the rounding error a b - p of p for |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -244,7 +244,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the exponent e with x 2^-e between sqrt(1/2) and sqrt(2), for x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -260,7 +260,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the e with |x| 2^-e between 1/2 and 1."""
+    """Return the exponent e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -284,7 +284,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Reverse the order of the columns where `first` holds."""
+    """Reverse the order of the columns where `first` is True."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
@@ -621,7 +621,7 @@ _COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
-    """Invalid input, with the field, the broken rule, and the first body that breaks it.
+    """Error for invalid input: the field, the broken rule, and the first body that breaks it.
 
     Bodies are counted through the leading axes.
     """
@@ -677,7 +677,7 @@ def _refuse(field, rule, good):
 
 
 def _paired(values):
-    """Return double-doubles from a sequence hi, lo, hi, lo, ..."""
+    """Return the double-doubles of a sequence hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
@@ -717,7 +717,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Return the constants of some bodies; those of a single body hold for all."""
+    """Return the constants of some bodies; a single body's constants are used for all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -734,7 +734,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return attitudes and rates after dt in the order of the axes a, b, d, and these axes.
+    """Return attitudes and rates after dt in the order of axes a, b, d; and the axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -799,7 +799,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """Return attitudes, not normalised, and rates as double-doubles of moving bodies after t."""
+    """Return unnormalised attitudes of moving bodies after t, and rates as double-doubles."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))

@@ -16,7 +16,7 @@ _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """Return a b - p exactly, p being the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    """Return the rounding error a b - p of p for |a|, |b| < 2^995 (Dekker, Veltkamp)."""
     c, d = _SPLITTER * a, _SPLITTER * b
     a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
@@ -170,7 +170,7 @@ def _rounded(x):
 
 
 def _exponent(x):
-    """Return the e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    """Return the exponent e with x 2^-e between sqrt(1/2) and sqrt(2), for x > 0."""
     if type(x.hi) is float:
         mantissa, e = math.frexp(x.hi)
         return float(e - (mantissa < 0.70710678118654752))
@@ -186,7 +186,7 @@ def _mantissa(x):
 
 
 def _power(x):
-    """Return the e with |x| 2^-e between 1/2 and 1."""
+    """Return the exponent e with |x| 2^-e between 1/2 and 1."""
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
@@ -210,7 +210,7 @@ def _taken(columns, axis):
 
 
 def _reversed(first, columns):
-    """Reverse the order of the columns where `first` holds."""
+    """Reverse the order of the columns where `first` is True."""
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]

@@ -41,7 +41,7 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """Invalid input, with the field, the broken rule, and the first body and time that break it.
+    """Error for invalid input: the field, the rule, and the first body and time that break it.
 
     Bodies are counted through the leading axes.
     """
@@ -132,7 +132,7 @@ def _made_from_pairs(*rows):
 
 
 def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """Compute the constants of motions from scaled columns: moments c, rates `given`, attitudes q.
+    """Compute the constants of motions from scaled moments c, rates `given` and attitudes q.
 
     apart: what each moment is above the next in turn.
     """
@@ -286,7 +286,7 @@ def states(prepared, t, out=None, errors="raise"):
 
 
 def _of(t, bodies):
-    """Return the rows of t for some bodies; a single row holds for all bodies."""
+    """Return the rows of t for some bodies; a single row is used for all bodies."""
     return t if len(t) == 1 else t[bodies]
 
 
@@ -485,7 +485,7 @@ def _refuse(field, rule, good, refused, bodies=None):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Replace motions too near the separatrix by limiting motions; return their last times, too.
+    """Replace motions too near the separatrix by separatrix motions or spins, with last times.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -522,7 +522,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
-    """Return which motions to replace, which of those by spins, and their last times.
+    """Return masks of the motions to replace and of those replaced by spins, and last times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
     X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
@@ -554,7 +554,7 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
 
 
 def _scaled(columns):
-    """Scale columns by a power of two so that the largest lies in [1, 2); return both."""
+    """Scale columns so that the largest lies in [1, 2); return them and the power of two."""
     exponent = _power(_largest(columns)) - 1
     scaled = []
     for x in columns:
@@ -591,13 +591,13 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """Return 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
+    """Return 1 or -1 by circulation about the axis of largest or smallest moment, else 0."""
     asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
     return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
-    """Return E_b as a double-double, from exact integers where its terms cancel."""
+    """Return the discriminant E_b as a double-double, computed exactly where its terms cancel."""
     c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
     exponent = _power(_largest(omega[::2]))
     inertia = [_DoubleDouble(x) for x in c]
@@ -617,7 +617,7 @@ def _exact_discriminant(c, omega, axes):
 
 
 def _integer_discriminant(c, omega):
-    """Compute E_b of one motion in integer arithmetic; return two doubles."""
+    """Compute the discriminant E_b of one motion in integers; return its high and low double."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(discriminant).bit_length() - 160)
@@ -628,7 +628,7 @@ def _integer_discriminant(c, omega):
 
 
 def _integers(x):
-    """Write the doubles x as integers times one power of two; return both."""
+    """Write doubles as integers times one power of two; return the integers and its exponent."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
     least = int(np.min(exponent))

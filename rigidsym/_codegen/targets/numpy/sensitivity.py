@@ -121,7 +121,7 @@ def _elapsed(prepared):
 
 
 def _phases(prepared):
-    """Return the phases at t = 0, and the values of p t^2 beyond which they are used."""
+    """Return the phases at t = 0, and limits of p t^2 above which these phases are used."""
     reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
     for name, index, constants in prepared["groups"]:
         if name == "hyperbolic":
@@ -131,7 +131,7 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """Return the indices of a group's bodies, and constants by the part that uses them.
+    """Return the indices of a group's bodies, and its constants by the function using them.
 
     Constants are arrays, or Python's floats of one body.
     """
@@ -252,13 +252,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
 
 
 def _stated(entry, known, constants):
-    """Call a function of the time and return its results by name."""
+    """Call a function of the elapsed time and return its results by name."""
     given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
 def _at_rest(prepared, t, rows, first_of, at_once):
-    """Write the sensitivities of bodies at rest, which begin to turn when given rates."""
+    """Write the sensitivities of bodies at rest, whose rates and attitude change with omega0."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
         start = [

@@ -49,7 +49,7 @@ _COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
-    """Invalid input, with the field, the broken rule, and the first body that breaks it.
+    """Error for invalid input: the field, the broken rule, and the first body that breaks it.
 
     Bodies are counted through the leading axes.
     """
@@ -105,7 +105,7 @@ def _refuse(field, rule, good):
 
 
 def _paired(values):
-    """Return double-doubles from a sequence hi, lo, hi, lo, ..."""
+    """Return the double-doubles of a sequence hi, lo, hi, lo, ..."""
     return [_DoubleDouble(*pair) for pair in zip(values[::2], values[1::2], strict=True)]
 
 
@@ -145,7 +145,7 @@ def step_one(body, q, omega, dt):
 
 
 def _of(bodies, some):
-    """Return the constants of some bodies; those of a single body hold for all."""
+    """Return the constants of some bodies; a single body's constants are used for all."""
     if len(bodies["epsilon"]) == 1:
         return bodies
     columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
@@ -162,7 +162,7 @@ def _some(bodies, q, omega, dt, out):
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return attitudes and rates after dt in the order of the axes a, b, d, and these axes.
+    """Return attitudes and rates after dt in the order of axes a, b, d; and the axes.
 
     All are lists of columns: arrays (B,), or the floats of one body.
     """
@@ -227,7 +227,7 @@ def _rounded_rates(rates, parts):
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """Return attitudes, not normalised, and rates as double-doubles of moving bodies after t."""
+    """Return unnormalised attitudes of moving bodies after t, and rates as double-doubles."""
     signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
     start = [_DoubleDouble(x, 0.0) for x in start]
     h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
