@@ -138,7 +138,7 @@ class Bursts:
 
 @np.errstate(divide="ignore", invalid="ignore")
 def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the interval of factors s for which |s end - outside| is within a limit.
+    """Return the interval of factors s for which |s v - w| is within a limit, for vectors v and w.
 
     It is a pair of arrays (N,); an empty interval is inf and 0.
     """

@@ -49,7 +49,7 @@ class Arcs:
 
 
 def arcs(problem: Problem) -> Arcs:
-    """Return arcs made of all momentum directions from which a motion can reach the target.
+    """Return the arcs of momentum directions from which motions can reach the target.
 
     There are none for spherical bodies.
 

@@ -89,7 +89,7 @@ def _check(count: float, most: int) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """Search along arcs of momentum directions for all motions to the target."""
+    """A search along arcs of momentum directions for all motions to the target."""
 
     problem: Problem
     curves: Arcs
@@ -168,7 +168,7 @@ class Search:
         return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
     def zeros(self, begin: Samples, end: Samples) -> np.ndarray:
-        """Return the initial rates at which the angle left at arrival is a multiple of 2 pi.
+        """Return the initial rates of motions that miss the target by whole turns only.
 
         Those at which it comes close to one are returned as well.
         """
@@ -183,7 +183,7 @@ class Search:
         return np.concatenate([at, nearer[close]])
 
     def _crossings(self, begin: Samples, end: Samples, wanted: np.ndarray) -> np.ndarray:
-        """Return the initial rates (N, 3) at which half angles have given values between samples.
+        """Find the initial rates (N, 3) between samples at which half angles take given values.
 
         wanted: the fractions of the change of the half angle from sample to sample.
 

@@ -106,7 +106,7 @@ class Panels(Mesh):
 
     @property
     def ratio(self) -> float:
-        """The factor by which the errors of all panels decrease when steps are halved."""
+        """The factor by which the errors of all intervals decrease when steps are halved."""
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
@@ -137,7 +137,7 @@ class Panels(Mesh):
             raise HopelessError(f"rounding alone amounts to {whole:.0e} rad")
 
     def _judged(self, begin: float, end: float, state: State) -> float | list[float]:
-        """Return the step of an acceptable panel, or the edges at which to divide the panel."""
+        """Return the step size for an acceptable interval, or else times that divide it."""
         length, middle = end - begin, [begin, (begin + end) / 2, end]
         is_last = length <= self._least
         fastest = float(np.max(_lengths(state.omega)))
@@ -162,7 +162,7 @@ class Panels(Mesh):
         return middle if found is None else found
 
     def _step(self, begin: float, end: float, state: State) -> float | list[float] | None:
-        """Find a step by which the splitting method is accurate on a panel.
+        """Find a step size with which the splitting method is accurate on a time interval.
 
         Returns the step, or the edges of parts around a jump or kink, or None if the panel must be
         halved.
@@ -219,7 +219,7 @@ class Panels(Mesh):
         return 1 if self._is_steady else int(np.ceil(_BLOCKS * length / self._span))
 
     def _count(self, end: float, length: float, state: State, torques: np.ndarray) -> None:
-        """Count consecutive short panels, and raise HopelessError when there are too many."""
+        """Count consecutive short intervals, and raise HopelessError if there are too many."""
         turn = _LONGEST / max(float(np.max(_lengths(state.omega))), _LONGEST / self._span)
         if length > _SHORT * turn:
             self._row_begin, self._in_row, self._not_smooth = end, 0, 0
@@ -236,7 +236,7 @@ class Panels(Mesh):
         return self._splitting.advance(state, begin, length / 2**level, 0, 2**level)
 
     def _apart(self, one: State, other: State, begin: float) -> float:
-        """Estimate the final error of the run from two states at the end of a panel."""
+        """Estimate the final error of a run from two states at the end of an interval."""
         turns = _lengths(rotation_vectors(product(conjugate(one.q), other.q)))
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
@@ -251,7 +251,7 @@ class Panels(Mesh):
         return self._end - begin + parts
 
     def _path(self, begin: float, length: float, state: State, after: State) -> Path:
-        """Return a function that interpolates the states within a panel.
+        """Return a function that interpolates the states within a time interval.
 
         It goes from the free motion before the panel to the free motion after it.
         """

@@ -148,7 +148,7 @@ def smooth(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def step(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the profile of a step, which is at the target from the beginning."""
+    """Return the profile of a step that reaches the target at once."""
     return np.ones_like(x), np.zeros_like(x)
 
 

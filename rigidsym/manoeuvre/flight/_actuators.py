@@ -74,7 +74,7 @@ class Burns:
 
 
 def planned(flight: Flight, manoeuvre: Manoeuvre, track: Transfer | Track) -> Burns | None:
-    """Return the burns by which thrusters or wheels make the bursts of a track.
+    """Return the burns of thrusters or wheels that realise the bursts of a track.
 
     Return None where bursts are not commanded.
 

@@ -168,7 +168,7 @@ Torque = Callable[[Surroundings], np.ndarray]
 
 
 class Environment:
-    """Environment of a flight, which exerts the disturbance torques that are switched on.
+    """Environment of a flight, with the disturbance torques that are switched on.
 
     `torques` has them by name.
 

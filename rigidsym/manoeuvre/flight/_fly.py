@@ -37,7 +37,7 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _Ramp:
-    """The wheels' torque between two samples, which changes linearly with time.
+    """The wheels' torque between two samples, as a linear function of time.
 
     `then` is the torque at the end.
     """
