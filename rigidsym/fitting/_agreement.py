@@ -52,7 +52,7 @@ _RATES = {
 
 
 class Verdict(StrEnum):
-    """The verdict on whether model and data agree."""
+    """Whether model and data agree, or in which way they disagree."""
 
     AGREE = "agree"
     LARGER = "residuals are larger than the errors given"
@@ -63,7 +63,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Another convention of the data, with the chi2 of the best fit under it."""
+    """A reading of the data in another convention, with the chi2 of its best fit."""
 
     name: str
     chi2: float
@@ -155,9 +155,9 @@ def _outlier_count(problem: Problem, point: Point) -> int:
 
 
 def _sizes(problem: Problem, point: Point) -> list[float]:
-    """Return the relative sizes of residuals that are too large.
+    """Return the relative residual size of each set of observations that fits badly.
 
-    The list has one for each set of observations in which they are too large, after a zero.
+    A set fits badly if its residuals are too large.  A zero precedes the sizes.
 
     Sizes are relative to the residuals of a motion unrelated to the set.
     """
@@ -214,7 +214,7 @@ def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
 
 
 def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield the conventions of rates that suit a motion, as names and converted observations.
+    """Yield names of conventions in which observed rates suit a motion, with converted rates.
 
     These are the best axes and unit, first with errors in the same unit, then with errors as they
     are.

@@ -147,7 +147,7 @@ def _positive(name: str, value: float) -> float:
 def started(
     problem: Problem, guess: TorqueFreeMotion, known: np.ndarray | None
 ) -> tuple[Problem, Point]:
-    """Convert a guessed motion to a point at the epoch of a problem.
+    """Convert a guessed motion to its state and inertia at the epoch of a fit problem.
 
     Return the problem and the point.
 
@@ -218,7 +218,7 @@ def solved(problem: Problem, point: Point, size: float | None) -> Alternative:
 
 
 def _from_zero(problem: Problem, point: Point, residuals: np.ndarray) -> TorqueFreeMotion:
-    """Return the motion of a point in parameter space, with its state at t = 0.
+    """Convert a point in parameter space to a motion described by its state at t = 0.
 
     The state has as many digits as the observations resolve.
 

@@ -183,7 +183,7 @@ class Fit(Alternative):
 
     @cached_property
     def nonlinearity(self) -> Nonlinearity:
-        """Return the comparison of the covariance with the likelihood.
+        """Return how far the likelihood departs from what the covariance implies.
 
         `Nonlinearity` explains how far the covariance can then be trusted.
         """
@@ -301,10 +301,10 @@ class Fit(Alternative):
 
     @property
     def thin(self) -> bool:
-        """Return True if the body is the flattest that can exist.
+        """Return True if the body is flat: one moment is the sum of the other two.
 
-        The observations then prefer a flatter one, and errors of the moments are those along that
-        edge.
+        The observations then prefer a flatter one, which cannot exist, and errors of the moments
+        are those along that edge.
         """
         largest = np.max(self.moments)
         return bool(np.sum(self.moments) - 2 * largest < _THIN * largest)
@@ -499,7 +499,7 @@ class Fit(Alternative):
 
 
 def _spread(ends: list[list[float | None]]) -> float | None:
-    """Return the standard deviation of a quantity from its values one error up and down."""
+    """Estimate a quantity's standard deviation from its values on both sides of the best fit."""
     both = [(one, other) for one, other in ends if one is not None and other is not None]
     if len(both) < len(ends) or not both:
         return None

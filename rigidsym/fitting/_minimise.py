@@ -220,4 +220,4 @@ def minimise(
 
 
 class _NotFiniteError(ArithmeticError):
-    """Error for a motion that has no states."""
+    """Error for a motion whose residuals or derivatives are not finite."""

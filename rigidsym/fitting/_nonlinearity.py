@@ -39,7 +39,7 @@ _RANK, _PART = 1e-11, 0.5
 
 @dataclass(frozen=True, slots=True)
 class Nonlinearity:
-    """A comparison of the covariance of a fit with its likelihood.
+    """How far the likelihood of a fit departs from what its covariance implies.
 
     ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
     standard deviation; NaN where there is none. beyond: share of directions in which the covariance
@@ -169,7 +169,7 @@ class Quantities:
         return tuple(np.concatenate(x) for x in zip(*found, strict=True))
 
     def _unit(self, point: Point) -> tuple[int, np.ndarray]:
-        """Return the index of the moment that sets the unit, and factors to that unit.
+        """Return the index of the largest moment, and factors that equate it to the best motion's.
 
         The factors (..., 1) scale the moments of points.
         """
@@ -254,12 +254,12 @@ def _product(step: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 def nonlinearity(
     quantities: Quantities, here: Errors, covariance: np.ndarray, ends: np.ndarray
 ) -> Nonlinearity:
-    """Compare the covariance (k, k) of a fit with its likelihood.
+    """Measure how far the likelihood of a fit departs from what its covariance (k, k) implies.
 
-    It is compared with the `ends` (k, 2) of intervals, and in directions spread evenly over the
-    linear errors `here`.  Each direction is followed to the edge of the region that holds 95 % of
-    the truths.  There the Mahalanobis distance of the quantities and chi2 are compared with their
-    linear predictions.
+    The covariance is compared with the `ends` (k, 2) of intervals, and in directions spread evenly
+    over the linear errors `here`.  Each direction is followed to the edge of the region that holds
+    95 % of the truths.  There the Mahalanobis distance of the quantities and chi2 are compared with
+    their linear predictions.
     """
     names = quantities.names
     sigma = np.sqrt(np.diag(covariance))

@@ -108,7 +108,7 @@ class Observability:
 
     @cached_property
     def displaced(self) -> tuple[Errors, ...]:
-        """Return the linear errors at all displaced parameters.
+        """Return the linear errors at several points displaced from the minimum.
 
         The docstring of the module describes the displacements.
         """
@@ -128,7 +128,7 @@ class Observability:
         return tuple(one for one, _ in (*found, *self._at(zeros)) if one)
 
     def _at(self, steps: list[np.ndarray]) -> Iterator[tuple[Errors | None, float]]:
-        """Yield the linear errors and the volume of derivatives after each parameter step.
+        """Yield the linear errors, and the volume that derivatives span, after each parameter step.
 
         The volume is spanned by the changes of residuals by one error each way, projected onto
         these changes at the minimum.  Without states, the errors are None and the volume is NaN.
@@ -201,9 +201,9 @@ def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
 
 
 def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
-    """Raise variances in covariance matrices to other variances that are much larger.
+    """Raise variances in covariance matrices wherever the given variances are much larger.
 
-    Covariances have the shape (..., k, k), the other variances (..., k).
+    Covariances have the shape (..., k, k), the given variances (..., k).
 
     The addition is independent, so that no combination of quantities has a smaller variance.
     """
@@ -230,7 +230,7 @@ def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
 
 
 def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """Return for each error (12,) whether second-order errors of the axes exceed it.
+    """Return for each linear error (12,) if second-order effects of axis errors exceed it.
 
     sigma: of turn, rates, moments and axes; omega (3,): rates.  A turn theta of the principal axes
     changes rates along them by theta x omega, which linear errors contain, and by theta x (theta x

@@ -135,7 +135,7 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """Return points displaced by steps of the parameters that `linear_derivatives` uses.
+        """Return points displaced by steps of the linear parameters of `linear_derivatives`.
 
         The parameters x have the shape (..., count).
 
@@ -185,7 +185,7 @@ class Parameters:
         return found
 
     def linear_derivatives(self, point: Point) -> np.ndarray:
-        """Return the derivatives with respect to the parameters in which errors are expressed.
+        """Return derivatives of a motion's quantities by the linear parameters used for errors.
 
         Their shape is (..., 12, count).
 
@@ -259,7 +259,7 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
 
 
 def motion(point: Point) -> TorqueFreeMotion:
-    """Return the torque-free motion of the principal axes that one point describes."""
+    """Convert one point to the torque-free motion of its principal axes."""
     return TorqueFreeMotion(point.moments.tolist(), point.omega.tolist(), point.attitude.tolist())
 
 

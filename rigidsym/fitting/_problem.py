@@ -120,7 +120,7 @@ class Problem:
     def _rows(
         self, point: Point, q: np.ndarray, omega: np.ndarray, moved: np.ndarray | None = None
     ) -> tuple[np.ndarray, list[np.ndarray]]:
-        """Return the whitened residuals of states, and the derivatives of each set.
+        """Return the whitened residuals of states, and for each observation set their derivatives.
 
         Residuals have the shape (..., count), derivatives (..., M, p).
 

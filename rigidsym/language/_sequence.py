@@ -33,7 +33,7 @@ class Formula:
 
     @property
     def is_reading(self) -> bool:
-        """True for a formula that sets a name to a standard function."""
+        """True if the formula gives a name to the value of a standard function."""
         return self.fact.startswith("reading ")
 
 

@@ -41,9 +41,9 @@ Statement: TypeAlias = tuple[str, str, str]
 
 
 class Published(NamedTuple):
-    """A published formula, and whether it is a definition, a reading, a fact or a root.
+    """A published formula, with its name, its context and how it is justified.
 
-    A root is the square root of its text.
+    It is a definition, a reading, a fact or a root.  A root is the square root of its text.
     """
 
     how: str

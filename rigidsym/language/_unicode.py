@@ -64,7 +64,7 @@ class _Reader:
         return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
 
     def until(self, end: str) -> str:
-        """Convert all tokens up to an end token, which is read as well."""
+        """Convert all tokens up to an end token, and skip the end token."""
         parts = []
         while (token := self.next()) not in (end, ""):
             parts.append(self.written(token))
@@ -106,7 +106,7 @@ class _Reader:
         return "".join(_SIGNS.get(x[1:], x) for x in self.tokens[begin : self.place - 1])
 
     def function(self, name: str) -> str:
-        """Return the name of a function such as sin, with blanks where letters would touch it."""
+        """Return a function's name, such as sin, with blanks that separate it from letters."""
         follows = self.tokens[self.place] if self.place < len(self.tokens) else ""
         return f" {name}" if follows in ("^", "_", "(", "\\left", "") else f" {name} "
 

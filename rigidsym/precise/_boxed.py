@@ -122,7 +122,7 @@ class BoxedMotion(MotionInputs):
 
     @cached_property
     def _flows(self) -> dict[int, FlowEnclosure]:
-        """The cached enclosure by the flow for the last precision.
+        """The enclosure by Taylor series of the flow, cached for the last precision.
 
         It has all steps made so far.
         """
@@ -130,7 +130,7 @@ class BoxedMotion(MotionInputs):
 
     @cached_property
     def _means(self) -> dict[int, MeanStates]:
-        """The cached enclosure by the mean value theorem for the last precision."""
+        """The enclosure by the mean value theorem, cached for the last precision."""
         return {}
 
 

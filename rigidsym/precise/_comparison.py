@@ -71,7 +71,7 @@ class Measurement:
         return float(mp.mpf(self.error or 0) * mp.mpf(10) ** self.digits) or None
 
     def row(self, place: str) -> tuple[str, ...]:
-        """Return the measurement as a table row that begins with `place`."""
+        """Return the measurement as a table row, with `place` as its first cell."""
         if self.seconds is None:
             return place, self.method, "not run", "", "", ""
         first, more = (f"{1000 * (x or 0):.2f} ms" for x in (self.seconds, self.cost))
@@ -80,7 +80,7 @@ class Measurement:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """All measurements of a comparison of methods.
+    """Times and errors of all methods, by digits and by distance from the separatrix.
 
     There are none by distance for a body without a separatrix.
     """
@@ -212,7 +212,7 @@ def _serves(method: str, motion: ExactInputs) -> bool:
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:
-    """Measure the median seconds of the first and of the next state.
+    """Measure the median times, in s, to compute a first state and one more state.
 
     The numbers of the first state are returned as well.
     """

@@ -50,7 +50,7 @@ class Floating:
         }
 
     def theta_table(self) -> dict[str, Any]:
-        """Return the table of functions, with those of the theta form."""
+        """Return the table of functions, extended by the functions of the theta form."""
         return {
             **self.table(),
             "pi": +CTX.pi,
@@ -207,7 +207,7 @@ class Estimates:
         return [self._estimated(*pair) for pair in zip(first, second, strict=True)]
 
     def _estimated(self, first: mpf, second: mpf) -> arb:
-        """Convert the second value to a ball whose radius estimates its error.
+        """Convert the second of two values to a ball whose radius estimates its error.
 
         The radius is twice the difference of both values and a rounding of the first."""
         if not CTX.isfinite(first) or not CTX.isfinite(second):

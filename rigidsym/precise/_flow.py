@@ -130,7 +130,7 @@ class Flow:
 def _derivatives(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the Taylor coefficients of the state y and of its derivatives V."""
+    """Return the Taylor coefficients of the state, and of its matrix of derivatives."""
     series, slopes = _series(factors, y, terms, tick)
     columns = [arb_mat(SIZE, COLUMNS, 1)]
     for n in range(terms - 1):
@@ -149,7 +149,7 @@ def _derivatives(
 def _series(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """Return the Taylor coefficients of the state y, each with its matrix A."""
+    """Return the Taylor coefficients of the state, and of the matrix `_slope` of each."""
     series, slopes = [y], [_slope(factors, y)]
     for n in range(terms - 1):
         tick()

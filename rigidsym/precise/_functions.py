@@ -1,4 +1,4 @@
-"""Jacobi's elliptic functions and the integral J in ball arithmetic, by four methods.
+"""Jacobi's functions and an integral of the third kind in ball arithmetic, by four methods.
 
 Conventions: m is the parameter k^2; functions take mc = 1 - m as their last argument, which is 0 on
 the separatrix.  J(u) is the integral of sn^2/(1 - n sn^2) from 0 to u.
@@ -122,7 +122,7 @@ class Functions(ABC):
         return flip * sign * s, flip * c, d
 
     def elliptic_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return the integral J(u) of sn^2/(1 - n sn^2) for -1 < n <= 0.
+        """Return the integral of sn^2/(1 - n sn^2) from 0 to u, for -1 < n <= 0.
 
         It is elementary where mc is exactly 0 or 1.
         """
@@ -145,11 +145,14 @@ class Functions(ABC):
 
     @abstractmethod
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Return the integral J(u) for n < 1 and |u| <= K/2, and a little beyond."""
+        """Return the integral J of sn^2/(1 - n sn^2) from 0 to u, for |u| up to about K/2.
+
+        n < 1, and |u| may be a little beyond K/2.
+        """
 
     @abstractmethod
     def complete_j(self, n: arb, mc: arb) -> arb:
-        """Return the complete integral J(K)."""
+        """Return the complete integral J of sn^2/(1 - n sn^2) from 0 to K."""
 
 
 def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
@@ -186,7 +189,7 @@ class Landen(Functions):
         return s, c, (c * c + mc * s * s).sqrt()
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
-        """Compute the integral J as (Pi - u)/n."""
+        """Compute the integral of sn^2/(1 - n sn^2) as (Pi - u)/n."""
         s, c, d = self.first_half(u, mc)
         return (_third_kind(s, c, d, n, 1 - mc, mc, u) - u) / n
 
@@ -290,7 +293,7 @@ def _delta(s: arb, c: arb, mc: arb) -> arb:
 
 
 class Quadrature(Carlson):
-    """Functions with the integral J computed by rigorous quadrature.
+    """Functions with the integral of sn^2/(1 - n sn^2) computed by rigorous quadrature.
 
     sn, cn and dn are those of `Carlson`.
     """
@@ -325,7 +328,7 @@ def _integral(phi: arb, n: arb, mc: arb) -> arb:
 
 
 class Theta(Carlson):
-    """Functions computed by theta functions, with J by Carlson's R_J."""
+    """Functions computed by theta functions, except `elliptic_j` by Carlson's R_J."""
 
     quick_bits = 2**14
 
@@ -353,7 +356,7 @@ class Theta(Carlson):
         return s, four * two_u / (two * four_u), four * three_u / (three * four_u)
 
     def first_half(self, u: arb, mc: arb) -> Triple:
-        """Return Jacobi's sn, cn and dn, which `between` computes for all u."""
+        """Return Jacobi's sn, cn and dn by theta functions, as `between` does for all u."""
         return self.between(u, mc)
 
     def _theta4(self, z: acb, q: arb) -> acb:

@@ -120,12 +120,12 @@ class Solution:
 
 @cache
 def sealed() -> Solution:
-    """Return the formula sequences of the sealed ledger."""
+    """Return the formula sequences of the installed ledger, after a check of its seal."""
     return load(sealed_text())
 
 
 def sequence(name: str) -> FormulaSequence:
-    """Return one formula sequence of the sealed ledger, ready to be evaluated."""
+    """Return one formula sequence of the installed ledger, ready to be evaluated."""
     return sealed().evaluated[name]
 
 

@@ -216,9 +216,9 @@ def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
 
 
 def decisions(partition: Partition) -> tuple[Formula, ...]:
-    """Return formulas that decide the side of a motion.
+    """Return formulas that decide about which axis, if any, the rates of a motion circulate.
 
-    The last formula sets the side, which `Leaf` explains.
+    The last formula sets `side`, which `Leaf` explains.
 
     Raises LedgerError for a quantity that might have either sign.
     """

@@ -41,7 +41,7 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Polhode:
-    """The regime of a motion, with the roles of the body's axes and the signs of formulas.
+    """The regime of a motion, with the roles of the body's axes and the signs in its formulas.
 
     `leaf` is the motion's leaf in the ledger's partition.
 
@@ -96,9 +96,10 @@ def _chosen(x: Fraction, y: Fraction, one: int, other: int) -> int:
 
 
 def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
-    """Return E_b = K^2 - 2 H c_b, whose sign decides the axis of circulation.
+    """Return momentum^2 - 2 energy * middle moment; its sign decides the circulation axis.
 
-    c_b is the middle moment, K the angular momentum and H the kinetic energy.
+    It is E_b = K^2 - 2 H c_b: c_b is the middle moment, K the angular momentum and H the kinetic
+    energy.
     """
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values: dict[str, Any] = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
@@ -135,9 +136,9 @@ def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction
 
 
 def sine_axes(polhode: Polhode, i: int) -> tuple[int, int]:
-    """Return the other two axes j and k in the order in which Theorem 1 needs them.
+    """Return the two axes other than i, in the order that the sine of rate i needs (Theorem 1).
 
-    zeta_i^2 is the root of (13) that contains c_j.
+    They are j and k.  zeta_i^2 is the root of (13) that contains c_j.
 
     Where i is not the circulation axis, j is, and all is real.  For the circulation axis itself
     no choice is real, and j is the middle axis.
@@ -148,7 +149,10 @@ def sine_axes(polhode: Polhode, i: int) -> tuple[int, int]:
 
 
 def sine_sign(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int:
-    """Return the sign of Omega_i' at t = 0, which Remark 1 needs."""
+    """Return the sign of the derivative of rate i at t = 0, for its sine in Theorem 1.
+
+    Remark 1 of the paper needs it.
+    """
     torque = (inertia[i - 2] - inertia[i - 1]) * omega0[i - 2] * omega0[i - 1]
     return -1 if torque < 0 else 1
 

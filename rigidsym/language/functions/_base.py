@@ -62,7 +62,7 @@ def rounded_up(prec: int) -> int:
 
 @lru_cache(maxsize=4096)
 def _evaluated(function: Coded, prec: int) -> Any:
-    """Return the value of a function to a number of bits.
+    """Return the value of a function to `prec` bits.
 
     Values are cached because formulas repeat functions.
     """

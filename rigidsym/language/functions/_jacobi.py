@@ -64,7 +64,7 @@ class _Rule(NamedTuple):
 
 
 class _Jacobi(Coded):
-    """Base class of Jacobi's functions of (u, m), whose properties are in `_RULES`.
+    """Base class of Jacobi's functions of (u, m), with their properties taken from `_RULES`.
 
     SymPy counts the arguments of `eval`, which is why they are named there.
     """
@@ -179,9 +179,9 @@ def _am_dm(u: Any, m: Any) -> Any:
 
 
 def _tilt(u: Any, m: Any) -> Any:
-    """Return W = (cn D + sn dn) / (2 (1 - m)), a factor of derivatives with respect to m.
+    """Return a factor of the derivatives of dn and epsilon with respect to m.
 
-    The derivatives are those of dn and epsilon.
+    It is W = (cn D + sn dn) / (2 (1 - m)), where D is `_drift`.
     """
     sn, cn, dn = _functions(u, m)
     if _is_one(m):

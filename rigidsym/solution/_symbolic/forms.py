@@ -110,7 +110,10 @@ def _form(form: str) -> tuple[Maker, tuple[Regime, ...]]:
 
 
 def _regular(work: Calculation) -> Symbolic:
-    """Return the form pi, theta, separatrix or symmetric, in the axes a, b and d."""
+    """Return the solution in the form `pi`, `theta`, `separatrix` or `symmetric`.
+
+    It is in the axes a, b and d.
+    """
     form, known, given = work.form, work.known, work.given
     names = [f"{c}_{x}" for c in ("c", "Omega") for x in AXES]
     names += ["q_0", *(f"q_{x}" for x in AXES), *_SIGNS]
@@ -199,7 +202,7 @@ def _quantities(work: Calculation) -> dict[str, Any]:
 
 
 def _steady(work: Calculation) -> Symbolic:
-    """Return the form sphere or spin, which has constant rates.
+    """Return the solution with constant rates, of a sphere or a spin about a principal axis.
 
     Its attitude is one exponential.
     """

@@ -89,7 +89,7 @@ def theorem1(work: Calculation) -> Symbolic:
 
 
 def _sine(work: Calculation, i: int) -> Calculation:
-    """Compute the constants of one body rate in Theorem 1.
+    """Compute the constants in the sine function sn of one body rate in Theorem 1.
 
     Their names end with the number of the axis.
     """
@@ -114,7 +114,7 @@ def _sine(work: Calculation, i: int) -> Calculation:
 
 
 def _across_the_line(part: Calculation, i: int) -> None:
-    """Replace an imaginary xi by real constants, and compute sn from them."""
+    """Replace an imaginary frequency xi of sn by real constants, and compute sn from them."""
     known = part.known
     sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
     part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
@@ -124,7 +124,7 @@ def _across_the_line(part: Calculation, i: int) -> None:
 
 
 def _third_kind_across(work: Calculation) -> Expr:
-    """Return the real form of Pi(t) - Pi(0) for an imaginary xi."""
+    """Return the change of the integral Pi since t = 0 in real form, for imaginary xi."""
     n, mu, xi, begin = (work.known[name] for name in ("n", "mu", "xi", "C_1"))
     nu = (1 - mu) / (1 - n)
     work.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))

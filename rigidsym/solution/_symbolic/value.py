@@ -24,7 +24,7 @@ _CYCLIC = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
-    """Moments and initial state of a motion, about the axes of the solution's columns.
+    """Moments and initial state of a motion, in the axis order of the solution's vectors.
 
     handedness: 1, or the symbol that is -1 where these axes are left-handed.
     """
