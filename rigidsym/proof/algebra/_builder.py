@@ -267,7 +267,7 @@ def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iter
 
 
 def facts(context: str, names: str) -> list[Entry]:
-    """Return entries for publishing facts of a context.
+    """Return the entries that publish facts of a context for numerical use.
 
     For example: `facts("regular", "H E_a")`.
     """
@@ -275,7 +275,7 @@ def facts(context: str, names: str) -> list[Entry]:
 
 
 def definitions(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries for publishing definitions of a context.
+    """Return the entries that publish definitions of a context for numerical use.
 
     `source` are the equations of the paper that use them.
     """
@@ -283,7 +283,7 @@ def definitions(context: str, names: str, *source: str) -> list[Entry]:
 
 
 def readings(context: str, names: str, *source: str) -> list[Entry]:
-    """Return entries for publishing the standard functions that a context's names denote.
+    """Return the entries that publish which standard functions a context's names denote.
 
     `source` are the equations of the paper that use them.
     """

@@ -148,7 +148,7 @@ class Catalogue:
         due = [*(block.assumed.get(clause, set()) for clause in clauses), block.rates]
         if context is None or declares or _hypotheses(context) != due:
             raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
-        places = self._places(name)
+        places = self._applicable_contexts(name)
         holds = {said for fact in self.best if fact.context in places for said in _sayings(fact)}
         defined = {
             ("=", *pair) for place in places for pair in _pairs(self.contexts[place].definitions)
@@ -176,7 +176,7 @@ class Catalogue:
         ):
             raise Refused(f"theorem {name}: the cases are not proved")
 
-    def _places(self, name: str) -> set[str]:
+    def _applicable_contexts(self, name: str) -> set[str]:
         """Return the names of all contexts whose facts hold in a context.
 
         These are the context itself and all contexts that it is a proved model of.

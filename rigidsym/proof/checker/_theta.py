@@ -192,7 +192,7 @@ def _exponent(leaves: list[Theta], below: fmpq_mat) -> fmpq_mat:
 
 
 def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmpq_mpoly, bool]:
-    """Return the polynomial factor of the Fourier coefficients of a theta product.
+    """Return the polynomial factor in the Fourier coefficients of a theta product.
 
     It is the product of (2 i n)**d, and of -i for theta_1, as a polynomial in a.
     The second value says whether a factor i is left out.
