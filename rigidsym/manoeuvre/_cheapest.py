@@ -140,7 +140,8 @@ class Bursts:
 def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
     """Return the interval of factors s for which |s v - w| is within a limit, for vectors v and w.
 
-    It is a pair of arrays (N,); an empty interval is inf and 0.
+    The vectors v are the rows (N, 3) of `end`, and w is `outside` (3,).  The interval is a pair of
+    arrays (N,); an empty interval is inf and 0.
     """
     if not np.isfinite(limit):
         return np.zeros(len(end)), np.full(len(end), np.inf)
