@@ -178,7 +178,7 @@ def minimise(
     scale = far / np.where(sizes > 0, sizes, 1.0)
 
     def solved(method: Literal["lm", "trf"]) -> Any:
-        """Minimise by one of SciPy's methods.
+        """Minimise chi2 by one of SciPy's methods.
 
         Return None where SciPy reaches motions that have no states.
         """

@@ -103,7 +103,7 @@ class Observations(ABC):
 
     @abstractmethod
     def _read(self, values: np.ndarray) -> np.ndarray:
-        """Convert the user's values to the form in which they are stored.
+        """Convert the user's values to the arrays that are stored.
 
         Raises InputError for wrong shapes.
         """

@@ -83,7 +83,7 @@ class Prediction:
 
 @dataclass(frozen=True, eq=False)
 class Alternative:
-    """A motion that fits the observations, with its chi2.
+    """One of several motions that may fit the observations, with its chi2.
 
     `point` is its state at the epoch of the problem.
     """

@@ -83,7 +83,7 @@ class Calculation:
         return tuple(self.known[name] for name in names)
 
     def begin(self, names: Sequence[str], numbers: Iterable[Any]) -> None:
-        """Set the inputs of a form to free symbols or to a motion's numbers."""
+        """Set the inputs of the solution to free symbols or to a motion's numbers."""
         if self.given is None:
             self.known |= {name: named(name) for name in names}
         else:

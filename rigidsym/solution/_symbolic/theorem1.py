@@ -167,7 +167,7 @@ def _followed(
 
 
 def _left(right: dict[str, Any]) -> dict[str, Any]:
-    """Return the quaternion of equation (18) for an angle phi3 that is larger by pi.
+    """Return the quaternion of the paper's (18) for an angle phi3 that is larger by pi.
 
     -F4 takes the place of F3, and F3 that of F4.
     """
@@ -176,7 +176,7 @@ def _left(right: dict[str, Any]) -> dict[str, Any]:
 
 
 def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
-    """Evaluate the quaternion of equation (18), with axes 1, 2, 3 named a, b, d."""
+    """Evaluate the quaternion of the paper's (18), with axes 1, 2, 3 named a, b, d."""
     found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
