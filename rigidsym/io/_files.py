@@ -103,9 +103,13 @@ def write_all(directory: Path, contents: Mapping[str, str | bytes]) -> list[Path
 def write_bytes(path: Path, data: bytes) -> Path:
     """Write a binary file atomically.
 
-    The file is written under a temporary name and then renamed.  Raises InputError if that fails.
+    The file is written under a temporary name and then renamed; a device or a pipe, which a rename
+    would replace, is written to.  Raises InputError if that fails.
     """
     try:
+        if path.exists() and not (path.is_file() or path.is_dir()):
+            path.write_bytes(data)
+            return path
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
         try:
