@@ -35,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return status
     except (InputError, LedgerError, PrecisionError, ImportError) as error:
         if isinstance(error, ImportError):  # of a package that is not installed
+            if (error.name or "").partition(".")[0] == "rigidsym":
+                raise
             error = InputError("packages", error.name or "missing", str(error))
         print(f"rigidsym {options.command}: {error}", file=sys.stderr)
         return 1 if isinstance(error, PrecisionError) else 2
