@@ -207,7 +207,7 @@ class Estimates:
         return [self._estimated(*pair) for pair in zip(first, second, strict=True)]
 
     def _estimated(self, first: mpf, second: mpf) -> arb:
-        """Convert the second of two values to a ball whose radius estimates its error.
+        """Return the second of two approximations as a ball whose radius estimates its error.
 
         The radius is twice the difference of both values and a rounding of the first."""
         if not CTX.isfinite(first) or not CTX.isfinite(second):

@@ -115,7 +115,7 @@ def hyperbolic_time(half_period: str) -> list[Let]:
 
 
 def elapsed_time(half_period: str) -> list[Let]:
-    """Return assignments that reduce the elapsed angle y by multiples of its half period.
+    """Return assignments that subtract whole half periods from the angle y of the elapsed time.
 
     y is 0 at t = 0.  The remainder is y + y_lo, a sum of two doubles.
     """

@@ -83,7 +83,7 @@ def _linear(solution: Solution) -> tuple[Let, ...]:
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
-    """Return assignments for the factor of each theta product in each attitude component.
+    """Return assignments for the matrix of coefficients of theta products, by attitude component.
 
     The factors are multiplied by over_N.
     """

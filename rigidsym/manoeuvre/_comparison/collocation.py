@@ -110,7 +110,7 @@ class Mesh:
 
     @cached_property
     def nodes(self) -> np.ndarray:
-        """Ends (N + 1,) of the intervals, which are Chebyshev nodes."""
+        """The N + 1 Chebyshev nodes, at which the intervals begin and end."""
         return (1 - np.cos(np.pi * np.arange(self.intervals + 1) / self.intervals)) / 2
 
     @cached_property

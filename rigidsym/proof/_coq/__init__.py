@@ -1,4 +1,4 @@
-"""Export of the ledger to Coq, as theorems on real numbers and functions of time.
+"""Export of the ledger of proved facts to Coq, as theorems on real numbers and functions.
 
 The exporter is not trusted: Coq checks every certificate again, by a checker that `prelude.v`
 proves sound.  The hand-written `theorems/` state the conclusions: which functions of time are the

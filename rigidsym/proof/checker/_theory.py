@@ -84,7 +84,7 @@ class Theory:
         return shown
 
     def states(self, lhs: str, rhs: str) -> bool:
-        """Return whether an equation states equal sides, a definition or a known derivative."""
+        """Return True if an equation is an identity, a definition or a known derivative."""
         left, right = map(Forms().read, (lhs, rhs))
         return left == right or self._has_for(left) == right or self._has_for(right) == left
 

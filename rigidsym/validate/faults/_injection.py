@@ -171,7 +171,7 @@ def inject(
     faults: Sequence[Fault] | None = None,
     strata: Sequence[str] = tuple(STRATA),
 ) -> FaultReport:
-    """Inject faults into generated modules, and report which strata detect them.
+    """Inject faults into generated modules, and report which strata of test motions detect them.
 
     Each fault is measured on `cases` cases of each stratum, or on all cases if there are fewer.
 
