@@ -52,7 +52,7 @@ _RATES = {
 
 
 class Verdict(StrEnum):
-    """Whether model and data agree, or in which way they disagree."""
+    """Verdict on how well model and data agree."""
 
     AGREE = "agree"
     LARGER = "residuals are larger than the errors given"

@@ -39,7 +39,7 @@ _RANK, _PART = 1e-11, 0.5
 
 @dataclass(frozen=True, slots=True)
 class Nonlinearity:
-    """How far the likelihood of a fit departs from what its covariance implies.
+    """Departure of a fit's likelihood from the one that its covariance implies.
 
     ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
     standard deviation; NaN where there is none. beyond: share of directions in which the covariance

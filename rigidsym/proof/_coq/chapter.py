@@ -85,7 +85,7 @@ class Chapter:
 
     @property
     def dynamic(self) -> bool:
-        """Whether quantities of the context may change in time."""
+        """True if quantities of the context may change in time."""
         return self.context.rates is not None
 
     @property

@@ -38,7 +38,7 @@ class Theta(NamedTuple):
 
     @property
     def odd(self) -> bool:
-        """Whether the function is odd in z."""
+        """True if the function is odd in z."""
         return (self.order + (self.index == 1)) % 2 == 1
 
 

@@ -122,7 +122,7 @@ class Answer:
 
     @property
     def holds(self) -> bool | None:
-        """Whether the equations hold, or None if they are undecided."""
+        """True if the equations hold, False if not, and None if they are undecided."""
         return None if self.fact is None else self.fact["kind"] == "equal"
 
 
