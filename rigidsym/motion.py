@@ -957,7 +957,10 @@ def _split(
     The axis of a single time is dropped.
     """
     listed = [*rows]
-    table = np.empty((len(listed), sum(widths)), dtype=object)
+    arrays = [np.empty((len(listed), width), dtype=object) for width in widths]
     for k, row in enumerate(listed):
-        table[k] = row
-    return tuple(np.split(table[0] if single else table, np.cumsum(widths)[:-1], axis=-1))
+        end = 0
+        for array in arrays:
+            start, end = end, end + array.shape[1]
+            array[k] = row[start:end]
+    return tuple(array[0] if single else array for array in arrays)
