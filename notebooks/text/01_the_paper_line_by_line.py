@@ -51,7 +51,7 @@
 # `ENCLOSED` is weaker: a result quoted from the literature, tested with rigorous interval
 # arithmetic.
 #
-# The next cell has a fresh kernel check every fact of the ledger in this way.
+# In the next cell, a fresh kernel checks every fact of the ledger in this way.
 
 # %%
 import json

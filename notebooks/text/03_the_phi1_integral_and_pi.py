@@ -170,9 +170,9 @@ display(line, printed("32"))
 # %% [markdown]
 # ## One function of time is enough
 #
-# The numerator and the denominator contain two rates, and there are two conserved quantities (6).
-# Both are linear in the squares of the rates. We eliminate two of these squares, and the rate of
-# $\phi_1$ then depends on the third rate alone.
+# The fraction contains two rates, and equation (6) gives two conserved quantities. Both are linear
+# in the squares of the rates. We eliminate two of these squares, and the rate of $\phi_1$ then
+# depends on the third rate alone.
 
 # %%
 squares = [RATES[second] ** 2, RATES[third] ** 2]

@@ -58,8 +58,8 @@ plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.f
 # The cells derive the new lines step by step, starting from the $\dot\phi_1$ of [notebook
 # 3](03_the_phi1_integral_and_pi.ipynb); **another setting** in the next cell, such as
 # `Setting(sequence=(3, 1, 3))`, changes these lines. (The pictures show the paper's setting.) Lines
-# quoted from later chapters have the name of their fact in the project's ledger. The next cell has
-# a fresh kernel check the ledger's certificates once more.
+# quoted from later chapters have the name of their fact in the project's ledger. In the next cell,
+# a fresh kernel checks the ledger's certificates once more.
 
 # %%
 setting = Setting()
@@ -304,7 +304,7 @@ plt.show()
 # $$e^{\phi_1A_1}e^{\phi_2A_2}e^{\phi_3A_1}
 # =e^{(\phi_1+\phi_3)A_1}\cdot\underbrace{e^{-\phi_3A_1}e^{\phi_2A_2}e^{\phi_3A_1}}_{S}.$$
 #
-# In the derivation, $S$ is a named matrix, and the product is multiplied out.
+# In the derivation, this matrix has the name $S$, and a step multiplies out the product.
 
 # %%
 E1, E2, E3, S = map(matrix, ("E1", "E2", "E3", "S"))

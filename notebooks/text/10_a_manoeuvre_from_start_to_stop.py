@@ -376,7 +376,8 @@ table(
 )
 
 # %% [markdown]
-# In half a turn the error about the middle axis is up to four times as large as about the others.
+# Over half a turn, the error about the middle axis is up to four times the error about the other
+# axes.
 #
 # ## Accuracy at the target
 #

@@ -217,7 +217,7 @@ class MeanStates(MotionInputs):
     def sensitivities(self, time: Fraction) -> list[arb] | None:
         """Return enclosures of the sensitivities of all motions of the box.
 
-        They are the numbers of `listed`.  Return None without an enclosure.
+        They are the numbers of `listed`, or None if there is no enclosure.
         """
         bits = self._bits(time)
         if not any(self.omega0):

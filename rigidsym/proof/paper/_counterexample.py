@@ -21,7 +21,7 @@ MOMENTA = ("M1", "M2", "M3")
 class Motion:
     """Principal moments of inertia and body rates of a motion.
 
-    They are about axes 1, 2, 3, in Lemma 1 about axes i, j, k.
+    They are about axes 1, 2 and 3; those of Lemma 1 are about axes i, j and k.
     """
 
     inertia: tuple[Fraction, Fraction, Fraction]

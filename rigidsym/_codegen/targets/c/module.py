@@ -69,7 +69,7 @@ def build(
 ) -> Module:
     """Build the C module from its functions and named constants.
 
-    Input: functions of lets and the numbers they name.  Output: the module.
+    Input: the functions, and the constants that they name.  Output: the module.
     """
     whole = joined(
         [

@@ -37,7 +37,7 @@ def build(
 ) -> Module:
     """Build the NumPy module from its functions and named constants.
 
-    Input: functions of lets and the numbers they name.  Output: the module.
+    Input: the functions, and the constants that they name.  Output: the module.
     """
     pieces = [
         Lines.plain(first(form)),
