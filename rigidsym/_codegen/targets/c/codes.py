@@ -1,8 +1,10 @@
 """Status codes of the generated C functions, with their messages."""
 
+import ast
 from typing import NamedTuple
 
 from rigidsym._codegen.forms import STEP
+from rigidsym._codegen.routines import Number, Type
 
 
 class Code(NamedTuple):
@@ -65,6 +67,45 @@ _STEPS = (
     *("OK", "NOT_FINITE", "INERTIA", "THIN", "ATTITUDE", "ANGLE", "ARITHMETIC"),
     *("NONPHYSICAL", "UNPREPARED"),
 )
+
+
+def _own(form: str) -> dict[str, Code]:
+    """Return the codes of a form by their names, in the order of their numbers."""
+    known = _CODES | (_OF_STEPS if form == STEP else {})
+    return {name: known[name] for name in (_STEPS if form == STEP else _MOTIONS)}
+
+
+def names(form: str) -> dict[str, str]:
+    """Map the name of each code in the runtime to its name in C."""
+    prefix = "TORQUE_FREE_STEP" if form == STEP else "TORQUE_FREE"
+    return {name: f"{prefix}_{name}" for name in _own(form)}
+
+
+def enumeration(form: str) -> list[str]:
+    """Return the members of the enumeration of codes, with comments."""
+    in_c = names(form)
+    return [
+        f"    {in_c[name]} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
+        for number, (name, x) in enumerate(_own(form).items())
+    ]
+
+
+def texts(form: str) -> list[Number]:
+    """Return the arrays of messages, fields and rules, by code, and the text for no code."""
+    own = _own(form).values()
+    found = {
+        "MESSAGES": [f"{x.field}: {x.rule}" if x.field else x.rule for x in own],
+        "FIELDS": [x.field for x in own],
+        "RULES": [x.rule for x in own],
+    }
+    return [
+        Number("CODES", Type("int"), ast.Constant(len(own))),
+        Number("UNKNOWN", Type("text"), ast.Constant(UNKNOWN)),
+        *(
+            Number(name, Type("text", ("CODES",)), ast.List([ast.Constant(x) for x in said]))
+            for name, said in found.items()
+        ),
+    ]
 
 
 def filled(text: str, form: str) -> str:

@@ -1,0 +1,63 @@
+"""Programs of the C target: derived functions and runtime of a form, ready to be printed."""
+
+import ast
+from dataclasses import replace
+
+from rigidsym._codegen.forms import PI, STEP, THETA, limits
+from rigidsym._codegen.ir import Constant, Function
+from rigidsym._codegen.routines import DOUBLE, PAIR, Number, Program, Type, lowered, read
+from rigidsym._codegen.special_functions.short_time import LAST, STEPS
+from rigidsym._codegen.targets.c import codes, derived
+
+_MOTIONS = ("arithmetic", "self_test", "motion_self_test", "exact", "bodies", "decisions", "motion")
+_RUNTIMES = {
+    THETA: (*_MOTIONS, "sensitivity", "messages"),
+    PI: (*_MOTIONS, "messages"),
+    STEP: (
+        *("arithmetic", "self_test", "step_self_test", "bodies", "step_decisions"),
+        *("step", "kick", "messages"),
+    ),
+}
+# From which branch on a grid is computed one time after the other.
+_ONE_BY_ONE = {THETA: 2, PI: 1, STEP: 0}
+# What macros of the preamble define, and their types.
+_MACROS = {"BLOCK": "size", "LANES": "size", "ALLOW_NONPHYSICAL": "bool", "BITS_ARE_CHOSEN": "bool"}
+_SAID = ("message", "field", "rule", "digest")
+
+
+def program(
+    functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str = THETA
+) -> Program:
+    """Return all that the C module of a form has, in an order that C can read."""
+    made = Program(known={name: Type(kind) for name, kind in _MACROS.items()})
+    made.known |= {name: Type("int") for name in codes.names(form)}
+    made.known["DIGEST"] = Type("text")
+    made.structs = {struct.name: struct for struct in derived.structs(functions)}
+    made.numbers = {constant.name: _number(constant) for constant in constants}
+    for limit in limits(form):
+        value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
+        made.numbers[limit.name] = Number(limit.name, DOUBLE, value, meaning)
+    made.numbers |= {number.name: number for number in codes.texts(form)}
+    made.routines = {one.name: one for one in derived.routines(functions)}
+    own = made.routines
+    made = read(
+        _RUNTIMES[form],
+        made,
+        {"STEPS": STEPS, "LAST": LAST, "ONE_BY_ONE": _ONE_BY_ONE[form], "THETA": form == THETA},
+    )
+    made.routines |= {name: lowered(one, made) for name, one in own.items()}
+    if form == STEP:
+        made.routines = {
+            f"step_{name}" if name in _SAID else name: replace(one, name=f"step_{name}")
+            if name in _SAID
+            else one
+            for name, one in made.routines.items()
+        }
+    return made.without_idle().in_order()
+
+
+def _number(constant: Constant) -> Number:
+    if constant.lo is None:
+        return Number(constant.name, DOUBLE, ast.Constant(constant.hi), constant.meaning)
+    value = ast.parse(f"pair({constant.hi!r}, {constant.lo!r})", mode="eval").body
+    return Number(constant.name, PAIR, value, constant.meaning)
