@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -83,7 +84,14 @@ def _checked():
 @pytest.fixture
 def replayed_once(monkeypatch, _checked):
     """Let commands run the second checker on the sealed ledger once in this process."""
+
+    @contextmanager
+    def beside():
+        _checked()
+        yield
+
     monkeypatch.setattr("rigidsym._cli.proofs.replayed", _checked)
+    monkeypatch.setattr("rigidsym._cli.code.replayed_beside", beside)
 
 
 @pytest.fixture(scope="session")

@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import NoReturn
 
 from rigidsym._cli.commands import COMMANDS, Argument
+from rigidsym._cli.destination import destination
 from rigidsym._cli.output import BARS, discard_output, prepare_output
 from rigidsym._version import __version__
 from rigidsym.errors import InputError, LedgerError, PrecisionError
@@ -28,6 +29,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.set_threshold(100_000, 50, 50)
     options = parser().parse_args(arguments)
     try:
+        if getattr(options, "output", None) is not None:
+            command = next(one for one in COMMANDS if one.name == options.command)
+            given = sys.argv[1:] if arguments is None else arguments
+            options.output = destination(command, options, given)
         module, _, function = options.run.partition(":")
         with BARS:
             status = getattr(import_module(f"rigidsym._cli.{module}"), function)(options)

@@ -1,41 +1,84 @@
 """Functions that run the commands `codegen` and `trace`."""
 
+import signal
 import sys
 from argparse import Namespace
+from collections.abc import Generator
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from itertools import product
+from multiprocessing import get_context
 from pathlib import Path
 
 from rigidsym._cli.output import say, say_written
+from rigidsym._cli.proofs import replayed
 from rigidsym.errors import InputError
 
 
 def codegen(options: Namespace) -> int:
-    """Generate a numeric module, and write, print or check it.
+    """Generate numeric modules, and write, print or check them.
 
-    With --check, returns 1 if it differs from the files on disk.
+    With --check, returns 1 if one differs from the files on disk.
     """
-    import rigidsym.generated
-    from rigidsym._cli.proofs import replayed
-    from rigidsym._codegen import generate
-    from rigidsym._codegen.seal import seal, seal_text
-    from rigidsym._codegen.targets import builder
-    from rigidsym.solution import sealed
-
-    builder(options.target)
+    chosen = _modules(options)
     if not (options.output or options.in_place or options.check or options.stdout):
         rule = "give -o DIR (. for here), --stdout, --check, or --in-place for the package itself"
         raise InputError("output", "missing", rule)
-    replayed()
-    generated = generate(options.target, form=options.form)
-    seal(sealed(), options.form)
-    seal_text(generated, sealed())
+    with replayed_beside():
+        # Imported now, so that the other process has begun.
+        import rigidsym.generated
+        from rigidsym._codegen import generate
+        from rigidsym._codegen.seal import seal, seal_text
+        from rigidsym.solution import sealed
+
+        for form in dict.fromkeys(form for _, form in chosen):
+            seal(sealed(), form)
+        modules = [generate(target, form=form) for target, form in chosen]
+        for module in modules:
+            seal_text(module, sealed())
     if options.stdout:
-        print("".join(generated.files.values()), end="")
+        for module in modules:
+            print("".join(module.files.values()), end="")
         return 0
     directory = options.output or Path(rigidsym.generated.__path__[0])
     if options.check:
-        return _differences(generated.texts(), directory)
-    say_written(generated.write(directory))
+        return _differences({k: x for one in modules for k, x in one.texts().items()}, directory)
+    for module in modules:
+        say_written(module.write(directory))
     return 0
+
+
+def _modules(options: Namespace) -> list[tuple[str, str]]:
+    """Return the targets and forms of the modules that the options select.
+
+    With --check these are all where none is named.  Raises InputError for an unknown one.
+    """
+    from rigidsym._codegen.forms import FORMS, THETA, checked
+    from rigidsym._codegen.targets import TARGETS, known
+
+    if options.target is None and not options.check:
+        rule = f"name one, {', '.join(TARGETS)}; --check alone checks all"
+        raise InputError("target", "missing", rule)
+    targets = TARGETS if options.target is None else [known(options.target)]
+    if options.form is None:
+        forms = [THETA] if options.target else [*FORMS]
+    else:
+        forms = [checked(options.form)]
+    return list(product(targets, forms))
+
+
+@contextmanager
+def replayed_beside() -> Generator[None]:
+    """Check the sealed ledger in another process during a `with` block.
+
+    The block ends when both are done.  Raises LedgerError if the ledger is refused.
+    """
+    with ProcessPoolExecutor(
+        1, get_context("spawn"), initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)
+    ) as pool:
+        checking = pool.submit(replayed)
+        yield
+        checking.result()
 
 
 def _differences(texts: dict[str, str], directory: Path) -> int:

@@ -40,15 +40,30 @@ class Command:
         self.name, self.run, self.summary, self.example = name, run, summary, example
         self.arguments = arguments
 
+    @property
+    def output(self) -> str:
+        """What -o names: DIR or FILE, or nothing where the command has no such option."""
+        grouped = (x.arguments if isinstance(x, Group) else (x,) for x in self.arguments)
+        each = (one for group in grouped for one in group if "-o" in one.names)
+        return next((one.keywords["metavar"] for one in each), "")
+
 
 def as_path(text: str) -> Path:
     """Parse a path that must not be empty.
 
     Raises ArgumentTypeError for an empty text.
     """
+    return Path(as_text(text))
+
+
+def as_text(text: str) -> str:
+    """Return a path as it is written, with a slash at its end.
+
+    Raises ArgumentTypeError for an empty text.
+    """
     if not text:
         raise argparse.ArgumentTypeError("'' must name a file or directory")
-    return Path(text)
+    return text
 
 
 def as_count(text: str) -> int:
@@ -93,7 +108,7 @@ def _choice(name: str, choices: tuple[str, ...], help: str, **keywords: Any) -> 
 
 
 def _output(metavar: str, help: str, **keywords: Any) -> Argument:
-    return Argument("-o", "--output", metavar=metavar, type=as_path, help=help, **keywords)
+    return Argument("-o", "--output", metavar=metavar, type=as_text, help=help, **keywords)
 
 
 _JSON = _switch("--json", "print JSON and nothing else to stdout")
@@ -204,8 +219,8 @@ COMMANDS = (
         "code:codegen",
         "write a numeric module",
         "codegen c -o attitude",
-        _value("target", "TARGET", "numpy or c"),
-        _value("--form", "FORM", "theta, step, or the paper's: pi", default="theta"),
+        _value("target", "TARGET", "numpy or c; --check without one checks all", nargs="?"),
+        _value("--form", "FORM", "theta by default, step, or the paper's: pi"),
         Group(
             _output("DIR", "directory of the files"),
             _switch("--in-place", "replace the modules of the package itself"),

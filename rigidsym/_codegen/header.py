@@ -4,6 +4,7 @@ import hashlib
 import json
 import re
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
@@ -70,7 +71,8 @@ against mpmath:""",
 }
 
 
-def special_functions(form: str) -> list[str]:
+@cache
+def special_functions(form: str) -> tuple[str, ...]:
     """Return the error bounds of a form's special functions, as lines of text."""
     sine = reduction.sine_bound(reduction.sine_coefficients(reduction.TERMS))
     cosine = reduction.cosine_bound(reduction.cosine_coefficients(reduction.TERMS))
@@ -86,7 +88,7 @@ def special_functions(form: str) -> list[str]:
             f"  J, {short_time.J_TERMS} terms of series         in psi/2 after all doublings, "
             f"below {_up(short_time.third_kind_tail())} up to 8 rad",
         ]
-        return [*own, *everywhere]
+        return (*own, *everywhere)
     own = [
         f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
         f"{_up(landen.modulus_left())}"
@@ -107,7 +109,7 @@ def special_functions(form: str) -> list[str]:
             f"  R_J, {carlson.STEPS} duplications           "
             f"in psi/2, {_up(carlson.MEASURED)} measured",
         ]
-    return [*own, *everywhere]
+    return (*own, *everywhere)
 
 
 def _up(bound: float | Fraction) -> str:
@@ -122,7 +124,7 @@ def text(target: str, form: str) -> str:
 
     These are the counts of lines, the digest and the measured errors.
     """
-    bounds = special_functions(form)
+    bounds = [*special_functions(form)]
     if target == "c" and form != STEP:
         # NumPy brings the exponential itself.
         left_out = exponential.bound(exponential.coefficients(exponential.TERMS))

@@ -230,8 +230,7 @@ def _shared(
     small = rebuild(expression, parts)
     if counts[expression] < 2 or not isinstance(expression, Operation):
         return small
-    number = sum(_is_shared(let.targets[0]) for let in shared) + 1
-    named[expression] = Name(f"{_SHARED}{number}")
+    named[expression] = Name(f"{_SHARED}{len(named) + 1}")
     source = tuple(dict.fromkeys(s for let in users[expression] for s in let.source))
     facts = tuple(dict.fromkeys(f for let in users[expression] for f in let.facts))
     shared.append(Let((named[expression].name,), small, source, facts))

@@ -136,10 +136,14 @@ def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression
 
 def names(expression: Expression) -> Iterator[str]:
     """Yield the names in an expression from left to right, repetitions included."""
-    if isinstance(expression, Name):
-        yield expression.name
-    for part in children(expression):
-        yield from names(part)
+    # Nested generators would take the time of all levels for each name.
+    waiting = [expression]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Name):
+            yield part.name
+        else:
+            waiting += children(part)[::-1]
 
 
 def by_products(expression: Expression) -> Expression:

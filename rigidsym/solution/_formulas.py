@@ -107,7 +107,7 @@ class Solution:
     make the hypotheses of the theorem `start_signs` hold.
     """
 
-    sequences: Mapping[str, tuple[Formula, ...]]
+    sequences: Mapping[str, tuple[Formula, ...]] = field(hash=False)
     digest: str
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
     partition: Partition = field(repr=False, compare=False)

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 from fractions import Fraction
 from itertools import chain, product
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from derivations import CHAPTERS
 from rigidsym._cli import main
 from rigidsym._codegen import TARGETS, Generated
 from rigidsym._codegen.lines import handwritten
+from rigidsym.errors import LedgerError
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 from rigidsym.solution import sealed
@@ -224,6 +226,38 @@ def test_codegen_writes_checks_and_shows_a_difference(target, file, starts, tmp_
     module.write_text(module.read_text().replace("m_1 = ", "m_1 = 2 * ", 1))
     assert "m_1 = 2 * " in run("codegen", target, "-o", tmp_path, "--check", status=1).out
     assert run("codegen", target, "--stdout").out.startswith(starts)
+
+
+@pytest.mark.usefixtures("replayed_once", "sealed_once")
+def test_check_without_a_target_checks_all_modules(tmp_path, run):
+    assert run("codegen --check").err == "current\n"
+    home = Path(rigidsym.__path__[0]) / "generated"
+    names = [path.name for path in home.iterdir() if path.suffix != ".py" or "free" in path.name]
+    for name in names:
+        (tmp_path / name).write_text((home / name).read_text() + "\n")
+    said = run("codegen --check -o", tmp_path, status=1).out
+    assert len(names) == 15
+    assert all(f"--- {tmp_path / name}\n" in said for name in names)
+
+
+@pytest.mark.usefixtures("sealed_once")
+def test_the_ledger_is_replayed_before_modules_are_written(monkeypatch, tmp_path, refused):
+    def refusing():
+        raise LedgerError("ledger: refused")
+
+    class Here:
+        def __init__(self, *_, **__):
+            pass
+
+        __enter__, __exit__ = (lambda self: self), (lambda *_: None)
+
+        def submit(self, work):
+            return SimpleNamespace(result=work)
+
+    monkeypatch.setattr("rigidsym._cli.code.ProcessPoolExecutor", Here)
+    monkeypatch.setattr("rigidsym._cli.code.replayed", refusing)
+    assert "ledger: refused" in refused("codegen numpy -o", tmp_path / "new")
+    assert not list(tmp_path.iterdir())
 
 
 def test_trace_goes_both_ways(run):
@@ -691,6 +725,10 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, refused):
         ("check nowhere.json", "cannot be read"),
         ("derive nowhere", "chapter = nowhere: must be one of: lie_algebra"),
         ("codegen fortran", "target = fortran: must be one of: numpy, c"),
+        ("codegen fortran --check", "target = fortran: must be one of: numpy, c"),
+        ("codegen c --form phi", "form = phi: must be one of: theta, pi, step"),
+        ("codegen --form phi --check", "form = phi: must be one of: theta, pi, step"),
+        ("codegen --stdout", "target = missing: name one, numpy, c; --check alone checks all"),
         ("validate fortran", "target = fortran: must be one of: numpy, c"),
         ("validate numpy fortran", "target = fortran: must be one of: numpy, c"),
         ("propagate paper --digits 100001", "digits = 100001: must be a whole number"),
@@ -741,11 +779,13 @@ def test_bad_input_and_usage_exit_2_with_one_line(command, message, refused):
 
 
 @pytest.mark.usefixtures("replayed_once", "sealed_once")
-@pytest.mark.parametrize("command", [["propagate", "paper"], ["codegen", "numpy"]])
-def test_an_output_that_cannot_be_written_is_one_line(command, tmp_path, refused):
+@pytest.mark.parametrize(
+    ("command", "more"), [(["propagate", "paper"], ["--format", "csv"]), (["codegen", "numpy"], [])]
+)
+def test_an_output_that_cannot_be_written_is_one_line(command, more, tmp_path, refused):
     blocker = tmp_path / "file"
     blocker.write_text("here first")
-    error = refused(*command, "-o", str(blocker / "inside.csv"))
+    error = refused(*command, "-o", str(blocker / "inside"), *more)
     assert "output = " in error
     assert "cannot be written" in error
     assert blocker.read_text() == "here first"

@@ -30,6 +30,7 @@ from rigidsym._codegen.special_functions import (
 from rigidsym.solution import Solution
 
 
+@cache
 def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     """Return all generated functions for one form of the solution, optimised for printing.
 

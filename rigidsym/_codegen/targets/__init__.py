@@ -24,14 +24,22 @@ Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...],
 TARGETS = ["numpy", "c"]
 
 
-def builder(target: str) -> Build:
-    """Return the function that builds the module of a target.
+def known(target: str) -> str:
+    """Check the name of a target, and return it unchanged.
 
     Raises InputError for an unknown target.
     """
     if not isinstance(target, str) or target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
-    return import_module(f"{__name__}.{target}.module").build
+    return target
+
+
+def builder(target: str) -> Build:
+    """Return the function that builds the module of a target.
+
+    Raises InputError for an unknown target.
+    """
+    return import_module(f"{__name__}.{known(target)}.module").build
 
 
 def reader(target: str) -> Check:
