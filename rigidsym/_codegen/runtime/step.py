@@ -30,14 +30,17 @@ class scaling:
 
 def set_body(x: out[lanes], i: size, inertia: double[3], axis: out[int[3]]) -> int:
     """Check moments and write them to lane i, the largest first; return a code."""
-    code: int = body_code(inertia)
+    power: int = moment_scale(inertia)
+    c: double[3]
+    for k in range(3):
+        c[k] = times_power(inertia[k], power)
+    code: int = body_code(inertia, c)
     if code != OK:
         return code
-    power: int = -scale(largest_of(inertia[0], inertia[1], inertia[2]))
     axis[0], axis[1], axis[2], x.epsilon[i] = order_of(inertia)
-    c_a: double = ldexp(inertia[axis[0]], power)
-    c_b: double = ldexp(inertia[axis[1]], power)
-    c_d: double = ldexp(inertia[axis[2]], power)
+    c_a: double = c[axis[0]]
+    c_b: double = c[axis[1]]
+    c_d: double = c[axis[2]]
     ab: pair = two_sum(c_a, -c_b)
     ad: pair = two_sum(c_a, -c_d)
     bd: pair = two_sum(c_b, -c_d)

@@ -7,16 +7,23 @@ circulates about that.
 
 def largest_of(x: double, y: double, z: double) -> double:
     """Return the largest size of three numbers."""
-    return max(abs(x), max(abs(y), abs(z)))
+    larger: double = max(abs(y), abs(z))
+    return max(abs(x), larger)
+
+
+def size_of(q: double[4]) -> double:
+    """Return the largest size of a quaternion's components."""
+    larger: double = largest_of(q[1], q[2], q[3])
+    return max(abs(q[0]), larger)
 
 
 def scale(largest: double) -> int:
-    """Return the exponent to scale by, 0 from 2^-40 to 2^40.
+    """Return the exponent to scale by, 0 from 2^-40 to 2^40 and for what is not finite.
 
     There the highest powers of rates, the 22nd, do not overflow.
     """
     is_moderate: bool = largest >= 9.094947017729282e-13 and largest <= 1099511627776.0
-    return 0 if is_moderate else exponent(largest)
+    return 0 if is_moderate or not isfinite(largest) else exponent(largest)
 
 
 @inline
@@ -28,22 +35,24 @@ def times_power(x: double, power: int) -> double:
 # --- bodies
 
 
-def is_possible(inertia: double[3], largest: double) -> bool:
-    """Return True for moments that a body can have, up to rounding.
+def moment_scale(inertia: double[3]) -> int:
+    """Return the exponent that takes moments to their inner units."""
+    return -scale(largest_of(inertia[0], inertia[1], inertia[2]))
 
-    They are positive and finite, and `largest` is the largest.
-    """
-    power: int = -scale(largest)
-    c: pair[3]
+
+def is_possible(c: double[3]) -> bool:
+    """Return True for moments that a body can have, up to rounding."""
+    moments: pair[3]
     for k in range(3):
-        c[k] = pair(times_power(inertia[k], power), 0.0)
-    return can_exist(c)
+        moments[k] = pair(c[k], 0.0)
+    return can_exist(moments)
 
 
-def body_code(inertia: double[3]) -> int:
-    """Check the moments of a body; return a code."""
+def body_code(inertia: double[3], c: double[3]) -> int:
+    """Check the moments of a body, and these in inner units; return a code."""
     largest: double = largest_of(inertia[0], inertia[1], inertia[2])
-    least: double = min(inertia[0], min(inertia[1], inertia[2]))
+    less: double = min(inertia[1], inertia[2])
+    least: double = min(inertia[0], less)
     is_number: bool = not isnan(inertia[0] + inertia[1] + inertia[2])
     is_positive: bool = inertia[0] > 0.0 and inertia[1] > 0.0 and inertia[2] > 0.0
     return (
@@ -52,7 +61,7 @@ def body_code(inertia: double[3]) -> int:
         else NOT_FINITE
         if not isfinite(largest)
         else NONPHYSICAL
-        if not is_possible(inertia, largest)
+        if not is_possible(c)
         else THIN
         if least / largest < min_moment_ratio
         else OK
@@ -83,9 +92,8 @@ def state_code(q: double[4], omega: double[3], dt: double) -> int:
     sum: double = dt
     for k in range(3):
         sum += 0.0 * omega[k] + 0.0 * q[1 + k]
-    size: double = max(abs(q[0]), largest_of(q[1], q[2], q[3]))
-    is_attitude: bool = size > 0.0
-    return NOT_FINITE if not isfinite(sum + 0.0 * q[0]) else OK if is_attitude else ATTITUDE
+    is_number: bool = isfinite(sum + 0.0 * q[0])
+    return NOT_FINITE if not is_number else OK if size_of(q) > 0.0 else ATTITUDE
 
 
 def scaled_time(omega: double[3], dt: double) -> tuple[int, bool, double]:
@@ -110,7 +118,7 @@ def scaled_rates(axis: int[3], omega: double[3], power: int) -> tuple[double, do
 
 def scaled_attitude(q: double[4]) -> tuple[double, double, double, double]:
     """Return a quaternion times a power of two, so that squares neither overflow nor vanish."""
-    power: int = -scale(max(abs(q[0]), largest_of(q[1], q[2], q[3])))
+    power: int = -scale(size_of(q))
     return (
         times_power(q[0], power),
         times_power(q[1], power),
