@@ -475,6 +475,11 @@ def _starred(node: ast.expr, parameters: list[str]) -> list[ast.expr]:
 
 
 def _row(array: ast.expr, apart: ast.expr, k: int) -> ast.expr:
+    """Return row k of an array, rows `apart` from each other, or where `places[...]` says."""
+    match apart:
+        case ast.Subscript(value=places, slice=ast.Constant(value=value)) if value is ...:
+            place = ast.Subscript(places, ast.Constant(k), ast.Load())
+            return ast.Subscript(array, ast.Slice(place, None, None), ast.Load())
     if not k:
         return array
     begin = apart if k == 1 else ast.BinOp(ast.Constant(k), ast.Mult(), apart)
