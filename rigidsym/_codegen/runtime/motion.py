@@ -92,19 +92,22 @@ def put(
     lane.unit[i] = motion.unit
 
 
-def spread(row: out[double[...]], own: bool[LANES], used: size):
+def spread(row: out[double[...]], own: double[LANES], used: size):
     """Copy a used lane of a row to all that are not used."""
+    other: double = row[used]
     for i in range(LANES):
-        row[i] = row[i] if own[i] else row[used]
+        row[i] = row[i] if own[i] > 0.0 else other
 
 
 def repeat(lane: out[lanes], own: bool[LANES]):
     """Copy a used lane to all that are not used, so that unused lanes raise no exceptions."""
     used: size = 0
+    mask: double[LANES]
     for i in range(LANES):
         used = LANES - 1 - i if own[LANES - 1 - i] else used
+        mask[i] = 1.0 if own[i] else 0.0
     for x in members(lanes):
-        spread(lane.x, own, used)
+        spread(lane.x, mask, used)
 
 
 def branch_init(lane: lanes, branch: int, n: size, motion: out[motion[...]], code: out[int[...]]):
