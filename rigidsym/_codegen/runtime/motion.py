@@ -128,35 +128,35 @@ def branch_init(lane: lanes, branch: int, n: size, motion: out[motion[...]], cod
         return
     if are_others:
         repeat(alike, own)
-    held: bool[LANES]
     if branch == 1:
         circular: circular_lanes
         circular_constants(alike, circular)
         for i in range(n):
             if own[i]:
-                held[i] = True
+                holds: bool = True
                 for x in members(circular):
                     motion[i].of.circular.x = circular.x[i]
-                    held[i] = held[i] and isfinite(circular.x[i])
+                    holds = holds and isfinite(circular.x[i])
                 motion[i].max_angle = limit(
                     motion[i].max_angle, circular.v_rate_hi[i], circular.Lambda_rate_hi[i]
                 )
+                code[i] = OK if holds else RATES
     else:
         hyperbolic: hyperbolic_lanes
         hyperbolic_constants(alike, hyperbolic)
         for i in range(n):
             if own[i]:
-                held[i] = True
+                holds: bool = True
                 for x in members(hyperbolic):
                     motion[i].of.hyperbolic.x = hyperbolic.x[i]
-                    held[i] = held[i] and isfinite(hyperbolic.x[i])
+                    holds = holds and isfinite(hyperbolic.x[i])
                 motion[i].max_angle = limit(
                     motion[i].max_angle, hyperbolic.y_rate_hi[i], hyperbolic.Lambda_rate_hi[i]
                 )
+                code[i] = OK if holds else RATES
     for i in range(n):
-        if own[i]:
-            fits: bool = is_held(motion[i].unit, lane.A_a_hi[i], lane.A_b_hi[i], lane.A_d_hi[i])
-            code[i] = OK if held[i] and fits else RATES
+        if own[i] and not is_held(motion[i].unit, lane.A_a_hi[i], lane.A_b_hi[i], lane.A_d_hi[i]):
+            code[i] = RATES
 
 
 def moving_init(lane: out[lanes], n: size, motion: out[motion[...]], code: out[int[...]]):
