@@ -356,6 +356,8 @@ class _Expansion(ast.NodeTransformer):
 
     def __init__(self, program: Program, constants: Mapping[str, Any], place: str) -> None:
         self.program, self.constants, self.place = program, constants, place
+        # Names that stand for all results of a derived function, and the names of these.
+        self.together: dict[str, tuple[str, ...]] = {}
 
     def visit_Name(self, node: ast.Name) -> ast.expr:
         """Replace a known constant by its value."""
@@ -414,6 +416,18 @@ class _Expansion(ast.NodeTransformer):
         node.body = list(self._all(node.body))
         return node
 
+    def visit_Assign(self, node: ast.Assign) -> ast.Assign:
+        """Write out all results of a derived function, where one name stands for them."""
+        self.generic_visit(node)
+        match node:
+            case ast.Assign(
+                targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=called))
+            ) if called in self.program.routines and self.program.routines[called].names:
+                self.together[name] = self.program.routines[called].names
+                found: list[ast.expr] = [ast.Name(x, ast.Store()) for x in self.together[name]]
+                node.targets = [ast.Tuple(found, ast.Store())]
+        return node
+
     def visit_Call(self, node: ast.Call) -> ast.Call:
         """Write out arguments that follow from the parameters of the function called."""
         if not any(isinstance(argument, ast.Starred) for argument in node.args):
@@ -428,6 +442,9 @@ class _Expansion(ast.NodeTransformer):
         for k, argument in enumerate(node.args):
             if not isinstance(argument, ast.Starred):
                 found.append(self.visit(argument))
+                continue
+            if isinstance(argument.value, ast.Name):
+                found += [ast.Name(x, ast.Load()) for x in self.together[argument.value.id]]
                 continue
             later = sum(not isinstance(one, ast.Starred) for one in node.args[k + 1 :])
             count = _count(argument.value)
@@ -652,6 +669,12 @@ class _Lowering(ast.NodeTransformer):
             return _call("dd_of", _real(node))
         return _real(node) if type_.name == "double" else node
 
+    def _given(self, node: ast.expr, type_: Type) -> ast.expr:
+        """Return an argument; a routine that takes a double reads the first part of a pair."""
+        if type_ == DOUBLE and self.scope.of(node).is_pair:
+            return ast.Attribute(node, "hi", ast.Load())
+        return self._lifted(node, type_)
+
     def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.stmt:
         """Change the value, which becomes a pair where one is declared."""
         if node.value is not None:
@@ -742,7 +765,7 @@ class _Lowering(ast.NodeTransformer):
             types = list(self.scope.program.routines[name].parameters.values())
             if len(types) != len(given):
                 raise ValueError(f"{name}: {len(given)} arguments, {len(types)} parameters")
-            return _call(name, *map(self._lifted, given, types))
+            return _call(name, *map(self._given, given, types))
         if name == "range":
             return _call(name, *given)
         if name not in PRIMITIVES:

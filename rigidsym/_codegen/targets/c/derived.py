@@ -46,9 +46,7 @@ def routines(functions: tuple[Function, ...]) -> Iterator[Routine]:
         if takes_several(function):
             yield _side_by_side(function, extended)
         elif name == "discriminant":
-            every = replace(function, extended=frozenset(function.parameters))
-            yield _valued(f"{name}_dd", every, PAIR)
-            yield _valued(f"{name}_exact", every, Type("exact"))
+            yield from discriminants(function)
         elif function.rounds:
             yield constants_of(function)
         elif name.endswith(("_angles", "_state")):
@@ -56,6 +54,13 @@ def routines(functions: tuple[Function, ...]) -> Iterator[Routine]:
             yield _loop(function, {*flat_results(constants)})
         else:
             yield plain(function)
+
+
+def discriminants(function: Function) -> Iterator[Routine]:
+    """Yield the discriminant of pairs, and that of exact numbers."""
+    every = replace(function, extended=frozenset(function.parameters))
+    yield _valued(f"{function.name[1:]}_dd", every, PAIR)
+    yield _valued(f"{function.name[1:]}_exact", every, Type("exact"))
 
 
 def plain(function: Function) -> Routine:

@@ -22,6 +22,7 @@ _RUNTIMES = {
 _ONE_BY_ONE = {THETA: 2, PI: 1, STEP: 0}
 # What macros of the preamble define, and their types.
 _MACROS = {"BLOCK": "size", "LANES": "size", "ALLOW_NONPHYSICAL": "bool", "BITS_ARE_CHOSEN": "bool"}
+DOUBLINGS = {"STEPS": STEPS, "LAST": LAST}
 _SAID = ("message", "field", "rule", "digest")
 
 
@@ -33,17 +34,13 @@ def program(
     made.known |= {name: Type("int") for name in codes.names(form)}
     made.known["DIGEST"] = Type("text")
     made.structs = {struct.name: struct for struct in derived.structs(functions)}
-    made.numbers = {constant.name: _number(constant) for constant in constants}
-    for limit in limits(form):
-        value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
-        made.numbers[limit.name] = Number(limit.name, DOUBLE, value, meaning)
-    made.numbers |= {number.name: number for number in codes.texts(form)}
+    made.numbers = named_numbers(constants, form)
     made.routines = {one.name: one for one in derived.routines(functions)}
     own = made.routines
     made = read(
         _RUNTIMES[form],
         made,
-        {"STEPS": STEPS, "LAST": LAST, "ONE_BY_ONE": _ONE_BY_ONE[form], "THETA": form == THETA},
+        {**DOUBLINGS, "ONE_BY_ONE": _ONE_BY_ONE[form], "THETA": form == THETA},
     )
     made.routines |= {name: lowered(one, made) for name, one in own.items()}
     if form == STEP:
@@ -54,6 +51,15 @@ def program(
             for name, one in made.routines.items()
         }
     return made.without_idle().in_order()
+
+
+def named_numbers(constants: tuple[Constant, ...], form: str) -> dict[str, Number]:
+    """Map the names of a form's constants, limits and messages to their definitions."""
+    found = [_number(constant) for constant in constants]
+    for limit in limits(form):
+        value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
+        found.append(Number(limit.name, DOUBLE, value, meaning))
+    return {one.name: one for one in (*found, *codes.texts(form))}
 
 
 def _number(constant: Constant) -> Number:
