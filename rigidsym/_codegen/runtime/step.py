@@ -310,12 +310,14 @@ def steps(
     of: scaling[LANES]
     code: int = OK
     failed[0] = 0
-    if n != 0 and inertia_stride != 0 and not is_rounded_once():
-        return ARITHMETIC
-    if n != 0 and inertia_stride == 0:
+    if n == 0:
+        return OK
+    if inertia_stride == 0:
         code = body_init(alike, inertia)
-        if code != OK:
-            return code
+    elif not is_rounded_once():
+        code = ARITHMETIC
+    if code != OK:
+        return code
     for begin in range(0, n, LANES):
         count: size = n - begin if n - begin < LANES else LANES
         for i in range(LANES):

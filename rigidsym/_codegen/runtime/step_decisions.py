@@ -52,7 +52,7 @@ def body_code(inertia: double[3], c: double[3]) -> int:
     """Check the moments of a body, and these in inner units; return a code."""
     largest: double = largest_of(inertia[0], inertia[1], inertia[2])
     less: double = min(inertia[1], inertia[2])
-    least: double = min(inertia[0], less)
+    smallest: double = min(inertia[0], less)
     is_number: bool = not isnan(inertia[0] + inertia[1] + inertia[2])
     is_positive: bool = inertia[0] > 0.0 and inertia[1] > 0.0 and inertia[2] > 0.0
     return (
@@ -63,7 +63,7 @@ def body_code(inertia: double[3], c: double[3]) -> int:
         else NONPHYSICAL
         if not is_possible(c)
         else THIN
-        if least / largest < min_moment_ratio
+        if smallest / largest < min_moment_ratio
         else OK
     )
 
@@ -81,7 +81,8 @@ def order_of(inertia: double[3]) -> tuple[int, int, int, double]:
     is_turned: bool = inertia[one] < inertia[other]
     second: int = other if is_turned else one
     third: int = one if is_turned else other
-    return first, second, third, -1.0 if is_turned else 1.0
+    epsilon: double = -1.0 if is_turned else 1.0
+    return first, second, third, epsilon
 
 
 # --- states
@@ -101,7 +102,8 @@ def scaled_time(omega: double[3], dt: double) -> tuple[int, bool, double]:
     largest: double = largest_of(omega[0], omega[1], omega[2])
     power: int = scale(largest)
     is_still: bool = not (largest > 0.0 and abs(dt) > 0.0)
-    return power, is_still, 0.0 if is_still else times_power(dt, power)
+    t: double = 0.0 if is_still else times_power(dt, power)
+    return power, is_still, t
 
 
 def scaled_rates(axis: int[3], omega: double[3], power: int) -> tuple[double, double, double]:
@@ -110,10 +112,10 @@ def scaled_rates(axis: int[3], omega: double[3], power: int) -> tuple[double, do
     At rest the momentum has no direction to divide by.
     """
     is_turning: bool = largest_of(omega[0], omega[1], omega[2]) > 0.0
-    first: double = times_power(omega[axis[0]], -power)
-    second: double = times_power(omega[axis[1]], -power)
-    third: double = times_power(omega[axis[2]], -power)
-    return first if is_turning else 1.0, second, third
+    a: double = times_power(omega[axis[0]], -power) if is_turning else 1.0
+    b: double = times_power(omega[axis[1]], -power)
+    d: double = times_power(omega[axis[2]], -power)
+    return a, b, d
 
 
 def scaled_attitude(q: double[4]) -> tuple[double, double, double, double]:
