@@ -397,12 +397,7 @@ def interleaved(n: size, a: double[...], b: double[...], c: double[...], rows: o
 
 
 def interleaved4(
-    n: size,
-    a: double[...],
-    b: double[...],
-    c: double[...],
-    d: double[...],
-    rows: out[double[...]],
+    n: size, a: double[...], b: double[...], c: double[...], d: double[...], rows: out[double[...]]
 ):
     """Write four columns as n rows."""
     for i in range(n):
@@ -445,12 +440,7 @@ def block_states(
 
 
 def block_angles(
-    motion: motion,
-    n: size,
-    s: size,
-    t: double[...],
-    t_lo: double[...],
-    to: out[double[...]],
+    motion: motion, n: size, s: size, t: double[...], t_lo: double[...], to: out[double[...]]
 ):
     """Write the angles at the inner times t + t_lo, in rows s apart."""
     if motion.branch == 0:
