@@ -61,7 +61,11 @@ def normalised(q: pair[4]) -> tuple[pair, pair, pair, pair]:
     """Return a quaternion divided by its length."""
     square: pair = ((q[0] * q[0] + q[1] * q[1]) + q[2] * q[2]) + q[3] * q[3]
     length: pair = sqrt(square)
-    return q[0] / length, q[1] / length, q[2] / length, q[3] / length
+    q_0: pair = q[0] / length
+    q_1: pair = q[1] / length
+    q_2: pair = q[2] / length
+    q_3: pair = q[3] / length
+    return q_0, q_1, q_2, q_3
 
 
 @inline
@@ -86,7 +90,9 @@ def difference(apart: pair[3], j: int, k: int) -> pair:
 def ordered(apart: pair[3], j: int, k: int) -> tuple[int, int]:
     """Return two axes, that of the larger moment first; equal ones keep their order."""
     swaps: bool = difference(apart, j, k).hi < 0.0
-    return k if swaps else j, j if swaps else k
+    first: int = k if swaps else j
+    second: int = j if swaps else k
+    return first, second
 
 
 def sorted_axes(apart: pair[3]) -> tuple[int, int, int]:
@@ -157,16 +163,18 @@ def follow(
     E_b: double,
     is_faint: bool,
 ) -> tuple[bool, bool, double]:
-    """Return whether to follow the separatrix, whether to follow spin, and the last time.
+    """Return whether a motion is replaced by another, whether by spin, and its last time.
 
-    A motion follows the separatrix, or spin about the middle axis, up to a time, where E_b is too
-    faint, or where rates taken for zero could decide when that spin turns over.
+    A separatrix motion replaces a motion whose E_b is too faint.  Spin about the middle axis
+    replaces a motion for which rates taken for zero could decide when that spin turns over.  The
+    last time is that up to which the replacement is close enough.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
-    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
-    grow no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix
-    one is zero, of the spin both are.  What of them is not zero may grow to `tolerated` of the
-    momentum.  Logarithms have base 2, because the numbers leave binary64.
+    X' = k Omega_b Z, Z' = k Omega_b X, up to signs.  So X + Z and X - Z, whose product is E_b, grow
+    no faster than exp(lambda t), where lambda is k times the largest |Omega_b|.  One of them is
+    zero on the separatrix, and both are zero in spin.  Those that are not zero may grow to the
+    share `tolerated` of the momentum.  Logarithms have base 2: the numbers themselves leave the
+    range of binary64.
     """
     c_a: double = c[a].hi
     c_b: double = c[b].hi
@@ -209,9 +217,10 @@ def follow(
     )
     doublings: double = log2(tolerated) + room
     until: double = log(2.0) * doublings / growth if doublings > 0.0 else 0.0
-    last: double = min(until, max_angle)
+    close: double = min(until, max_angle)
     follows: bool = spins or is_faint
-    return follows, spins, last if follows else max_angle
+    last: double = close if follows else max_angle
+    return follows, spins, last
 
 
 def course(
@@ -231,13 +240,11 @@ def course(
     last: double = max_angle
     if is_asymmetric and (is_faint or loses_a or loses_d):
         follows, spins, last = follow(c, apart, given, omega, a, b, d, E_b.hi, is_faint)
-    return (
-        last,
-        zero if spins and b != 0 else omega[0],
-        zero if spins and b != 1 else omega[1],
-        zero if spins and b != 2 else omega[2],
-        zero if follows else E_b,
-    )
+    omega_0: pair = zero if spins and b != 0 else omega[0]
+    omega_1: pair = zero if spins and b != 1 else omega[1]
+    omega_2: pair = zero if spins and b != 2 else omega[2]
+    found: pair = zero if follows else E_b
+    return last, omega_0, omega_1, omega_2, found
 
 
 def limit(last: double, rate: double, other: double) -> double:

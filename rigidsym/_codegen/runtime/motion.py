@@ -385,7 +385,9 @@ def scaled_times(
         inner[i] = unit * t[i]
         late += 0 if abs(inner[i]) <= last else 1
         zeros += 1 if is_zero(t[i]) else 0
-    return late == 0, zeros > 0
+    near: bool = late == 0
+    has_zero: bool = zeros > 0
+    return near, has_zero
 
 
 def interleaved(n: size, a: double[...], b: double[...], c: double[...], rows: out[double[...]]):
