@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
 from rigidsym._codegen.special_functions import (
     angles,
@@ -72,33 +73,33 @@ against mpmath:""",
 
 
 @cache
-def special_functions(form: str) -> tuple[str, ...]:
+def special_functions(form: str, binary: Format = BINARY64) -> tuple[str, ...]:
     """Return the error bounds of a form's special functions, as lines of text."""
-    sine = reduction.sine_bound(reduction.sine_coefficients(reduction.TERMS))
-    cosine = reduction.cosine_bound(reduction.cosine_coefficients(reduction.TERMS))
+    sine = reduction.sine_bound(reduction.sine_coefficients(binary.trigonometric, binary))
+    cosine = reduction.cosine_bound(reduction.cosine_coefficients(binary.trigonometric, binary))
     everywhere = [
-        f"  arctangent and logarithm       relative, below {_up(angles.series_tail())}",
+        f"  arctangent and logarithm       relative, below {_up(angles.series_tail(binary))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
         "  reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46",
     ]
     if form == STEP:
         own = [
-            f"  X and Y, {short_time.TERMS} terms of series    "
-            f"relative, below {_up(short_time.elapsed_tail())} up to 8 rad",
-            f"  J, {short_time.J_TERMS} terms of series         in psi/2 after all doublings, "
-            f"below {_up(short_time.third_kind_tail())} up to 8 rad",
+            f"  X and Y, {binary.elapsed} terms of series    "
+            f"relative, below {_up(short_time.elapsed_tail(binary))} up to 8 rad",
+            f"  J, {binary.third_kind} terms of series         in psi/2 after all doublings, "
+            f"below {_up(short_time.third_kind_tail(binary))} up to 8 rad",
         ]
         return (*own, *everywhere)
     own = [
-        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
-        f"{_up(landen.modulus_left())}"
+        f"  Landen's ladder, {binary.landen} steps       modulus left, squared, below "
+        f"{_up(landen.modulus_left(binary.landen))}"
     ]
     if form == THETA:
         own += [
-            f"  nome                           relative, below {_up(nome.series_tail())}",
+            f"  nome                           relative, below {_up(nome.series_tail(binary))}",
             "  theta series in a state        what is left out below "
-            f"{_up(theta_circular.series_tail())}, of imaginary time "
-            f"{_up(theta_hyperbolic.series_tail())}",
+            f"{_up(theta_circular.series_tail(binary))}, of imaginary time "
+            f"{_up(theta_hyperbolic.series_tail(binary))}",
         ]
     else:
         own += [
@@ -127,7 +128,7 @@ def text(target: str, form: str) -> str:
     bounds = [*special_functions(form)]
     if target == "c" and form != STEP:
         # NumPy brings the exponential itself.
-        left_out = exponential.bound(exponential.coefficients(exponential.TERMS))
+        left_out = exponential.bound(exponential.coefficients())
         bounds.append(f"  exp(x), x <= 0                 relative, below {_up(left_out)}")
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
     known = {limit.name: limit.exponent for limit in limits(form)}

@@ -170,6 +170,37 @@ def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
     return small if is_extended(expression, extended) else fused
 
 
+def narrowed(function: Function) -> Function:
+    """Compute with doubles all that no result depends on which is handed on in two parts.
+
+    Input: a function.  Output: the function with each extended number that other assignments need
+    rounded once.  Functions without such results stay as they are.
+    """
+    wide = live(function.lets, function.split) if function.split else function.lets
+    extended, targets = function.all_extended(), {name for let in wide for name in let.targets}
+    rounded: dict[str, Expression] = {}
+    lets = []
+    for let in function.lets:
+        if let in wide:
+            lets.append(let)
+            continue
+        for name in sorted(set(names(let.expression)) & extended - rounded.keys()):
+            if name in targets or name in function.extended:
+                rounded[name] = Name(f"{name}_rounded")
+                lets.append(Let((f"{name}_rounded",), Call("rounded", (Name(name),)), (), ()))
+        lets.append(replace(let, expression=_unrounded(put(let.expression, rounded))))
+    return replace(function, lets=tuple(lets))
+
+
+def _unrounded(expression: Expression) -> Expression:
+    """Drop the rounding of what is a double already."""
+    match rebuild(expression, tuple(map(_unrounded, children(expression)))):
+        case Call("rounded", (inner,)):
+            return inner
+        case other:
+            return other
+
+
 def unfused(expression: Expression) -> Expression:
     """Replace each fused multiply-add in an expression by a product and a sum.
 

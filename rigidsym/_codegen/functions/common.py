@@ -11,6 +11,7 @@ complementary modulus, and the half period of y grows without bound.
 from collections.abc import Iterable
 from dataclasses import replace
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.ir import EXACT_SUM, Function, Let, let
 from rigidsym._codegen.names import (
     AMPLITUDES,
@@ -207,13 +208,13 @@ def phase_at_start(*parity: str) -> list[Let]:
     ]
 
 
-def phase() -> list[Let]:
+def phase(binary: Format = BINARY64) -> list[Let]:
     """Return assignments that compute the cosine and sine of the phase Lambda t."""
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
         let("L_turns = L_rest + L_error", reduction.TURNS),
-        *reduction.sine_and_cosine("L", "L_turns", "L_whole", "X_im", "X_re"),
+        *reduction.sine_and_cosine("L", "L_turns", "L_whole", "X_im", "X_re", binary),
     ]
 
 
@@ -271,7 +272,7 @@ def branch(
     )
 
 
-def steady(solution: Solution) -> tuple[Function, ...]:
+def steady(solution: Solution, binary: Format = BINARY64) -> tuple[Function, ...]:
     """Build the functions that compute constants, angles and state for constant rates."""
     sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
@@ -300,7 +301,7 @@ def steady(solution: Solution) -> tuple[Function, ...]:
             "_steady_angles",
             "Angles of the steady branch at t + t_lo.",
             ("t", "t_lo", *flat(("Lambda_rate",))),
-            tuple(phase()),
+            tuple(phase(binary)),
             turned,
         ),
         Function(

@@ -1,13 +1,14 @@
 """Generated functions of the step form: one torque-free step, and the torque of a kick.
 
-Start at t/2^STEPS, where short series suffice, then double.  Numbers that angles and rates grow
-from are extended.  Corrections of them are doubles, except in the last doublings: for thin bodies
-the share taken from psi there is ten times as wrong as the numbers it is made from.  The shortest
-rotations are extended until they are complete.
+Start at a short time, where few terms of series suffice, then double it.  Numbers that angles and
+rates grow from are extended.  Corrections of them are doubles, except in the last doublings: for
+thin bodies the share taken from psi there is ten times as wrong as the numbers it is made from.
+The shortest rotations are extended until they are complete.
 """
 
 from collections.abc import Iterable
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.functions.common import phase
 from rigidsym._codegen.ir import Function, Let, let
 from rigidsym._codegen.names import ATTITUDE, DIFFERENCES, INERTIA, RATES
@@ -36,7 +37,7 @@ _LAST = {"w_re": "v_re", "w_im": "v_im"}
 _HALF = {"cos_half_psi": "turn_re", "sin_half_psi": "turn_im"}
 
 
-def step(solution: Solution) -> tuple[Function, ...]:
+def step(solution: Solution, binary: Format = BINARY64) -> tuple[Function, ...]:
     """Return all functions of the step form, in the order of their use."""
 
     def lets(sequence: str, results: Iterable[str], *given: str) -> tuple[Let, ...]:
@@ -86,8 +87,8 @@ def step(solution: Solution) -> tuple[Function, ...]:
                     *(*INERTIA, *_SQUARES, *_STARTS, *_SIGNS),
                 ),
                 let("Lambda_rate = psi_0/(2*pi)"),
-                let(f"first_t = t*(1/{2**short_time.STEPS})"),
-                *short_time.elapsed(),
+                let(f"first_t = t*(1/{2**binary.doublings})"),
+                *short_time.elapsed(binary),
             ],
             _BEGUN,
             extended=(*INERTIA, *_SQUARES, *_STARTS),
@@ -103,7 +104,7 @@ def step(solution: Solution) -> tuple[Function, ...]:
                     ("nu_re", "nu_im", "rate_re", "rate_im", "G_re", "G_im"),
                     *("h", *_PROJECTED, "X"),
                 ),
-                *short_time.third_kind(),
+                *short_time.third_kind(binary),
                 *renamed(
                     specialise(
                         lets(
@@ -195,7 +196,7 @@ def step(solution: Solution) -> tuple[Function, ...]:
             "attitude",
             "The attitude after the step.",
             [
-                *specialise(phase(), {"t_lo": 0}),
+                *specialise(phase(binary), {"t_lo": 0}),
                 *sum_of_angles(
                     **{"T_re": "X_re", "T_im": "X_im", "E_re": "W_re", "E_im": "W_im"},
                     **{"P_re": "turn_re", "P_im": "turn_im"},

@@ -7,6 +7,7 @@ and every rate is a constant times a quotient of thetas.
 
 from collections.abc import Iterable
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.functions.common import (
     branch,
     circular_time,
@@ -145,23 +146,23 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
     return lets
 
 
-def circular(solution: Solution) -> tuple[Function, ...]:
+def circular(solution: Solution, binary: Format = BINARY64) -> tuple[Function, ...]:
     """Build the functions for the constants, angles and state of the circular branch."""
     kept = [
         name
         for form in ("T4_re", "T4_im", "T1_re", "T1_im", "even", "odd", "sine_even", "sine_odd")
-        for name in theta_circular.names(form)
+        for name in theta_circular.names(form, binary)
     ]
     return branch(
         "circular",
-        _circular_constants(solution),
+        _circular_constants(solution, binary),
         [
             *circular_time(),
-            *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
-            *phase(),
+            *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v", binary),
+            *phase(binary),
         ],
         [
-            *theta_circular.values(),
+            *theta_circular.values(binary),
             *parts(solution),
             let("over = 1/theta4_v"),
             let("scale = sqrt(over)"),
@@ -174,7 +175,7 @@ def circular(solution: Solution) -> tuple[Function, ...]:
     )
 
 
-def _circular_constants(solution: Solution) -> list[Let]:
+def _circular_constants(solution: Solution, binary: Format) -> list[Let]:
     return [
         let("r = _root_ratio(k_1, kc_1)", "DLMF 20.9.1"),
         *select(
@@ -183,29 +184,29 @@ def _circular_constants(solution: Solution) -> list[Let]:
         let("K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)", "DLMF 19.8.12"),
         *select(solution.sequences["scaling"], ("h_plus", "h_minus"), ("Q", "Y_b")),
         let("g = pi/(2*K_1)", facts=("reading theta_form.g",)),
-        *theta_circular.powers(),
-        *theta_circular.zeta(),
-        *theta_circular.coefficients(),
-        *theta_circular.constants(),
+        *theta_circular.powers(binary),
+        *theta_circular.zeta(binary),
+        *theta_circular.coefficients(binary),
+        *theta_circular.constants(binary),
         *secular(solution),
         let("v = _half_turns(sin_v, cos_v)", "DLMF 4.24.3"),
         let("v_rate = mu*g/pi"),
-        *theta_circular.values(),
+        *theta_circular.values(binary),
         *front(solution, "theta_form", "theta4_v*watson", "1/sqrt(watson)"),
         *gains(solution, {"sn": "three/two", "cn": "four/two", "dn": "four/three"}),
     ]
 
 
-def hyperbolic(solution: Solution) -> tuple[Function, ...]:
+def hyperbolic(solution: Solution, binary: Format = BINARY64) -> tuple[Function, ...]:
     """Build the functions for the constants, angles and state of the hyperbolic branch."""
-    kept = [f"{part}_{n}" for part in ("re", "im") for n in range(theta_hyperbolic.STATE)]
-    kept += ["nome", "nome2", "nome4", "nome8", "nome12"]
+    kept = [f"{part}_{n}" for part in ("re", "im") for n in range(binary.hyperbolic[0])]
+    kept += theta_hyperbolic.kept(binary)
     return branch(
         "hyperbolic",
-        _hyperbolic_constants(solution),
-        _hyperbolic_angles(),
+        _hyperbolic_constants(solution, binary),
+        _hyperbolic_angles(binary),
         [
-            *theta_hyperbolic.values(),
+            *theta_hyperbolic.values(binary),
             *parts(solution),
             let("over = 1/theta2_y"),
             let("scale = sqrt(over)"),
@@ -218,7 +219,7 @@ def hyperbolic(solution: Solution) -> tuple[Function, ...]:
     )
 
 
-def _hyperbolic_constants(solution: Solution) -> list[Let]:
+def _hyperbolic_constants(solution: Solution, binary: Format) -> list[Let]:
     return [
         *select(solution.sequences["shift"], ("s_beta", "c_beta", "d_beta"), ()),
         let("r = _root_ratio(kc_1, k_1)", "DLMF 20.9.1"),
@@ -227,13 +228,13 @@ def _hyperbolic_constants(solution: Solution) -> list[Let]:
         *imaginary_phase(_LADDER),
         let("gc = pi/(2*K_c)", facts=("reading hyperbolic_form.gc",)),
         *theta_hyperbolic.powers(),
-        *theta_hyperbolic.multiples(),
-        *theta_hyperbolic.zeta(),
-        *theta_hyperbolic.coefficients(),
-        *theta_hyperbolic.constants(),
+        *theta_hyperbolic.multiples(binary),
+        *theta_hyperbolic.zeta(binary),
+        *theta_hyperbolic.coefficients(binary),
+        *theta_hyperbolic.constants(binary),
         *secular(solution),
         *_phase_at_initial_state(),
-        *theta_hyperbolic.values(),
+        *theta_hyperbolic.values(binary),
         *front(solution, "hyperbolic_form", "2*theta2_y*watson", "1/sqrt(2*watson)"),
         *gains(solution, {"sn": "three/four", "cn": "two/four", "dn": "two/three"}),
     ]
@@ -256,7 +257,7 @@ def _phase_at_initial_state() -> list[Let]:
     ]
 
 
-def _hyperbolic_angles() -> list[Let]:
+def _hyperbolic_angles(binary: Format) -> list[Let]:
     return [
         *hyperbolic_time(_PERIOD),
         let("side = choose(0, y, 1, -1)", "DLMF 20.2.1", "DLMF 20.2.2"),
@@ -265,5 +266,5 @@ def _hyperbolic_angles() -> list[Let]:
         let("w = exp(-depth)", "DLMF 20.2.2"),
         let("p = exp(depth - period_far)", "DLMF 20.2.2"),
         *hyperbolic_turns(),
-        *reduction.sine_and_cosine("L", "turns", "whole", "X_im", "X_re"),
+        *reduction.sine_and_cosine("L", "turns", "whole", "X_im", "X_re", binary),
     ]

@@ -7,11 +7,11 @@ it.
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA
 from rigidsym._codegen.ir import Function, Let
 from rigidsym._codegen.names import GAINS, ROWS, STATE
 from rigidsym._codegen.seal.equality import DIFFERS, Claim
-from rigidsym._codegen.special_functions import landen
 from rigidsym.errors import InputError
 from rigidsym.language._expression import Expression, Name, children, parse, put, rebuild
 from rigidsym.solution import Formula, Solution
@@ -257,7 +257,7 @@ def by_fact(solution: Solution) -> dict[str, Formula]:
 def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
     """Return the quantities of a function for which the ledger has proved formulas."""
     if place == "_ladder":
-        return {f"K{n}" for n in range(landen.STEPS)}
+        return {f"K{n}" for n in range(BINARY64.landen)}
     found = set()
     for sequence in names.made_from.get(place, ()):
         for formula in solution.sequences[sequence]:
@@ -298,7 +298,7 @@ def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> 
 def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping[str, Expression]:
     if place == "_ladder":
         # K on a step of the ladder, by that on the step below.
-        if let.targets not in [(f"K{n}",) for n in range(landen.STEPS)]:
+        if let.targets not in [(f"K{n}",) for n in range(BINARY64.landen)]:
             raise InputError(place, let, "is no quarter period of the ladder")
         n = int(let.targets[0][1:])
         said = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}

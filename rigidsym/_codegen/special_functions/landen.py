@@ -9,12 +9,13 @@ agree.
 
 from fractions import Fraction
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.ir import Function, Let, let
 from rigidsym._codegen.passes import select
 from rigidsym.solution import Solution
 
-# In the plan, and in a state of the Pi form.
-STEPS, STATE_STEPS = 5, 4
+# In a state of the Pi form.
+STATE_STEPS = 4
 _GIVEN = ("k", "kc", "s", "c", "d", "r", "Y")
 _AFTER = tuple(f"{name}_next" for name in _GIVEN)
 MEANS = 16
@@ -23,7 +24,7 @@ MEANS_MEASURED = 1e-29
 _MEANS_SOURCE = "DLMF 19.8.6"
 
 
-def modulus_left(steps: int = STEPS) -> Fraction:
+def modulus_left(steps: int = BINARY64.landen) -> Fraction:
     """Bound the square of the modulus after the last Landen step."""
     # k_next <= k^2/4/(1 - k^2/4)^2 follows from kc >= 1 - k^2, in rational numbers.
     k = Fraction(70711, 100000)
@@ -42,19 +43,19 @@ def step(solution: Solution) -> Function:
     return Function("_landen", summary, _GIVEN, lets, _AFTER, frozenset(_GIVEN))
 
 
-def ladder() -> Function:
+def ladder(binary: Format = BINARY64) -> Function:
     """Build the function that takes all Landen steps and computes the quarter period.
 
     After the last step the quarter period is pi/2.
     """
-    lets, names = [], dict(zip(_GIVEN, _GIVEN, strict=True))
-    for number in range(1, STEPS + 1):
+    steps, lets, names = binary.landen, [], dict(zip(_GIVEN, _GIVEN, strict=True))
+    for number in range(1, steps + 1):
         after = {name: f"{name}{number}" for name in _GIVEN}
         targets, given = ", ".join(after.values()), ", ".join(names.values())
         lets.append(let(f"{targets} = _landen({given})", "DLMF 22.7.2"))
         names = after
-    lets.append(let(f"K{STEPS} = pi/2", "DLMF 19.6.1"))
-    for number in range(STEPS - 1, -1, -1):
+    lets.append(let(f"K{steps} = pi/2", "DLMF 19.6.1"))
+    for number in range(steps - 1, -1, -1):
         lets.append(
             let(
                 f"K{number} = (1 + k{number + 1})*K{number + 1}",
@@ -62,8 +63,11 @@ def ladder() -> Function:
                 facts=("definition landen.K",),
             )
         )
-    results = ("K0", f"s{STEPS}", f"c{STEPS}", f"Y{STEPS}")
-    summary = f"K(k^2), and the descended s, c and Y; {STEPS} steps leave k^2 < 2^-106 of (0, 1/2]."
+    results = ("K0", f"s{steps}", f"c{steps}", f"Y{steps}")
+    summary = (
+        f"K(k^2), and the descended s, c and Y; {steps} steps leave k^2 < 2^-{2 * binary.digits}"
+        " of (0, 1/2]."
+    )
     return Function("_ladder", summary, _GIVEN, tuple(lets), results, frozenset(_GIVEN))
 
 

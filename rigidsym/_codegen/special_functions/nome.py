@@ -13,15 +13,15 @@ from math import isqrt
 
 from flint import ctx, fmpz_series
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.ir import Function, let
 from rigidsym._codegen.special_functions.polynomials import horner
 
-TERMS = 4
 _SOURCE = "DLMF 20.9.1"
 LARGEST = Fraction(1, 500)
 
 
-def series_tail() -> Fraction:
+def series_tail(binary: Format = BINARY64) -> Fraction:
     """Bound the relative truncation error of the nome's series q/e for e up to LARGEST.
 
     q/e is at least 1.
@@ -35,7 +35,7 @@ def series_tail() -> Fraction:
     over, under = 1 - p**2 / (1 - p**4), 1 + 2 * p / (1 - p**3)
     least = over / under
     ratio = (LARGEST / (radius * least)) ** 4
-    return ratio**TERMS / (1 - ratio) / least
+    return ratio**binary.nome / (1 - ratio) / least
 
 
 def coefficients(count: int) -> list[int]:
@@ -60,12 +60,12 @@ def coefficients(count: int) -> list[int]:
     return [int(q[4 * n + 1]) for n in range(count)]
 
 
-def root_ratio() -> Function:
+def root_ratio(binary: Format = BINARY64) -> Function:
     """Build the function that computes r = k/sqrt(q) from the modulus k with nome q.
 
     r is 4 at k = 0.
     """
-    terms = [str(value) for value in coefficients(TERMS)]
+    terms = [str(value) for value in coefficients(binary.nome)]
     lets = (
         let("root_kc = sqrt(kc)", "DLMF 19.8.12"),
         let("k_next = (k/(1 + kc))*(k/(1 + kc))", "DLMF 19.8.12", facts=("landen.k_next",)),

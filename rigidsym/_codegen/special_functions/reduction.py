@@ -9,28 +9,26 @@ import mpmath
 from flint import arb
 from mpmath import mpf
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.ir import EXACT_DIFFERENCE, EXACT_PRODUCT, EXACT_SUM, Constant, Let, let
 from rigidsym._codegen.special_functions.polynomials import DIGITS, distance, fitted, horner
 
-TERMS = 8
 # What whole half turns do to sine and cosine; the sign they leave.
 TURNS = "DLMF 4.16"
-_SINE = [f"sine_{k}" for k in range(TERMS)]
-_COSINE = [f"cosine_{k}" for k in range(TERMS)]
 _FARTHEST = Fraction(65, 128)
 _RANGE = Fraction(0), _FARTHEST**2
 
 
-def constants() -> list[Constant]:
+def constants(binary: Format = BINARY64) -> list[Constant]:
     """Return the named coefficients of the polynomials for sine and cosine."""
     series = (
-        (_SINE, sine_coefficients(TERMS), "sin(pi f)/f"),
-        (_COSINE, cosine_coefficients(TERMS), "cos(pi f)"),
+        ("sine", sine_coefficients(binary.trigonometric, binary), "sin(pi f)/f"),
+        ("cosine", cosine_coefficients(binary.trigonometric, binary), "cos(pi f)"),
     )
     return [
-        Constant(name, value, None, f"{meaning}, z^{k}")
-        for names, values, meaning in series
-        for k, (name, value) in enumerate(zip(names, values, strict=True), 1)
+        Constant(f"{name}_{k}", value, None, f"{meaning}, z^{k + 1}")
+        for name, values, meaning in series
+        for k, value in enumerate(values)
     ]
 
 
@@ -77,20 +75,28 @@ def whole(name: str, value: str) -> list[Let]:
 def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
     """Return assignments for the sine of pi times half_turns, multiplied by a sign."""
     square = f"{half_turns}_square"
-    return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
+    return [_square(square, half_turns), _sine(square, half_turns, sign, sine, BINARY64)]
 
 
-def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
+def sine_and_cosine(
+    angle: str,
+    half_turns: str,
+    whole: str,
+    sine: str,
+    cosine: str,
+    binary: Format = BINARY64,
+) -> list[Let]:
     """Return assignments for the sine and cosine of an angle in half turns.
 
     half_turns: what is left of the angle after subtraction of a whole number.  whole: that number.
     """
     square, sign = f"{angle}_square", f"{angle}_sign"
+    terms = [f"cosine_{k}" for k in range(binary.trigonometric)]
     return [
         _square(square, half_turns),
         let(f"{sign} = alternating({whole})", TURNS),
-        _sine(square, half_turns, sign, sine),
-        let(f"{cosine} = {sign}*(1 + {square}*({horner(square, _COSINE)}))", "DLMF 4.19.2"),
+        _sine(square, half_turns, sign, sine, binary),
+        let(f"{cosine} = {sign}*(1 + {square}*({horner(square, terms)}))", "DLMF 4.19.2"),
     ]
 
 
@@ -98,41 +104,42 @@ def _square(square: str, half_turns: str) -> Let:
     return let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2")
 
 
-def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
+def _sine(square: str, half_turns: str, sign: str, sine: str, binary: Format) -> Let:
+    terms = [f"sine_{k}" for k in range(binary.trigonometric)]
     return let(
         f"{sine} = {sign}*({half_turns}*pi_hi"
-        f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
+        f" + {half_turns}*(pi_lo + {square}*({horner(square, terms)})))",
         "DLMF 4.19.1",
     )
 
 
 @cache
-def sine_coefficients(count: int) -> tuple[float, ...]:
+def sine_coefficients(count: int, binary: Format = BINARY64) -> tuple[float, ...]:
     """Return the coefficients of S in the approximation sin(pi f) = f (pi + z S(z)), z = f^2.
 
-    They are `count` doubles, lowest first.
+    They are `count` numbers of a format, lowest first.
     """
-    return _near(lambda z: mpmath.pi * (mpmath.sincpi(mpmath.sqrt(z)) - 1), count)
+    return _near(lambda z: mpmath.pi * (mpmath.sincpi(mpmath.sqrt(z)) - 1), count, binary)
 
 
 @cache
-def cosine_coefficients(count: int) -> tuple[float, ...]:
+def cosine_coefficients(count: int, binary: Format = BINARY64) -> tuple[float, ...]:
     """Return the coefficients of C in the approximation cos(pi f) = 1 + z C(z), z = f^2.
 
-    They are `count` doubles, lowest first.
+    They are `count` numbers of a format, lowest first.
     """
-    return _near(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
+    return _near(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count, binary)
 
 
-def _near(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
+def _near(function: Callable[[mpf], mpf], count: int, binary: Format) -> tuple[float, ...]:
     """Fit a polynomial p such that z p(z) approximates a function of z.
 
     Returns the coefficients.
     """
     with mpmath.workdps(DIGITS):
-        first = float(fitted(lambda z: function(z) / z, *_RANGE, count)[0])
+        first = binary.rounded(fitted(lambda z: function(z) / z, *_RANGE, count)[0])
         rest = fitted(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
-        return (first, *map(float, rest))
+        return (first, *map(binary.rounded, rest))
 
 
 def sine_bound(coefficients: Sequence[float]) -> float:

@@ -9,10 +9,10 @@ from itertools import product
 from pathlib import PurePath
 
 from rigidsym._codegen import header
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Lines, Module, joined, shares
-from rigidsym._codegen.special_functions.short_time import LAST, STEPS
 from rigidsym._codegen.targets.c import codes, emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h", STEP: "torque_free_step.h"}
@@ -161,7 +161,11 @@ def source_last(functions: tuple[Function, ...], form: str) -> str:
 
 def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
     """Replace the placeholders in C text by codes, limits and names from generated functions."""
-    marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions, form)
+    marks = (
+        {"steps": str(BINARY64.doublings), "last": str(BINARY64.last)}
+        if form == STEP
+        else _marks(functions, form)
+    )
     marks["limits"] = "\n".join(
         f"static const double {limit.name} = {2.0**limit.exponent!r}; "
         f"/* 2^{limit.exponent}, {limit.meaning} */"

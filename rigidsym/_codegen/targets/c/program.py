@@ -3,10 +3,10 @@
 import ast
 from dataclasses import replace
 
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.routines import DOUBLE, PAIR, Number, Program, Type, lowered, read
-from rigidsym._codegen.special_functions.short_time import LAST, STEPS
 from rigidsym._codegen.targets.c import codes, derived
 
 _MOTIONS = ("arithmetic", "self_test", "motion_self_test", "exact", "bodies", "decisions", "motion")
@@ -22,7 +22,7 @@ _RUNTIMES = {
 _ONE_BY_ONE = {THETA: 2, PI: 1, STEP: 0}
 # What macros of the preamble define, and their types.
 _MACROS = {"BLOCK": "size", "LANES": "size", "ALLOW_NONPHYSICAL": "bool", "BITS_ARE_CHOSEN": "bool"}
-DOUBLINGS = {"STEPS": STEPS, "LAST": LAST}
+DOUBLINGS = {"STEPS": BINARY64.doublings, "LAST": BINARY64.last}
 _SAID = ("message", "field", "rule", "digest")
 
 

@@ -6,10 +6,10 @@ It has double-doubles, derived functions and runtime.
 from importlib import resources
 
 from rigidsym._codegen import header
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Lines, Module, joined, shares
-from rigidsym._codegen.special_functions.short_time import LAST, STEPS
 from rigidsym._codegen.targets.numpy import emit
 
 FILES = {THETA: "torque_free.py", PI: "torque_free_pi.py", STEP: "torque_free_step.py"}
@@ -75,7 +75,10 @@ def last(form: str) -> str:
 def _limits(form: str) -> list[str]:
     found = [f"{x.name.upper()} = 2.0**{x.exponent}  # {x.meaning}" for x in limits(form)]
     if form == STEP:
-        found += [f"STEPS = {STEPS}  # doublings of the time", f"LAST = {LAST}  # of them extended"]
+        found += [
+            f"STEPS = {BINARY64.doublings}  # doublings of the time",
+            f"LAST = {BINARY64.last}  # of them extended",
+        ]
     return found
 
 

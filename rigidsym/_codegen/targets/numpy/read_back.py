@@ -8,13 +8,13 @@ from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
 from rigidsym._codegen import header
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import STEP, THETA, key, limits
 from rigidsym._codegen.ir import Constant, Function, Let, named
 from rigidsym._codegen.lines import comment, flat_results, shares
 from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym._codegen.seal.text import Between, between
-from rigidsym._codegen.special_functions.short_time import LAST, STEPS
 from rigidsym._codegen.targets.numpy import emit, module
 from rigidsym.errors import InputError
 from rigidsym.language._expression import (
@@ -60,7 +60,7 @@ def check(
         known.add(function.name)
     tables = [f"{name} = {table}" for name, table in emit.tables(functions).items()]
     ends = [f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form)]
-    ends += [f"STEPS = {STEPS}", f"LAST = {LAST}"] if form == STEP else []
+    ends += [f"STEPS = {BINARY64.doublings}", f"LAST = {BINARY64.last}"] if form == STEP else []
     for expected in (*tables, *ends):
         _check_statement(_next(statements, file, expected), file, expected)
     for left in statements:

@@ -1,0 +1,110 @@
+"""Floating-point formats of generated code, and the lengths of series that they need.
+
+A series is as long as its proved truncation error is small: below the last bit of a pair of numbers
+in what grows with time, and of a number elsewhere.  `special_functions` computes these bounds.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil, frexp, ldexp, log
+
+import mpmath
+from mpmath import mpf
+
+
+@dataclass(frozen=True, slots=True)
+class Format:
+    """Floating-point format, and the number of terms or steps of each special function.
+
+    digits: bits of a number; a pair of numbers has twice as many.  largest: finite numbers are
+    below 2^largest.  never: an exponent that stands for infinity.  is_wide: constants of a motion
+    are computed as pairs even where nothing grows from them with time.
+
+    arctangent: extended terms, and all terms.  log_2: bits of the first part of log 2, so that its
+    products with exponents are exact.  doublings: of a step's shortest time; in so many of them,
+    `last`, the projection is extended.  elapsed, third_kind: terms of a step's series.  circular,
+    hyperbolic: the largest index of thetas in a state, the one of their slopes, and the largest
+    power of the nome in what rates need.
+    """
+
+    name: str
+    digits: int
+    largest: int
+    never: float
+    is_wide: bool
+    arctangent: tuple[int, int]
+    exponential: int
+    log_2: int
+    landen: int
+    nome: int
+    trigonometric: int
+    doublings: int
+    last: int
+    elapsed: int
+    third_kind: int
+    circular: tuple[int, int, int]
+    hyperbolic: tuple[int, int, int]
+
+    @property
+    def least_exponential(self) -> float:
+        """The least x, a whole number, for which e^x is a normal number."""
+        return float(ceil((2 - self.largest) * log(2)))
+
+    def rounded(self, value: float | Fraction | mpf) -> float:
+        """Round a number to this format.
+
+        >>> BINARY32.rounded(Fraction(1, 10))
+        0.10000000149011612
+        """
+        if isinstance(value, mpf):
+            with mpmath.workprec(self.digits):
+                return float(+value)
+        last = frexp(value)[1] - self.digits
+        return ldexp(round(Fraction(value) / Fraction(2) ** last), last)
+
+    def pair(self, value: Fraction | mpf) -> tuple[float, float]:
+        """Round a number to the sum of two numbers of this format."""
+        high = self.rounded(value)
+        rest = value - Fraction(high) if isinstance(value, Fraction) else value - high
+        return high, self.rounded(rest)
+
+
+BINARY64 = Format(
+    name="binary64",
+    digits=53,
+    largest=1024,
+    never=1e300,
+    is_wide=True,
+    arctangent=(8, 17),
+    exponential=9,
+    log_2=32,
+    landen=5,
+    nome=4,
+    trigonometric=8,
+    doublings=5,
+    last=2,
+    elapsed=8,
+    third_kind=12,
+    circular=(7, 10, 25),
+    hyperbolic=(4, 6, 18),
+)
+# Steps start at a shorter time, since a term of a series is more code than a doubling.
+BINARY32 = Format(
+    name="binary32",
+    digits=24,
+    largest=128,
+    never=2.0**100,
+    is_wide=False,
+    arctangent=(3, 7),
+    exponential=5,
+    log_2=17,
+    landen=4,
+    nome=2,
+    trigonometric=5,
+    doublings=7,
+    last=0,
+    elapsed=4,
+    third_kind=3,
+    circular=(5, 6, 15),
+    hyperbolic=(3, 3, 7),
+)
