@@ -483,6 +483,30 @@ def no_states(n: size, q: out[double[...]], omega: out[double[...]]):
         omega[i] = nan
 
 
+@public
+def state_at(motion: motion, t: double, q: out[double[4]], omega: out[double[3]]) -> int:
+    """The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
+    attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
+    TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all functions below,
+    TORQUE_FREE_UNPREPARED."""
+    by_time: double[6]
+    to: double[7]
+    inner: double[1]
+    rest: double[1]
+    if motion.prepared != PREPARED:
+        return UNPREPARED
+    inner[0] = motion.unit * t
+    rest[0] = 0.0
+    if not abs(inner[0]) <= motion.max_angle:
+        return refusal(motion, isfinite(t))
+    if is_zero(t):
+        at_initial_state(motion, q, omega)
+        return OK
+    block_angles(motion, 1, 1, inner, rest, by_time)
+    block_states(motion, 1, 1, by_time, to, q, omega)
+    return OK
+
+
 def unrefused_states(
     motion: motion,
     n: size,
@@ -539,30 +563,6 @@ def states_at(
     if motion.prepared != PREPARED:
         return UNPREPARED
     return unrefused_states(motion, n, t, q, omega, False)
-
-
-@public
-def state_at(motion: motion, t: double, q: out[double[4]], omega: out[double[3]]) -> int:
-    """The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-    attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
-    TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all functions below,
-    TORQUE_FREE_UNPREPARED."""
-    by_time: double[6]
-    to: double[7]
-    inner: double[1]
-    rest: double[1]
-    if motion.prepared != PREPARED:
-        return UNPREPARED
-    inner[0] = motion.unit * t
-    rest[0] = 0.0
-    if not abs(inner[0]) <= motion.max_angle:
-        return refusal(motion, isfinite(t))
-    if is_zero(t):
-        at_initial_state(motion, q, omega)
-        return OK
-    block_angles(motion, 1, 1, inner, rest, by_time)
-    block_states(motion, 1, 1, by_time, to, q, omega)
-    return OK
 
 
 def turned(
