@@ -2,6 +2,7 @@
 
 import signal
 from argparse import Namespace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.output import progress, reader_may_leave, say, table
@@ -114,6 +115,7 @@ def _run(done: "Progress", options: Namespace) -> int:
         done.remove()
     if options.record:
         say(f"recorded: {session.record(report)}")
+        report = replace(report, other_bits=())
     run = report.run
     say(
         f"{run['enclosed states']} states in {run['seconds']} s, "

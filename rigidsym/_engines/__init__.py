@@ -18,6 +18,7 @@ from rigidsym.errors import EngineError, InputError
 __all__ = [
     "ENGINES",
     "EVERY",
+    "PORTABLE",
     "STEPPERS",
     "Engine",
     "EngineError",
@@ -39,6 +40,9 @@ __all__ = [
 ENGINES = ("numpy", "c")
 # These and the engines on modules in the paper's own form, which are never a default.
 EVERY = (*ENGINES, "numpy-pi", "c-pi")
+# C without fused multiply-add, which has the same bits on every processor: that of files.
+PORTABLE = "c-portable"
+_STEPPERS = {"c": "c-step", PORTABLE: "c-step-portable"}
 # Engines of steps, by the names of their modules.
 STEPPERS = ("numpy-step", "c-step")
 _LOCK = threading.Lock()
@@ -50,8 +54,8 @@ _WARNED: dict[str, Any] = {}
 def engine(name: str) -> Engine:
     """Return the engine with a given name, or NumPy's engine if there is no C compiler.
 
-    Names are those in EVERY.  Warns if there is no C compiler.  The first call for C's may compile,
-    for a second or two.  Raises InputError for other names.
+    Names are those in EVERY, and PORTABLE.  Warns if there is no C compiler.  The first call for
+    C's may compile, for a second or two.  Raises InputError for other names.
     """
     found = _compiled_or_reason(name) if checked(name).startswith("c") else ""
     return _numpy(name) if isinstance(found, str) else found
@@ -70,7 +74,8 @@ def stepper(name: str) -> Stepper:
 
     Warns if there is no C compiler.
     """
-    found = _compiled_or_reason("c-step") if checked(name, ENGINES) == "c" else ""
+    in_c = _STEPPERS.get(checked(name, (*ENGINES, PORTABLE)))
+    found = _compiled_or_reason(in_c) if in_c else ""
     return _NUMPY_STEPS if isinstance(found, str) else found
 
 
@@ -91,7 +96,7 @@ def integrator() -> CStepper | None:
     return None if isinstance(found, str) else found
 
 
-def checked(name: str, among: tuple[str, ...] = EVERY) -> str:
+def checked(name: str, among: tuple[str, ...] = (*EVERY, PORTABLE)) -> str:
     """Check the name of an engine and return it.
 
     Raises InputError unless the name is in `among`.
@@ -156,7 +161,7 @@ def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
     remarks: list[str] = []
     try:
         found = library(remarks, name)
-        return CStepper(found) if name in STEPPERS else CEngine(found), remarks
+        return CStepper(found) if "step" in name else CEngine(found), remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")
         return str(error), remarks

@@ -49,6 +49,10 @@ FILES = {
     "c-pi": ("torque_free_pi.h", "torque_free_pi.c"),
     "c-step": ("torque_free_step.h", "torque_free_step.c"),
 }
+# Engines with the same bits on every processor end so.  They are not built for this processor:
+# GCC 12 fuses products for it when it vectorises straight lines, contraction being off.
+_PORTABLE = "-portable"
+_PORTABLE_FLAGS = (*(flag for flag in FLAGS if flag not in NATIVE), "-DTORQUE_FREE_FMA=0")
 _PREFIX, _SUFFIX = "torque_free", ".so"
 # The fields that tell processors apart in /proc/cpuinfo, on x86 and on ARM.
 _PROCESSOR = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
@@ -140,9 +144,10 @@ def library(remarks: list[str], engine: str = "c") -> Library:
     library.
     """
     sources, compiler = package_sources(engine), find()
-    determining = [dict(sources), FLAGS, compiler.command, compiler.version, processor()]
+    flags = _PORTABLE_FLAGS if engine.endswith(_PORTABLE) else FLAGS
+    determining = [dict(sources), flags, compiler.command, compiler.version, processor()]
     key = hashlib.sha256(json.dumps(determining).encode()).hexdigest()[:32]
-    found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
+    found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks, flags)
     check_arithmetic(found)
     return found
 
@@ -150,7 +155,8 @@ def library(remarks: list[str], engine: str = "c") -> Library:
 def package_sources(engine: str = "c") -> Mapping[str, str]:
     """Return the C sources of an engine by file name."""
     package = resources.files("rigidsym.generated")
-    return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES[engine]}
+    names = FILES[engine.removesuffix(_PORTABLE)]
+    return {name: package.joinpath(name).read_text(encoding="utf-8") for name in names}
 
 
 def processor() -> list[str]:
@@ -187,11 +193,17 @@ def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library
     return None
 
 
-def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
+def _built(
+    sources: Mapping[str, str],
+    compiler: Compiler,
+    key: str,
+    remarks: list[str],
+    flags: tuple[str, ...],
+) -> Library:
     """Compile a C library, put it into the cache if possible, and load it."""
     try:
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
-            built = compile_library(compiler, sources, Path(work))
+            built = compile_library(compiler, sources, Path(work), flags)
             try:
                 path = _keep(key, built)
                 try:

@@ -80,17 +80,21 @@ class Worst:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class ValidationReport:
-    """Report of a validation campaign, with its results, worst cases and broken bounds."""
+    """Report of a validation campaign, with its results, worst cases and broken bounds.
+
+    other_bits: a line on each hash of states that is not the one expected on every processor.
+    """
 
     campaign: Campaign
     tally: Tally
     worst: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
     run: Mapping[str, report_data.Figure | None] = field(default_factory=dict)
+    other_bits: tuple[str, ...] = ()
 
     @property
     def passed(self) -> bool:
-        """True if all strata were tested, all bounds are kept, and the oracles agree."""
+        """True if all strata were tested, bounds and bits are kept, and the oracles agree."""
         return not self.complaints
 
     @property
@@ -110,7 +114,7 @@ class ValidationReport:
                 for target in self.campaign.judged
                 if not self.share(target, stratum) <= 1 and (target, stratum) not in listed
             ]
-        return tuple(lines)
+        return (*lines, *self.other_bits)
 
     def share(self, name: str, stratum: str) -> float:
         """Return an implementation's largest ratio of error to bound in a stratum.

@@ -15,6 +15,7 @@ from rigidsym._codegen import forms, generate
 from rigidsym._codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
 from rigidsym.io._files import write_text
+from rigidsym.validate import _same_bits
 from rigidsym.validate._bounds import ULP
 from rigidsym.validate._campaign import NAME, Campaign, Progress
 from rigidsym.validate._finding import Finding, case_text, measure_case, read_case
@@ -100,7 +101,8 @@ def record(report: ValidationReport) -> Path:
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
     campaign = report.campaign
-    if not report.passed:
+    # Hashes of bits are recorded, too.
+    if not replace(report, other_bits=()).passed:
         raise InputError("record", report.complaints[0], "only what passed is recorded")
     if len(campaign.strata) < len(STRATA):
         raise InputError("record", ", ".join(campaign.strata), "the heads speak of all strata")
@@ -118,4 +120,6 @@ def record(report: ValidationReport) -> Path:
         ]
         alone = replace(report, campaign=replace(campaign, targets=(target,), peers=()))
         known[target] = {"digest": digest, "command": f"{alone.command} --record", "worst": worst}
+    if {"c", "c-step"} & {*campaign.targets}:
+        _same_bits.record()
     return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")

@@ -33,6 +33,7 @@ from rigidsym.validate._campaign import (
 from rigidsym.validate._finding import Finding, measure_case
 from rigidsym.validate._implementations import PEER
 from rigidsym.validate._report import Failure, ValidationReport
+from rigidsym.validate._same_bits import differences
 from rigidsym.validate._tally import DRAWN, Tally
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
@@ -167,7 +168,9 @@ def run(
         seconds = time.perf_counter() - begin
         states = sum(progress.tally.states.values()) - before
         how = environment(campaign, where.name, seconds, states)
-        return reported(campaign, progress.tally, how)
+        report = reported(campaign, progress.tally, how)
+        in_c = {"c", "c-step"} & {*campaign.targets}
+        return replace(report, other_bits=differences(campaign.strata)) if in_c else report
     except BaseException as error:
         fate = "nothing is kept without a directory (-o DIR)"
         if progress.directory:

@@ -202,6 +202,11 @@ def clang() -> Compiler | None:
     return Compiler("clang", ("clang",)) if shutil.which("clang") else zig()
 
 
+def installed(command: str) -> str:
+    """Return a command by name; the test is skipped where it is not installed."""
+    return command if shutil.which(command) else pytest.skip(f"{command} is not installed")
+
+
 def either() -> Compiler:
     """Return GCC, or else clang."""
     return needed("gcc" if gcc() else "clang")
