@@ -22,9 +22,10 @@ class Format:
 
     arctangent: extended terms, and all terms.  log_2: bits of the first part of log 2, so that its
     products with exponents are exact.  doublings: of a step's shortest time; in so many of them,
-    `last`, the projection is extended.  elapsed, third_kind: terms of a step's series.  circular,
-    hyperbolic: the largest index of thetas in a state, the one of their slopes, and the largest
-    power of the nome in what rates need.
+    `last`, the projection is extended.  elapsed, third_kind: terms of a step's series.  moderate:
+    the exponent from which on rates of a step are scaled.  circular, hyperbolic: the largest index
+    of thetas in a state, the one of their slopes, and the largest power of the nome in what rates
+    need.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Format:
     last: int
     elapsed: int
     third_kind: int
+    moderate: int
     circular: tuple[int, int, int]
     hyperbolic: tuple[int, int, int]
 
@@ -49,6 +51,26 @@ class Format:
     def least_exponential(self) -> float:
         """The least x, a whole number, for which e^x is a normal number."""
         return float(ceil((2 - self.largest) * log(2)))
+
+    def numbers(self) -> dict[str, float]:
+        """Return the numbers of this format that runtimes name.
+
+        LEAST and LARGEST are finite numbers, LEAST_EXPONENT and MOST_EXPONENT those of normal
+        powers of two.  HALF_ULP times a number reaches the next, rounded up.  ROUNDING: so far,
+        relative to the smallest, may the largest moment be beyond the sum of the others.  MODERATE:
+        a power of two from whose inverse to which rates of a step are not scaled.
+        """
+        return {
+            "STEPS": self.doublings,
+            "LAST": self.last,
+            "LEAST": ldexp(1.0, 3 - self.largest - self.digits),
+            "LARGEST": ldexp(2.0 - ldexp(1.0, 1 - self.digits), self.largest - 1),
+            "LEAST_EXPONENT": 2 - self.largest,
+            "MOST_EXPONENT": self.largest - 1,
+            "HALF_ULP": ldexp(1.0 + ldexp(1.0, 1 - self.digits), -self.digits),
+            "ROUNDING": ldexp(1.0, 3 - self.digits),
+            "MODERATE": ldexp(1.0, self.moderate),
+        }
 
     def rounded(self, value: float | Fraction | mpf) -> float:
         """Round a number to this format.
@@ -85,6 +107,7 @@ BINARY64 = Format(
     last=2,
     elapsed=8,
     third_kind=12,
+    moderate=40,
     circular=(7, 10, 25),
     hyperbolic=(4, 6, 18),
 )
@@ -105,6 +128,7 @@ BINARY32 = Format(
     last=0,
     elapsed=4,
     third_kind=3,
+    moderate=10,
     circular=(5, 6, 15),
     hyperbolic=(3, 3, 7),
 )

@@ -1,7 +1,8 @@
 """Forms of the solution for generated modules (theta, Pi, step), and limits of their domains."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from rigidsym._codegen.formats import BINARY32, BINARY64, Format
 from rigidsym.errors import InputError
 
 THETA, PI, STEP = "theta", "pi", "step"
@@ -79,11 +80,20 @@ LIMITS = (
 )
 
 
-def limits(form: str) -> tuple[Limit, ...]:
-    """Return the numeric limits for one form of the solution.
+# Exponents of limits in single precision where they differ.
+_SINGLE = {
+    **{"negligible": -60, "decisive": -35, "min_discriminant": -75, "tolerated": -30},
+    **{"min_moment_ratio": -20, "max_angle": 17, "max_rate": 100},
+}
+
+
+def limits(form: str, binary: Format = BINARY64) -> tuple[Limit, ...]:
+    """Return the numeric limits for one form of the solution in a floating-point format.
 
     Only the default form has sensitivities, and with them the limit `max_real`.
     """
+    if binary is BINARY32:
+        return tuple(replace(x, exponent=_SINGLE.get(x.name, x.exponent)) for x in limits(form))
     if form == STEP:
         return STEP_LIMITS
     return LIMITS if form == THETA else tuple(x for x in LIMITS if x.name != "max_real")

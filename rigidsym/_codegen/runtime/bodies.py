@@ -20,7 +20,7 @@ def can_exist(c: pair[3]) -> bool:
     most: pair = c[high]
     total: pair = one + other
     beyond: pair = two_sum(most.hi - total.hi, most.lo - total.lo)
-    allowed: double = 8.881784197001252e-16 * min(one.hi, other.hi)
+    allowed: double = ROUNDING * min(one.hi, other.hi)
     return (
         ALLOW_NONPHYSICAL
         or most.hi < total.hi

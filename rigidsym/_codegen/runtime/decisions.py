@@ -14,7 +14,9 @@ def is_zero(x: double) -> bool:
 @inline
 def scaled_by(x: double, n: int) -> double:
     """Return x 2^n, by `ldexp` where 2^n is no normal double."""
-    return x * power_of_two(double(n)) if n >= -1022 and n <= 1023 else ldexp(x, n)
+    return (
+        x * power_of_two(double(n)) if n >= LEAST_EXPONENT and n <= MOST_EXPONENT else ldexp(x, n)
+    )
 
 
 @inline
@@ -33,7 +35,7 @@ def scale_of(x: double, y: double, z: double) -> int:
 def scaled_rate(x: double, n: int) -> double:
     """Return x 2^n, or the least double of its sign where that is zero but x is not."""
     y: double = scaled_by(x, n)
-    return copysign(4.9406564584124654e-324, x) if is_zero(y) and not is_zero(x) else y
+    return copysign(LEAST, x) if is_zero(y) and not is_zero(x) else y
 
 
 def broken_rule(inertia: double[3], c: pair[3], attitude0: double[4]) -> int:

@@ -421,10 +421,9 @@ def propagate(
 @public
 def last_time(motion: motion) -> double:
     """Return the largest |t| (s) that a motion has states for; NaN where it was not prepared."""
-    longest: double = 1.7976931348623157e308
     if motion.prepared != PREPARED:
         return nan
     if not motion.unit > 0.0:
-        return longest
+        return LARGEST
     last: double = motion.max_angle / motion.unit
-    return min(last, longest)
+    return min(last, LARGEST)

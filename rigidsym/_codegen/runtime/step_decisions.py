@@ -18,11 +18,11 @@ def size_of(q: double[4]) -> double:
 
 
 def scale(largest: double) -> int:
-    """Return the exponent to scale by, 0 from 2^-40 to 2^40 and for what is not finite.
+    """Return the exponent to scale by, 0 for moderate numbers and for what is not finite.
 
-    There the highest powers of rates, the 22nd, do not overflow.
+    The highest powers of moderate rates, for binary64 the 22nd, do not overflow.
     """
-    is_moderate: bool = largest >= 9.094947017729282e-13 and largest <= 1099511627776.0
+    is_moderate: bool = largest >= 1.0 / MODERATE and largest <= MODERATE
     return 0 if is_moderate or not isfinite(largest) else exponent(largest)
 
 
@@ -178,7 +178,7 @@ def unit(
 def dithered(x: pair, chance: double) -> double:
     """Round a pair up or down, to the nearer double more often; chance is between -1/2 and 1/2."""
     size: double = abs(x.hi)
-    next: double = size + size * 1.1102230246251568e-16
+    next: double = size + size * HALF_ULP
     return x.hi + (x.lo + chance * (next - size))
 
 

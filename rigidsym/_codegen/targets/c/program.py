@@ -22,7 +22,7 @@ _RUNTIMES = {
 _ONE_BY_ONE = {THETA: 2, PI: 1, STEP: 0}
 # What macros of the preamble define, and their types.
 _MACROS = {"BLOCK": "size", "LANES": "size", "ALLOW_NONPHYSICAL": "bool", "BITS_ARE_CHOSEN": "bool"}
-DOUBLINGS = {"STEPS": BINARY64.doublings, "LAST": BINARY64.last}
+DOUBLINGS = BINARY64.numbers()
 _SAID = ("message", "field", "rule", "digest")
 
 
