@@ -285,17 +285,19 @@ def plain_sensitivity(
     A body at rest begins to turn when given rates.
     """
     q_0: double = motion.q0[0]
+    # gcc fuses the products of sums and differences in turn, whatever options say.
+    less_0: double = hidden(-q_0)
     q_1: double = motion.q0[1]
     q_2: double = motion.q0[2]
     q_3: double = motion.q0[3]
     start: double[3, 3]
     start[0, 0] = 1.0 - 2.0 * (q_2 * q_2 + q_3 * q_3)
-    start[0, 1] = 2.0 * (q_1 * q_2 - q_0 * q_3)
+    start[0, 1] = 2.0 * (q_1 * q_2 + less_0 * q_3)
     start[0, 2] = 2.0 * (q_1 * q_3 + q_0 * q_2)
     start[1, 0] = 2.0 * (q_1 * q_2 + q_0 * q_3)
     start[1, 1] = 1.0 - 2.0 * (q_1 * q_1 + q_3 * q_3)
-    start[1, 2] = 2.0 * (q_2 * q_3 - q_0 * q_1)
-    start[2, 0] = 2.0 * (q_1 * q_3 - q_0 * q_2)
+    start[1, 2] = 2.0 * (q_2 * q_3 + less_0 * q_1)
+    start[2, 0] = 2.0 * (q_1 * q_3 + less_0 * q_2)
     start[2, 1] = 2.0 * (q_2 * q_3 + q_0 * q_1)
     start[2, 2] = 1.0 - 2.0 * (q_1 * q_1 + q_2 * q_2)
     place: size = 0
