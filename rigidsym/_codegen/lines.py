@@ -15,7 +15,8 @@ MEANINGS = {
     "fact": "follow facts of the ledger, each named on its line",
     "classical": "follow classical formulas, each with its reference",
     "arithmetic": "are arithmetic: sums, products, quotients, roots, reductions",
-    "runtime": "are the runtime, written by hand",
+    "runtime": "are the runtime, printed from its one representation",
+    "by hand": "are written by hand",
 }
 
 
@@ -119,24 +120,19 @@ def flat_results(function: Function) -> list[str]:
 RUNTIMES = {
     "numpy": ("numpy/runtime.py", "numpy/sensitivity.py", "numpy/double_double.py"),
     "numpy-step": ("numpy/step.py", "numpy/double_double.py"),
-    "c": (
-        *("c/runtime.c", "c/sensitivity.c", "c/bodies.c", "c/exact.c", "c/arithmetic.c"),
-        *("c/rounding.c", "c/quotients.c", "c/double_double.c"),
-    ),
-    "c-step": (
-        *("c/step.c", "c/kick.c", "c/bodies.c", "c/step_arithmetic.c"),
-        *("c/rounding.c", "c/quotients.c", "c/double_double.c"),
-    ),
+    "c": ("c/preamble.h", "c/lanes.h"),
+    "c-step": ("c/preamble.h", "c/step_lanes.h"),
 }
 
 
-def shares(kinds: Iterable[str], module: str) -> str:
+def shares(kinds: Iterable[str], runtime: int, by_hand: int) -> str:
     """Format a table with the number and share of each kind of lines in a module.
 
-    kinds: the kinds of the derived lines.  module: the key of the module.
+    kinds: the kinds of the derived lines.  runtime: the number of lines that are printed from the
+    one representation of the runtime.  by_hand: the number of those written for the target.
     """
     found = Counter(kinds)
-    counts = {kind: found[kind] for kind in KINDS} | {"runtime": handwritten(module)}
+    counts = {kind: found[kind] for kind in KINDS} | {"runtime": runtime, "by hand": by_hand}
     whole = sum(counts.values())
     rows = (
         f"  {count:5} {round(100 * count / whole):3} %  {MEANINGS[kind]}"
@@ -147,14 +143,22 @@ def shares(kinds: Iterable[str], module: str) -> str:
 
 def handwritten(module: str) -> int:
     """Count the hand-written lines of a module, without blank lines and comments."""
+    return sum(code_lines(text, module) for text in texts_by_hand(module))
+
+
+def texts_by_hand(module: str) -> list[str]:
+    """Return the texts in a module that are written by hand."""
     target, form = split(module)
-    if target not in _COMMENT:
-        return 0
-    files = RUNTIMES[module if form == STEP else target]
+    files = RUNTIMES.get(module if form == STEP else target, ())
     home = resources.files("rigidsym._codegen.targets")
     own = (file for file in files if form != PI or "sensitivity" not in file)
     texts = (home.joinpath(file).read_text("utf-8") for file in own)
-    # Other files, where one names them, are counted by themselves.
-    without = re.compile(rf"{_COMMENT[target]}|@\w+\.c@", re.DOTALL)
-    code = "\n".join(without.sub("", text) for text in texts)
-    return sum(bool(line.strip()) for line in code.splitlines())
+    # What stands above such a mark makes the file a module, and is not printed.
+    return [re.split(r"# --- [a-z-]+ ---\n", text)[-1].strip() for text in texts]
+
+
+def code_lines(text: str, module: str) -> int:
+    """Count the lines of a text without blank lines and comments."""
+    target, _ = split(module)
+    bare = re.sub(_COMMENT[target], "", text, flags=re.DOTALL)
+    return sum(bool(line.strip()) for line in bare.splitlines())

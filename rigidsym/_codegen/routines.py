@@ -6,8 +6,8 @@ prints it by one table of the node classes of `ast`.  Derived functions become s
 
 Annotations are types: double, int, size, bits, bool, text, pair (a double-double), structs by their
 names, and arrays of these, `double[3]` or of unknown length `double[...]`.  `out[...]` is around
-what a function writes to, `maybe[...]` around what may be None, `alone[...]` around what overlaps
-nothing else, and `public[...]` around a number of the interface.
+what a function writes to, `maybe[...]` around what may be None, and `alone[...]` around what
+overlaps nothing else.  A class whose members have values is an enumeration, others are structs.
 """
 
 import ast
@@ -23,10 +23,7 @@ from rigidsym.language._expression import Call, Expression, Name, Operation, to_
 from rigidsym.language._expression import Number as Whole
 
 # What is around a type in an annotation, and the property of the type that it says.
-_MARKS = {
-    **{"out": "is_out", "maybe": "may_be_none"},
-    **{"alone": "is_alone", "public": "is_public"},
-}
+_MARKS = {"out": "is_out", "maybe": "may_be_none", "alone": "is_alone"}
 NUMBERS = ("double", "int", "size", "bits", "bool")
 # Primitives whose value is not of the type of their first argument.
 _VALUES = {
@@ -61,7 +58,7 @@ _VERBS: dict[type, str] = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.
 # Routines that primitives of some targets call.
 _BEHIND = {"product_error": "split_product_error"}
 # What the names of functions of extended numbers begin with, and the type of these.
-_KINDS = {"dd": "pair", "exact": "exact"}
+KINDS = {"dd": "pair", "exact": "exact"}
 # Functions of pairs, by the primitive that they are.
 _OF_PAIRS = {
     **{"sqrt": "dd_sqrt", "abs": "dd_size", "rounded": "dd_rounded", "choose": "dd_choose"},
@@ -81,7 +78,6 @@ class Type:
     is_out: bool = False
     may_be_none: bool = False
     is_alone: bool = False
-    is_public: bool = False
     members: tuple[str, ...] = ()
 
     @property
@@ -98,6 +94,11 @@ class Type:
     def is_struct(self) -> bool:
         """Return True for a single struct."""
         return not (self.shape or self.name in ("pair", "exact", "void", "text", "raw", *NUMBERS))
+
+    @property
+    def is_result(self) -> bool:
+        """Return True for a single number or pair that is written to."""
+        return self.is_out and not (self.shape or self.is_struct)
 
     def element(self) -> "Type":
         """Return the type of an array's elements."""
@@ -171,11 +172,16 @@ class Routine:
     body: tuple[ast.stmt, ...]
     decorators: frozenset[str] = frozenset()
     names: tuple[str, ...] = ()
+    function: Function | None = None
 
     @property
     def is_public(self) -> bool:
         """Return True for a function of the interface."""
         return "public" in self.decorators
+
+    def prints(self, function: Function) -> bool:
+        """Return True if it prints a derived function."""
+        return self.function is not None and self.function.name == function.name
 
     def calls(self) -> set[str]:
         """Return the names of the functions that it calls."""
@@ -186,6 +192,11 @@ class Routine:
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
         }
         return found | {_BEHIND[name] for name in found & _BEHIND.keys()}
+
+    def locals(self) -> set[str]:
+        """Return the names that it declares."""
+        declared = (x.target for x in self.statements() if isinstance(x, ast.AnnAssign))
+        return {target.id for target in declared if isinstance(target, ast.Name)}
 
     def statements(self) -> Iterator[ast.stmt]:
         """Yield all statements, those within others after these."""
@@ -203,17 +214,42 @@ class Number:
     comment: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class Enumeration:
+    """Whole numbers of the interface, with a comment on each."""
+
+    summary: str
+    numbers: tuple[Number, ...]
+
+
 @dataclass(slots=True)
 class Program:
     """Structs, named numbers and routines that a target prints, in their order.
 
-    known: the types of names that the target's own text defines.
+    known: the types of names that the target's own text defines.  names: what names are called in
+    the target's language, where that differs.
     """
 
+    enumerations: dict[str, Enumeration] = field(default_factory=dict)
     structs: dict[str, Struct] = field(default_factory=dict)
     numbers: dict[str, Number] = field(default_factory=dict)
     routines: dict[str, Routine] = field(default_factory=dict)
     known: dict[str, Type] = field(default_factory=dict)
+    names: dict[str, str] = field(default_factory=dict)
+
+    def numbers_of(self, routines: Iterable[Routine]) -> list[Number]:
+        """Return the named numbers that routines use, and those that these are made from."""
+        used: set[str] = set()
+        for one in routines:
+            found = {
+                node.id for part in one.body for node in ast.walk(part) if type(node) is ast.Name
+            }
+            used |= found - one.locals()
+        for number in reversed(self.numbers.values()):
+            if number.name in used:
+                parts = (*ast.walk(number.value), *map(annotation, number.type.shape))
+                used |= {node.id for node in parts if isinstance(node, ast.Name)}
+        return [number for name, number in self.numbers.items() if name in used]
 
     def in_order(self) -> "Program":
         """Put what others use before these: structs before structs, routines before callers."""
@@ -228,24 +264,17 @@ class Program:
             routines={name: self.routines[name] for name in _after(routines)},
         )
 
-    def without_idle(self) -> "Program":
-        """Drop the routines that no public routine needs."""
-        wanted = {name for name, one in self.routines.items() if one.is_public}
+    def without_idle(self, kept: Iterable[str] = ()) -> "Program":
+        """Drop the routines that neither a public routine nor one to be kept needs."""
+        wanted = {name for name, one in self.routines.items() if one.is_public} | {*kept}
         queue = list(wanted)
         while queue:
             new = self.routines[queue.pop()].calls() & self.routines.keys() - wanted
             wanted |= new
             queue += new
-        kept = {name: one for name, one in self.routines.items() if name in wanted}
-        used = {
-            node.id
-            for one in kept.values()
-            for statement in one.body
-            for node in ast.walk(statement)
-            if isinstance(node, ast.Name)
-        }
-        numbers = {name: one for name, one in self.numbers.items() if name in used}
-        return replace(self, routines=kept, numbers=numbers)
+        routines = {name: one for name, one in self.routines.items() if name in wanted}
+        numbers = {number.name: number for number in self.numbers_of(routines.values())}
+        return replace(self, routines=routines, numbers=numbers)
 
 
 def _after(uses: Mapping[str, set[str]]) -> Iterator[str]:
@@ -283,23 +312,38 @@ def _parsed(name: str) -> ast.Module:
     return found
 
 
+def defined(names: Iterable[str]) -> Iterator[str]:
+    """Yield the names of the functions that files of the runtime define."""
+    for name in names:
+        yield from (node.name for node in _parsed(name).body if isinstance(node, ast.FunctionDef))
+
+
 def read(names: Iterable[str], program: Program, constants: Mapping[str, Any]) -> Program:
     """Add what files of the runtime define to a program, expanded and with operations lowered.
 
     names: the files.  program: what is there already, with the derived functions.  constants:
     values of names that are known when code is generated.
     """
-    made = replace(program, structs={**program.structs}, numbers={**program.numbers})
-    made.routines = {**program.routines}
+    made = replace(
+        program,
+        enumerations={**program.enumerations},
+        structs={**program.structs},
+        numbers={**program.numbers},
+        routines={**program.routines},
+        known={**program.known},
+    )
     raw: list[ast.FunctionDef] = []
     for name in names:
         before: ast.stmt | None = None
         for node in _parsed(name).body:
             before, node_before = node, before
             match node:
+                case ast.ClassDef() if values := _members(node):
+                    own = Enumeration(ast.get_docstring(node) or "", values)
+                    made.enumerations[node.name] = own
+                    made.known |= {number.name: number.type for number in values}
                 case ast.ClassDef():
-                    struct = _struct(node, constants)
-                    made.structs[struct.name] = struct
+                    made.structs[node.name] = _struct(node)
                 case ast.FunctionDef():
                     raw.append(node)
                     made.routines[node.name] = routine(node)
@@ -318,7 +362,19 @@ def read(names: Iterable[str], program: Program, constants: Mapping[str, Any]) -
     return made
 
 
-def _struct(node: ast.ClassDef, constants: Mapping[str, Any]) -> Struct:
+def _members(node: ast.ClassDef) -> tuple[Number, ...]:
+    """Return the numbers of an enumeration, a class whose members have values."""
+    found: list[Number] = []
+    for part in node.body:
+        match part:
+            case ast.AnnAssign(target=ast.Name(id=name), value=ast.expr() as value):
+                found.append(Number(name, INT, value))
+            case ast.Expr(value=ast.Constant(value=str(text))) if found:
+                found[-1] = replace(found[-1], comment=text)
+    return tuple(found)
+
+
+def _struct(node: ast.ClassDef) -> Struct:
     fields: list[Field] = []
     for part in node.body:
         match part:
@@ -586,8 +642,8 @@ class Scope:
             results = self.program.routines[name].results
             return results[0] if len(results) == 1 else Type("void")
         kind = name.partition("_")[0]
-        if kind in _KINDS:
-            return DOUBLE if name in ("dd_rounded", "dd_exponent") else Type(_KINDS[kind])
+        if kind in KINDS:
+            return DOUBLE if name in ("dd_rounded", "dd_exponent") else Type(KINDS[kind])
         if name == "exponent" and self.of(arguments[0]).is_pair:
             return DOUBLE
         if name in _VALUES:

@@ -10,7 +10,8 @@ from importlib import resources
 from pathlib import Path
 from typing import NamedTuple
 
-from rigidsym._codegen.lines import Place, shares
+from rigidsym._codegen.forms import split
+from rigidsym._codegen.lines import Place, code_lines, shares, texts_by_hand
 from rigidsym.errors import InputError
 
 
@@ -54,8 +55,12 @@ def told(place: str) -> list[str]:
         raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
     if colon:
         return _of_line(known[name], int(number))
-    kinds = (place["kind"] for place in known[name].places.values())
-    return shares(kinds, known[name].target).splitlines()
+    kinds = [place["kind"] for place in known[name].places.values()]
+    target, text = known[name].target, "\n".join(known[name].lines)
+    by_hand = sum(code_lines(part, target) for part in texts_by_hand(target) if part in text)
+    language, _ = split(target)
+    runtime = 0 if language == "numpy" else code_lines(text, target) - len(kinds) - by_hand
+    return shares(kinds, runtime, by_hand).splitlines()
 
 
 def _of_line(file: _File, line: int) -> list[str]:

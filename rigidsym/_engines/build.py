@@ -43,11 +43,12 @@ FLAGS = (
     "-shared",
 )
 _OUTPUT = "torque_free.so"
+_ARITHMETIC = "torque_free_arithmetic.h"
 # The C module of each engine that runs one.
 FILES = {
-    "c": ("torque_free.h", "torque_free.c"),
-    "c-pi": ("torque_free_pi.h", "torque_free_pi.c"),
-    "c-step": ("torque_free_step.h", "torque_free_step.c"),
+    "c": ("torque_free.h", _ARITHMETIC, "torque_free.c"),
+    "c-pi": ("torque_free_pi.h", _ARITHMETIC, "torque_free_pi.c"),
+    "c-step": ("torque_free_step.h", _ARITHMETIC, "torque_free_step.c"),
 }
 # Engines with the same bits on every processor end so.  They are not built for this processor:
 # GCC 12 fuses products for it when it vectorises straight lines, contraction being off.

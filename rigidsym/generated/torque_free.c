@@ -1,25 +1,11 @@
 #include "torque_free.h"
-
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#ifdef __cplusplus
-#define restrict __restrict
-#endif
-
-/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
-#ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline, unused))
-#else
-#define INLINED inline
-#endif
+#include "torque_free_arithmetic.h"
 
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
 #endif
+#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
    one where roots that report errors keep loops from being vectorised.  What these call has to be
@@ -43,278 +29,6 @@
 #else
 #define FLAT
 #endif
-
-/* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_motion_init looks, too. */
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "torque_free.c: -ffinite-math-only takes the checks of inputs away; compile without it"
-#elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
-#error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
-#elif FLT_RADIX != 2 || DBL_MANT_DIG != 53
-#error "torque_free.c: a double must be a binary64 number"
-#endif
-/* -fsingle-precision-constant has no macro: an array of negative size is no type. */
-typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
-#if defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#endif
-
-/* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
-   errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
-   sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
-   and Rideau, ACM TOMS 49(1), 2023). */
-typedef struct { double hi, lo; } double_double;
-
-/* -DTORQUE_FREE_FMA=0 computes without fused multiply-add, and so has the same bits on every processor;
-   -DTORQUE_FREE_FMA=1 computes with it, by the C library where the processor has none.  By default the
-   faster one is chosen. */
-#if defined(TORQUE_FREE_FMA)
-#define BITS_ARE_CHOSEN 1
-#else
-#define BITS_ARE_CHOSEN 0
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-#define TORQUE_FREE_FMA 1
-#else
-#define TORQUE_FREE_FMA 0
-#endif
-#endif
-#if TORQUE_FREE_FMA
-#define fused(a, b, c) fma((a), (b), (c))
-#define product_error(a, b, p) fma((a), (b), -(p))
-#else
-#define fused(a, b, c) ((a) * (b) + (c))
-
-/* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
-static INLINED double upper_half(double a)
-{
-    const double c = 134217729.0 * a;
-    const double d = c - a;
-    return c - d;
-}
-
-/* a b - p exactly, where p is the rounded product (Dekker). */
-static INLINED double product_error(double a, double b, double p)
-{
-    const double a1 = upper_half(a), b1 = upper_half(b);
-    const double a2 = a - a1, b2 = b - b1;
-    const double e1 = a1 * b1 - p;
-    const double e2 = e1 + a1 * b2;
-    const double e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
-}
-#endif
-
-/* The nearest whole number, for |x| < 2^51. */
-static INLINED double nearest(double x)
-{
-    const double shifted = x + 6755399441055744.0;
-    return shifted - 6755399441055744.0;
-}
-
-/* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
-   |n| < 2^51. */
-static INLINED uint64_t bits_of(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static INLINED double from_bits(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-/* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
-static INLINED double alternating(double n)
-{
-    return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
-}
-
-/* 2^n for a whole number n between -1022 and 1023, from its bits. */
-static INLINED double power_of_two(double n)
-{
-    return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
-}
-
-/* one where x <= y, else other. */
-static INLINED double choose(double x, double y, double one, double other)
-{
-    return x <= y ? one : other;
-}
-
-static INLINED double_double dd_of(double a)
-{
-    const double_double x = {a, 0.0};
-    return x;
-}
-
-/* a + b exactly (Knuth). */
-static INLINED double_double two_sum(double a, double b)
-{
-    const double s = a + b;
-    const double c = s - a;
-    const double d = s - c;
-    const double_double x = {s, (a - d) + (b - c)};
-    return x;
-}
-
-/* a + b exactly, for |a| >= |b| (Dekker). */
-static INLINED double_double quick_sum(double a, double b)
-{
-    const double s = a + b;
-    const double c = s - a;
-    const double_double x = {s, b - c};
-    return x;
-}
-
-/* a b exactly. */
-static INLINED double_double two_product(double a, double b)
-{
-    const double p = a * b;
-    const double_double x = {p, product_error(a, b, p)};
-    return x;
-}
-
-static INLINED double_double dd_neg(double_double x)
-{
-    const double_double y = {-x.hi, -x.lo};
-    return y;
-}
-
-static INLINED double_double dd_add_xx(double_double x, double_double y)
-{
-    const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-    const double_double v = quick_sum(s.hi, s.lo + t.hi);
-    return quick_sum(v.hi, v.lo + t.lo);
-}
-
-static INLINED double_double dd_add_xd(double_double x, double y)
-{
-    const double_double s = two_sum(x.hi, y);
-    return quick_sum(s.hi, s.lo + x.lo);
-}
-
-static INLINED double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
-static INLINED double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
-static INLINED double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
-static INLINED double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
-
-static INLINED double_double dd_mul_xx(double_double x, double_double y)
-{
-    const double_double p = two_product(x.hi, y.hi);
-    return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
-}
-
-static INLINED double_double dd_mul_xd(double_double x, double y)
-{
-    const double_double p = two_product(x.hi, y);
-    return quick_sum(p.hi, p.lo + x.lo * y);
-}
-
-static INLINED double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
-
-static INLINED double_double dd_div_xx(double_double x, double_double y)
-{
-    const double q = x.hi / y.hi;
-    const double_double r = dd_mul_xd(y, q);
-    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
-}
-
-static INLINED double_double dd_div_xd(double_double x, double y)
-{
-    const double q = x.hi / y;
-    const double_double r = two_product(y, q);
-    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
-}
-
-static INLINED double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
-
-static INLINED double_double dd_sqrt(double_double x)
-{
-    const double s = sqrt(x.hi);
-    const double_double r = two_product(s, s);
-    const double rest = (x.hi - r.hi) + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
-}
-
-static INLINED double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
-static INLINED double dd_rounded(double_double x) { return x.hi + x.lo; }
-static INLINED double_double dd_choose(double x, double y, double_double one, double_double other)
-{
-    return x <= y ? one : other;
-}
-
-/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
-   2^1022, from its bits: first as a mantissa between 1/2 and 1. */
-static INLINED double dd_exponent(double_double x)
-{
-    const uint64_t bits = bits_of(x.hi);
-    const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
-    const double e = from_bits(bits >> 52 | UINT64_C(0x4330000000000000)) - (4503599627370496.0 + 1022.0);
-    return fraction < 0.70710678118654752 ? e - 1.0 : e;
-}
-
-static INLINED double_double dd_mantissa(double_double x)
-{
-    const double power = power_of_two(-dd_exponent(x));
-    const double_double y = {x.hi * power, x.lo * power};
-    return y;
-}
-/* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
-   Computational Geometry 18, 1997).  32 parts hold any value of `discriminant`. */
-typedef struct { int size; double part[32]; } exact;
-
-static void exact_grow(exact *x, double a)
-{
-    int size = 0;
-    for (int i = 0; i < x->size; i++) {
-        const double_double s = two_sum(a, x->part[i]);
-        if (s.lo < 0.0 || s.lo > 0.0)
-            x->part[size++] = s.lo;
-        a = s.hi;
-    }
-    x->part[size++] = a;
-    x->size = size;
-}
-
-static exact exact_of(double a)
-{
-    exact x = {1, {0.0}};
-    x.part[0] = a;
-    return x;
-}
-
-static exact exact_sub_xx(exact x, exact y)
-{
-    for (int i = 0; i < y.size; i++)
-        exact_grow(&x, -y.part[i]);
-    return x;
-}
-
-static exact exact_mul_xx(exact x, exact y)
-{
-    exact z = {0, {0.0}};
-    for (int i = 0; i < x.size; i++)
-        for (int j = 0; j < y.size; j++) {
-            const double_double p = two_product(x.part[i], y.part[j]);
-            exact_grow(&z, p.lo);
-            exact_grow(&z, p.hi);
-        }
-    return z;
-}
-
-static double_double exact_to_dd(exact x)
-{
-    double_double sum = {0.0, 0.0};
-    for (int i = 0; i < x.size; i++)
-        sum = dd_add_xd(sum, x.part[i]);
-    return sum;
-}
 static const double_double pi = {3.141592653589793, 1.2246467991473532e-16}; /* pi */
 static const double pi_hi = 3.141592653589793; /* pi */
 static const double pi_lo = 1.2246467991473532e-16; /* pi - pi_hi */
@@ -366,6 +80,27 @@ static const double exponential_5 = 2.4801536334724617e-05; /* e^r, r^8 */
 static const double exponential_6 = 2.7557280025515365e-06; /* e^r, r^9 */
 static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
 static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
+static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
+static const double decisive = 8.470329472543003e-22; /* 2^-70, share of a tilt; rates that cause less may be taken for zero */
+static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, E_b in inner units; below it, motions are on the separatrix */
+static const double tolerated = 8.673617379884035e-19; /* 2^-60, error of such motions, as a share of the momentum */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
+static const double max_circular = 0.5; /* 2^-1, k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_real = 0.5; /* 2^-1, m for thetas of real elapsed time; above it, of imaginary time */
+static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
+static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
+enum { CODES = 12 };
+static const char *const UNKNOWN = "no such code";
+static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"};
+static const char *const FIELDS[CODES] = {"", "", "inertia", "inertia", "attitude0", "t", "t", "omega0", "arithmetic", "t", "inertia", "motion"};
+static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"};
+enum { TIMES = 8 }; /* times that `angles_hold` computes */
+static const double difference_cases[5] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007, 0.03588181116623288}; /* three moments and two rates */
+static const double known_cosines[6] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5}; /* those of multiples of sixty degrees */
+enum { PREPARED = 2135587861 };
+enum { SENSITIVE = BLOCK < 32 ? BLOCK : 32 }; /* The number of sensitivities computed side by side: each needs about ninety doubles of stack. */
+static const double unit_rows[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+static const double no_row[3] = {0.0, 0.0, 0.0};
 
 typedef struct {
     double c_a_hi[LANES];
@@ -529,7 +264,22 @@ typedef struct {
     double gain_b[LANES];
     double gain_d[LANES];
 } hyperbolic_lanes;
-
+/* Sum of non-overlapping doubles, smallest first; 32 hold any value of `discriminant`. */
+typedef struct {
+    size_t count;
+    double part[32];
+} exact;
+/* The constants of sensitivities; axes are those with p >= r, where rates are constant, too. */
+typedef struct {
+    torque_free_along along;
+    torque_free_columns columns;
+    torque_free_turn turn;
+    torque_free_real real;
+    torque_free_imaginary imaginary;
+    int axis[3];
+    int is_real;
+    int at_rest;
+} sensitive;
 /* e^x for x <= 0. */
 static INLINED double exponential(double x)
 {
@@ -543,23 +293,66 @@ static INLINED double exponential(double x)
 }
 
 /* K^2 - 2 H c_b, for numbers of any kind. */
-static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab, double_double c_bd,
-    double_double Omega_a, double_double Omega_d)
+static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab,
+    double_double c_bd, double_double Omega_a, double_double Omega_d)
 {
     const double_double E_b = dd_sub_xx(dd_mul_xx(dd_mul_xx(c_a, c_ab), dd_mul_xx(Omega_a, Omega_a)), dd_mul_xx(dd_mul_xx(c_d, c_bd), dd_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
+/* Add a double to the parts of an exact number, and return how many there are then. */
+static size_t grown(double *restrict part, size_t count, double a)
+{
+    size_t kept = 0;
+    double rest = a;
+    for (size_t i = 0; i < count; i++) {
+        const double_double s = two_sum(rest, part[i]);
+        if (s.lo < 0.0 || s.lo > 0.0) {
+            part[kept] = s.lo;
+            kept += 1;
+        }
+        rest = s.hi;
+    }
+    part[kept] = rest;
+    return kept + 1;
+}
+
+/* Return x - y. */
+static exact exact_sub_xx(exact x, exact y)
+{
+    exact z = x;
+    for (size_t i = 0; i < y.count; i++) {
+        z.count = grown(z.part, z.count, -y.part[i]);
+    }
+    return z;
+}
+
+/* Return x y. */
+static exact exact_mul_xx(exact x, exact y)
+{
+    exact z;
+    z.count = 0;
+    for (size_t i = 0; i < x.count; i++) {
+        for (size_t j = 0; j < y.count; j++) {
+            const double_double p = two_product(x.part[i], y.part[j]);
+            z.count = grown(z.part, z.count, p.lo);
+            z.count = grown(z.part, z.count, p.hi);
+        }
+    }
+    return z;
+}
+
 /* K^2 - 2 H c_b, for numbers of any kind. */
-static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
+static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a,
+    exact Omega_d)
 {
     const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
 /* 1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates. */
-static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
-    double Omega_3, double E_2)
+static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1,
+    double Omega_2, double Omega_3, double E_2)
 {
     const double c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     const double c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
@@ -694,8 +487,8 @@ static FLAT void initial_state(lanes *lane)
 }
 
 /* One step of Landen's descending transformation. */
-static void landen(double_double k, double_double kc, double_double s, double_double c, double_double d,
-    double_double r, double_double Y, double_double *k_next_out,
+static void landen(double_double k, double_double kc, double_double s, double_double c,
+    double_double d, double_double r, double_double Y, double_double *k_next_out,
     double_double *kc_next_out, double_double *s_next_out, double_double *c_next_out,
     double_double *d_next_out, double_double *r_next_out, double_double *Y_next_out)
 {
@@ -724,19 +517,49 @@ static void landen(double_double k, double_double kc, double_double s, double_do
 }
 
 /* K(k^2), and the descended s, c and Y; 5 steps leave k^2 < 2^-106 of (0, 1/2]. */
-static void ladder(double_double k, double_double kc, double_double s, double_double c, double_double d,
-    double_double r, double_double Y, double_double *K0_out, double_double *s5_out,
+static void ladder(double_double k, double_double kc, double_double s, double_double c,
+    double_double d, double_double r, double_double Y, double_double *K0_out, double_double *s5_out,
     double_double *c5_out, double_double *Y5_out)
 {
-    double_double k1, kc1, s1, c1, d1, r1, Y1;
+    double_double k1;
+    double_double kc1;
+    double_double s1;
+    double_double c1;
+    double_double d1;
+    double_double r1;
+    double_double Y1;
     landen(k, kc, s, c, d, r, Y, &k1, &kc1, &s1, &c1, &d1, &r1, &Y1); /* classical: DLMF 22.7.2 */
-    double_double k2, kc2, s2, c2, d2, r2, Y2;
+    double_double k2;
+    double_double kc2;
+    double_double s2;
+    double_double c2;
+    double_double d2;
+    double_double r2;
+    double_double Y2;
     landen(k1, kc1, s1, c1, d1, r1, Y1, &k2, &kc2, &s2, &c2, &d2, &r2, &Y2); /* classical: DLMF 22.7.2 */
-    double_double k3, kc3, s3, c3, d3, r3, Y3;
+    double_double k3;
+    double_double kc3;
+    double_double s3;
+    double_double c3;
+    double_double d3;
+    double_double r3;
+    double_double Y3;
     landen(k2, kc2, s2, c2, d2, r2, Y2, &k3, &kc3, &s3, &c3, &d3, &r3, &Y3); /* classical: DLMF 22.7.2 */
-    double_double k4, kc4, s4, c4, d4, r4, Y4;
+    double_double k4;
+    double_double kc4;
+    double_double s4;
+    double_double c4;
+    double_double d4;
+    double_double r4;
+    double_double Y4;
     landen(k3, kc3, s3, c3, d3, r3, Y3, &k4, &kc4, &s4, &c4, &d4, &r4, &Y4); /* classical: DLMF 22.7.2 */
-    double_double k5, kc5, s5, c5, d5, r5, Y5;
+    double_double k5;
+    double_double kc5;
+    double_double s5;
+    double_double c5;
+    double_double d5;
+    double_double r5;
+    double_double Y5;
     landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* classical: DLMF 22.7.2 */
     const double_double K5 = dd_div_xd(pi, 2.0); /* classical: DLMF 19.6.1 */
     const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* fact: definition landen.K; DLMF 19.8.12 */
@@ -826,7 +649,10 @@ static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *
         const double_double root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
         const double_double Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
         const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
-        double_double K_1, sin_v, cos_v, Y_b;
+        double_double K_1;
+        double_double sin_v;
+        double_double cos_v;
+        double_double Y_b;
         ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
         const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
         const double_double h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
@@ -1044,8 +870,8 @@ static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *
 }
 
 /* Angles of the circular branch at t + t_lo. */
-static void circular_angles(const torque_free_circular *motion, size_t n, const double *restrict t_in,
-    const double *restrict t_lo_in, double *restrict sin_v_out,
+static void circular_angles(const torque_free_circular *motion, size_t n,
+    const double *restrict t_in, const double *restrict t_lo_in, double *restrict sin_v_out,
     double *restrict cos_v_out, double *restrict X_im_out, double *restrict X_re_out)
 {
     const double v_rate_hi = motion->v_rate_hi;
@@ -1086,11 +912,11 @@ static void circular_angles(const torque_free_circular *motion, size_t n, const 
 }
 
 /* The state on the circular branch, from `_circular_angles`. */
-static void circular_state(const torque_free_circular *motion, size_t n, const double *restrict sin_v_in,
-    const double *restrict cos_v_in, const double *restrict X_im_in,
-    const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
-    double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
-    double *restrict Omega_b_out, double *restrict Omega_d_out)
+static void circular_state(const torque_free_circular *motion, size_t n,
+    const double *restrict sin_v_in, const double *restrict cos_v_in,
+    const double *restrict X_im_in, const double *restrict X_re_in, double *restrict q_0_out,
+    double *restrict q_a_out, double *restrict q_b_out, double *restrict q_d_out,
+    double *restrict Omega_a_out, double *restrict Omega_b_out, double *restrict Omega_d_out)
 {
     const double T4_re_0 = motion->T4_re_0;
     const double T4_re_1 = motion->T4_re_1;
@@ -1220,7 +1046,10 @@ static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lan
         const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
         const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* classical: DLMF 22.4.3 */
         const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
-        double_double K_c, sin_a, cos_a, Y_b;
+        double_double K_c;
+        double_double sin_a;
+        double_double cos_a;
+        double_double Y_b;
         ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* classical: DLMF 19.8.12 */
         const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* fact: reading hyperbolic_form.gc; (10) */
         const double_double nome2 = dd_mul_xx(nome, nome); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
@@ -1386,10 +1215,10 @@ static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lan
 }
 
 /* Angles of the hyperbolic branch at t + t_lo. */
-static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, const double *restrict t_in,
-    const double *restrict t_lo_in, double *restrict w_out, double *restrict p_out,
-    double *restrict side_out, double *restrict flip_out, double *restrict X_im_out,
-    double *restrict X_re_out)
+static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n,
+    const double *restrict t_in, const double *restrict t_lo_in, double *restrict w_out,
+    double *restrict p_out, double *restrict side_out, double *restrict flip_out,
+    double *restrict X_im_out, double *restrict X_re_out)
 {
     const double y_rate_hi = motion->y_rate_hi;
     const double y_rate_lo = motion->y_rate_lo;
@@ -1452,12 +1281,12 @@ static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, co
 }
 
 /* The state on the hyperbolic branch, from `_hyperbolic_angles`. */
-static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, const double *restrict w_in,
-    const double *restrict p_in, const double *restrict side_in,
-    const double *restrict flip_in, const double *restrict X_im_in,
-    const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
-    double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
-    double *restrict Omega_b_out, double *restrict Omega_d_out)
+static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n,
+    const double *restrict w_in, const double *restrict p_in, const double *restrict side_in,
+    const double *restrict flip_in, const double *restrict X_im_in, const double *restrict X_re_in,
+    double *restrict q_0_out, double *restrict q_a_out, double *restrict q_b_out,
+    double *restrict q_d_out, double *restrict Omega_a_out, double *restrict Omega_b_out,
+    double *restrict Omega_d_out)
 {
     const double re_0 = motion->re_0;
     const double re_1 = motion->re_1;
@@ -1550,11 +1379,11 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
 
 /* p, r, p - r, sqrt(p), p or 1 to divide by, and the modulus with its complement. */
 static void moduli(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
-    double_double c_ad, double_double c_bd, double_double Omega_a0,
-    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
-    double axis_b, double axis_d, double_double *p_out, double_double *r_out,
-    double_double *apart_out, double_double *lambda__out, double_double *divisor_out,
-    double_double *modulus_out, double_double *complement_out)
+    double_double c_ad, double_double c_bd, double_double Omega_a0, double_double Omega_b0,
+    double_double Omega_d0, double_double E_b, double axis_a, double axis_b, double axis_d,
+    double_double *p_out, double_double *r_out, double_double *apart_out,
+    double_double *lambda__out, double_double *divisor_out, double_double *modulus_out,
+    double_double *complement_out)
 {
     const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
     const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
@@ -1581,10 +1410,10 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
 }
 
 /* Constants of `_along_state`; phases are known where p t^2 exceeds reach. */
-static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
-    double_double c_ad, double_double c_bd, double_double Omega_a0,
-    double_double Omega_b0, double_double Omega_d0, double axis_a, double axis_b,
-    double axis_d, double reach, torque_free_along *motion)
+static void along_constants(double_double c_a, double_double c_b, double_double c_d,
+    double_double c_ab, double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double axis_a, double axis_b, double axis_d,
+    double reach, torque_free_along *motion)
 {
     const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
     const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
@@ -1619,15 +1448,12 @@ static void along_constants(double_double c_a, double_double c_b, double_double 
 
 /* Derivatives of the rates where p and r grow equally, and where r alone grows. */
 static void along_state(const torque_free_along *motion, size_t n, const double *restrict S_t_in,
-    const double *restrict C_t_in, const double *restrict D_t_in,
-    const double *restrict E_t_in, const double *restrict f_in,
-    const double *restrict passed_in, const double *restrict turned_in,
+    const double *restrict C_t_in, const double *restrict D_t_in, const double *restrict E_t_in,
+    const double *restrict f_in, const double *restrict passed_in, const double *restrict turned_in,
     const double *restrict t_in, const double *restrict Omega_a_in,
-    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
-    double *restrict over_out, double *restrict Omega_a_k_out,
-    double *restrict Omega_b_k_out, double *restrict Omega_d_k_out,
-    double *restrict Omega_a_r_out, double *restrict Omega_b_r_out,
-    double *restrict Omega_d_r_out)
+    const double *restrict Omega_b_in, const double *restrict Omega_d_in, double *restrict over_out,
+    double *restrict Omega_a_k_out, double *restrict Omega_b_k_out, double *restrict Omega_d_k_out,
+    double *restrict Omega_a_r_out, double *restrict Omega_b_r_out, double *restrict Omega_d_r_out)
 {
     const double Omega_a0 = motion->Omega_a0;
     const double Omega_b0 = motion->Omega_b0;
@@ -1706,10 +1532,10 @@ static void along_state(const torque_free_along *motion, size_t n, const double 
 }
 
 /* Constants of the rates' sensitivities. */
-static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
-    double_double c_ad, double_double c_bd, double_double Omega_a0,
-    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
-    double axis_b, double axis_d, torque_free_columns *motion)
+static void columns_constants(double_double c_a, double_double c_b, double_double c_d,
+    double_double c_ab, double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a, double axis_b,
+    double axis_d, torque_free_columns *motion)
 {
     const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
     const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
@@ -1807,25 +1633,24 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
 }
 
 /* Derivatives of the rates, and integrals of the squares of rates. */
-static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
-    const double *restrict C_t_in, const double *restrict D_t_in,
-    const double *restrict E_t_in, const double *restrict f_in,
-    const double *restrict over_in, const double *restrict Omega_a_k_in,
-    const double *restrict Omega_b_k_in, const double *restrict Omega_d_k_in,
-    const double *restrict Omega_a_r_in, const double *restrict Omega_b_r_in,
-    const double *restrict Omega_d_r_in, const double *restrict t_in,
-    const double *restrict Omega_a_in, const double *restrict Omega_b_in,
-    const double *restrict Omega_d_in, double *restrict Omega_a_by_Omega_a_out,
-    double *restrict Omega_a_by_Omega_b_out, double *restrict Omega_a_by_Omega_d_out,
-    double *restrict Omega_a_by_c_a_out, double *restrict Omega_a_by_c_b_out,
-    double *restrict Omega_a_by_c_d_out, double *restrict Omega_b_by_Omega_a_out,
-    double *restrict Omega_b_by_Omega_b_out, double *restrict Omega_b_by_Omega_d_out,
-    double *restrict Omega_b_by_c_a_out, double *restrict Omega_b_by_c_b_out,
-    double *restrict Omega_b_by_c_d_out, double *restrict Omega_d_by_Omega_a_out,
-    double *restrict Omega_d_by_Omega_b_out, double *restrict Omega_d_by_Omega_d_out,
-    double *restrict Omega_d_by_c_a_out, double *restrict Omega_d_by_c_b_out,
-    double *restrict Omega_d_by_c_d_out, double *restrict excess_a_out,
-    double *restrict excess_b_out, double *restrict excess_d_out)
+static void columns_state(const torque_free_columns *motion, size_t n,
+    const double *restrict S_t_in, const double *restrict C_t_in, const double *restrict D_t_in,
+    const double *restrict E_t_in, const double *restrict f_in, const double *restrict over_in,
+    const double *restrict Omega_a_k_in, const double *restrict Omega_b_k_in,
+    const double *restrict Omega_d_k_in, const double *restrict Omega_a_r_in,
+    const double *restrict Omega_b_r_in, const double *restrict Omega_d_r_in,
+    const double *restrict t_in, const double *restrict Omega_a_in,
+    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
+    double *restrict Omega_a_by_Omega_a_out, double *restrict Omega_a_by_Omega_b_out,
+    double *restrict Omega_a_by_Omega_d_out, double *restrict Omega_a_by_c_a_out,
+    double *restrict Omega_a_by_c_b_out, double *restrict Omega_a_by_c_d_out,
+    double *restrict Omega_b_by_Omega_a_out, double *restrict Omega_b_by_Omega_b_out,
+    double *restrict Omega_b_by_Omega_d_out, double *restrict Omega_b_by_c_a_out,
+    double *restrict Omega_b_by_c_b_out, double *restrict Omega_b_by_c_d_out,
+    double *restrict Omega_d_by_Omega_a_out, double *restrict Omega_d_by_Omega_b_out,
+    double *restrict Omega_d_by_Omega_d_out, double *restrict Omega_d_by_c_a_out,
+    double *restrict Omega_d_by_c_b_out, double *restrict Omega_d_by_c_d_out,
+    double *restrict excess_a_out, double *restrict excess_b_out, double *restrict excess_d_out)
 {
     const double Omega_a0 = motion->Omega_a0;
     const double Omega_b0 = motion->Omega_b0;
@@ -1953,8 +1778,8 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
 }
 
 /* Constants of the elapsed time for m <= 1/2, from `_moduli`. */
-static void real_constants(double_double p, double_double r, double_double apart, double_double lambda_,
-    double_double divisor, double_double modulus, double_double complement,
+static void real_constants(double_double p, double_double r, double_double apart,
+    double_double lambda_, double_double divisor, double_double modulus, double_double complement,
     torque_free_real *motion)
 {
     const double_double ratio = root_ratio(modulus, complement); /* classical: DLMF 20.9.1 */
@@ -2097,8 +1922,7 @@ static void real_constants(double_double p, double_double r, double_double apart
 
 /* Angles of the elapsed time t + t_lo for m <= 1/2. */
 static void real_angles(const torque_free_real *motion, size_t n, const double *restrict t_in,
-    const double *restrict t_lo_in, double *restrict sin_v_out,
-    double *restrict cos_v_out)
+    const double *restrict t_lo_in, double *restrict sin_v_out, double *restrict cos_v_out)
 {
     const double v_rate_hi = motion->v_rate_hi;
     const double v_rate_lo = motion->v_rate_lo;
@@ -2124,10 +1948,9 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
 
 /* S_t, C_t, D_t, E_t and D_t F_t for m <= 1/2. */
 static void real_state(const torque_free_real *motion, size_t n, const double *restrict sin_v_in,
-    const double *restrict cos_v_in, const double *restrict t_in,
-    double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
-    double *restrict E_t_out, double *restrict f_out, double *restrict passed_out,
-    double *restrict turned_out)
+    const double *restrict cos_v_in, const double *restrict t_in, double *restrict S_t_out,
+    double *restrict C_t_out, double *restrict D_t_out, double *restrict E_t_out,
+    double *restrict f_out, double *restrict passed_out, double *restrict turned_out)
 {
     const double even_0 = motion->even_0;
     const double even_1 = motion->even_1;
@@ -2210,8 +2033,8 @@ static void real_state(const torque_free_real *motion, size_t n, const double *r
 }
 
 /* Constants of the elapsed time for m > 1/2, from `_moduli`. */
-static void imaginary_constants(double_double p, double_double r, double_double apart, double_double lambda_,
-    double_double modulus, double_double complement, double_double y0,
+static void imaginary_constants(double_double p, double_double r, double_double apart,
+    double_double lambda_, double_double modulus, double_double complement, double_double y0,
     torque_free_imaginary *motion)
 {
     const double_double ratio = root_ratio(complement, modulus); /* classical: DLMF 20.9.1 */
@@ -2365,11 +2188,12 @@ static void imaginary_constants(double_double p, double_double r, double_double 
 }
 
 /* Angles of the elapsed time t + t_lo for m > 1/2. */
-static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
-    const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
-    double *restrict y_out, double *restrict side_out, double *restrict flip_out,
-    double *restrict periods_out, double *restrict z_w2_out, double *restrict z_p2_out,
-    double *restrict z_out, double *restrict z_side_out, double *restrict turns_out)
+static void imaginary_angles(const torque_free_imaginary *motion, size_t n,
+    const double *restrict t_in, const double *restrict t_lo_in, double *restrict w_out,
+    double *restrict p2_out, double *restrict y_out, double *restrict side_out,
+    double *restrict flip_out, double *restrict periods_out, double *restrict z_w2_out,
+    double *restrict z_p2_out, double *restrict z_out, double *restrict z_side_out,
+    double *restrict turns_out)
 {
     const double y_rate_hi = motion->y_rate_hi;
     const double y_rate_lo = motion->y_rate_lo;
@@ -2431,15 +2255,14 @@ static void imaginary_angles(const torque_free_imaginary *motion, size_t n, cons
 }
 
 /* S_t, C_t, D_t, E_t, D_t F_t and the integral over the phase for m > 1/2. */
-static void imaginary_state(const torque_free_imaginary *motion, size_t n, const double *restrict w_in,
-    const double *restrict p2_in, const double *restrict y_in,
+static void imaginary_state(const torque_free_imaginary *motion, size_t n,
+    const double *restrict w_in, const double *restrict p2_in, const double *restrict y_in,
     const double *restrict side_in, const double *restrict flip_in,
     const double *restrict periods_in, const double *restrict z_w2_in,
-    const double *restrict z_p2_in, const double *restrict z_in,
-    const double *restrict z_side_in, const double *restrict turns_in,
-    const double *restrict t_in, double *restrict S_t_out, double *restrict C_t_out,
-    double *restrict D_t_out, double *restrict E_t_out, double *restrict f_out,
-    double *restrict passed_out, double *restrict turned_out)
+    const double *restrict z_p2_in, const double *restrict z_in, const double *restrict z_side_in,
+    const double *restrict turns_in, const double *restrict t_in, double *restrict S_t_out,
+    double *restrict C_t_out, double *restrict D_t_out, double *restrict E_t_out,
+    double *restrict f_out, double *restrict passed_out, double *restrict turned_out)
 {
     const double nome2 = motion->nome2;
     const double nome4 = motion->nome4;
@@ -2544,8 +2367,8 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
 }
 
 /* Constants of the attitude's sensitivities for a moving body. */
-static void turn_constants(double c1, double c2, double c3, double c12, double c13, double c23, double Omega1_0,
-    double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
+static void turn_constants(double c1, double c2, double c3, double c12, double c13, double c23,
+    double Omega1_0, double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
     torque_free_turn *motion)
 {
     const double common_1 = c1 * Omega1_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.n1_0; (3) */
@@ -2612,33 +2435,29 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
 
 /* Derivatives of the attitude by the inputs, and of the state by the time. */
 static void turn_state(const torque_free_turn *motion, size_t n, const double *restrict q0_in,
-    const double *restrict q1_in, const double *restrict q2_in,
-    const double *restrict q3_in, const double *restrict Omega1_in,
-    const double *restrict Omega2_in, const double *restrict Omega3_in,
-    const double *restrict Omega1_by_Omega1_in,
-    const double *restrict Omega1_by_Omega2_in,
-    const double *restrict Omega1_by_Omega3_in, const double *restrict Omega1_by_c1_in,
-    const double *restrict Omega1_by_c2_in, const double *restrict Omega1_by_c3_in,
-    const double *restrict Omega2_by_Omega1_in,
-    const double *restrict Omega2_by_Omega2_in,
-    const double *restrict Omega2_by_Omega3_in, const double *restrict Omega2_by_c1_in,
-    const double *restrict Omega2_by_c2_in, const double *restrict Omega2_by_c3_in,
-    const double *restrict Omega3_by_Omega1_in,
-    const double *restrict Omega3_by_Omega2_in,
-    const double *restrict Omega3_by_Omega3_in, const double *restrict Omega3_by_c1_in,
-    const double *restrict Omega3_by_c2_in, const double *restrict Omega3_by_c3_in,
-    const double *restrict excess1_in, const double *restrict excess2_in,
-    const double *restrict excess3_in, const double *restrict t_in,
-    double *restrict eta1_by_Omega1_out, double *restrict eta1_by_Omega2_out,
-    double *restrict eta1_by_Omega3_out, double *restrict eta1_by_c1_out,
-    double *restrict eta1_by_c2_out, double *restrict eta1_by_c3_out,
-    double *restrict eta2_by_Omega1_out, double *restrict eta2_by_Omega2_out,
-    double *restrict eta2_by_Omega3_out, double *restrict eta2_by_c1_out,
-    double *restrict eta2_by_c2_out, double *restrict eta2_by_c3_out,
-    double *restrict eta3_by_Omega1_out, double *restrict eta3_by_Omega2_out,
-    double *restrict eta3_by_Omega3_out, double *restrict eta3_by_c1_out,
-    double *restrict eta3_by_c2_out, double *restrict eta3_by_c3_out,
-    double *restrict eta1_by_t_out, double *restrict eta2_by_t_out,
+    const double *restrict q1_in, const double *restrict q2_in, const double *restrict q3_in,
+    const double *restrict Omega1_in, const double *restrict Omega2_in,
+    const double *restrict Omega3_in, const double *restrict Omega1_by_Omega1_in,
+    const double *restrict Omega1_by_Omega2_in, const double *restrict Omega1_by_Omega3_in,
+    const double *restrict Omega1_by_c1_in, const double *restrict Omega1_by_c2_in,
+    const double *restrict Omega1_by_c3_in, const double *restrict Omega2_by_Omega1_in,
+    const double *restrict Omega2_by_Omega2_in, const double *restrict Omega2_by_Omega3_in,
+    const double *restrict Omega2_by_c1_in, const double *restrict Omega2_by_c2_in,
+    const double *restrict Omega2_by_c3_in, const double *restrict Omega3_by_Omega1_in,
+    const double *restrict Omega3_by_Omega2_in, const double *restrict Omega3_by_Omega3_in,
+    const double *restrict Omega3_by_c1_in, const double *restrict Omega3_by_c2_in,
+    const double *restrict Omega3_by_c3_in, const double *restrict excess1_in,
+    const double *restrict excess2_in, const double *restrict excess3_in,
+    const double *restrict t_in, double *restrict eta1_by_Omega1_out,
+    double *restrict eta1_by_Omega2_out, double *restrict eta1_by_Omega3_out,
+    double *restrict eta1_by_c1_out, double *restrict eta1_by_c2_out,
+    double *restrict eta1_by_c3_out, double *restrict eta2_by_Omega1_out,
+    double *restrict eta2_by_Omega2_out, double *restrict eta2_by_Omega3_out,
+    double *restrict eta2_by_c1_out, double *restrict eta2_by_c2_out,
+    double *restrict eta2_by_c3_out, double *restrict eta3_by_Omega1_out,
+    double *restrict eta3_by_Omega2_out, double *restrict eta3_by_Omega3_out,
+    double *restrict eta3_by_c1_out, double *restrict eta3_by_c2_out,
+    double *restrict eta3_by_c3_out, double *restrict eta1_by_t_out, double *restrict eta2_by_t_out,
     double *restrict eta3_by_t_out, double *restrict Omega1_by_t_out,
     double *restrict Omega2_by_t_out, double *restrict Omega3_by_t_out)
 {
@@ -2788,8 +2607,9 @@ static void turn_state(const torque_free_turn *motion, size_t n, const double *r
 }
 
 /* The axis and the rate of a motion with constant rates. */
-static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3, double_double p0,
-    double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
+static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3,
+    double_double p0, double_double p1, double_double p2, double_double p3,
+    torque_free_steady *motion)
 {
     const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* fact: steady.omega; (3) */
     const double_double axis1 = dd_div_xx(Omega1, omega); /* fact: definition steady.axis1; (3) */
@@ -2861,577 +2681,989 @@ static void steady_state(const torque_free_steady *motion, size_t n, const doubl
     }
 }
 
-/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
-   in all numbers, so that no compiler can compute the outcome. */
-
-static int is_double_double(double_double x, double hi, double lo)
-{
-    return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
-}
-
-/* Return 1 where the compiler itself fuses no product with a sum, or where the bits were not chosen. */
-static int bits_hold(void)
-{
-    const volatile double zero = 0.0;
-    const double more = zero + 1.000000000931322574615478515625, less = zero + 0.999999999068677425384521484375;
-    return !BITS_ARE_CHOSEN || fabs(more * less - (zero + 1.0)) <= 0.0;
-}
-
-/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
-static int sums_hold(void)
-{
-    const volatile double zero = 0.0;
-    const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
-    const double tiny = zero + 8.673617379884035e-19;
-    const double_double third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
-    return bits_hold() && is_double_double(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
-           is_double_double(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_double_double(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
-           is_double_double(dd_mul_xx(third, third), over_9.hi, over_9.lo) &&
-           is_double_double(dd_mul_xx(third, dd_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
-           is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
-}
-
-/* Return 1 where a difference of products has all its digits: clang's -ffp-contract=fast fuses sums
-   with products across functions, so that low parts are counted twice. */
+/* Return True where a difference of products has all its digits. clang's -ffp-contract=fast fuses
+   sums with products across functions, so that low parts are counted twice. */
 static int differences_hold(void)
 {
-    static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
-                                   0.15335179025447007, 0.03588181116623288};
-    const volatile double zero = 0.0;
+    const double zero = hidden(0.0);
     double_double x[5];
-    for (int k = 0; k < 5; k++)
-        x[k] = dd_of(zero + given[k]);
-    const double_double above = dd_add_xx(x[0], dd_neg(x[1])), below = dd_add_xx(x[1], dd_neg(x[2]));
-    return is_double_double(discriminant_dd(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
-                   -6.277847770376781e-21);
-}
-
-/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
-static int quotients_hold(void)
-{
-    static const double quotients[][4] = {
-        {7.0, 3.0, 2.3333333333333335, -1.4802973661668753e-16},
-        {3.0, 5.0, 0.6, 2.2204460492503132e-17},
-        {7.0, 25.0, 0.28, -2.6645352591003756e-17},
-        {15.0, 13.0, 1.1538461538461537, 1.0248212535001446e-16},
-        {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
-        {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
-    const volatile double zero = 0.0;
-    const double_double root = dd_sqrt(dd_of(zero + 2.0));
-    int holds = is_double_double(root, 1.4142135623730951, -9.667293313452913e-17);
-    for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
-        const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
-        holds &= is_double_double(dd_div_xd(dd_of(x), y), known[2], known[3]);
-        holds &= is_double_double(dd_div_dx(x, dd_of(y)), known[2], known[3]);
+    for (size_t k = 0; k < 5; k++) {
+        x[k] = dd_of(zero + difference_cases[k]);
     }
-    return holds;
+    const double_double above = dd_sub_xx(x[0], x[1]);
+    const double_double below = dd_sub_xx(x[1], x[2]);
+    const double_double found = discriminant_dd(x[0], x[2], above, below, x[3], x[4]);
+    return is_double_double(found, 0.004108897986419382, -6.277847770376781e-21);
 }
 
-/* Return 1 where the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
-   turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
+/* Return True where the loop over times loses no turns. At t = 2^45 - 3 + i both angles, (t + 1)/3
+   and t/3 half turns, are multiples of sixty degrees, and their whole turns and all low parts
+   count. */
 static int angles_hold(void)
 {
-    static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
-    enum { TIMES = 8 };
-    const volatile double from = 35184372088829.0;
-    enum { COSINE = TIMES, TURNED = 3 * TIMES };
-    const size_t s = TIMES;
-    double t[TIMES], t_lo[TIMES], to[6 * TIMES];
+    const double start = hidden(35184372088829.0);
+    double t[TIMES];
+    double t_lo[TIMES];
+    double to[6 * TIMES];
     torque_free_circular motion;
-    int holds = 1;
-    memset(&motion, 0, sizeof motion);
-    motion.v_rate_hi = motion.Lambda_rate_hi = motion.v_hi = over_3.hi;
-    motion.v_rate_lo = motion.Lambda_rate_lo = motion.v_lo = over_3.lo;
-    for (int i = 0; i < TIMES; i++) {
-        t[i] = from + (double)i;
+    memset(&motion, 0, sizeof(torque_free_circular));
+    motion.v_rate_hi = over_3.hi;
+    motion.v_rate_lo = over_3.lo;
+    motion.Lambda_rate_hi = over_3.hi;
+    motion.Lambda_rate_lo = over_3.lo;
+    motion.v_hi = over_3.hi;
+    motion.v_lo = over_3.lo;
+    for (size_t i = 0; i < TIMES; i++) {
+        t[i] = start + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&motion, TIMES, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
-    for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(to[COSINE + i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(to[TURNED + i] - cosines[(i + 5) % 6]) <= 1e-15;
+    circular_angles(&motion, TIMES, t, t_lo, to, to + TIMES, to + 2 * TIMES, to + 3 * TIMES);
+    int holds = 1;
+    for (size_t i = 0; i < TIMES; i++) {
+        const double cosine = to[TIMES + i];
+        const double turned_cosine = to[3 * TIMES + i];
+        holds = holds && fabs(cosine - known_cosines[i % 6]) <= 1e-15;
+        holds = holds && fabs(turned_cosine - known_cosines[(i + 5) % 6]) <= 1e-15;
     }
     return holds;
 }
 
+/* Return True where this build's arithmetic passes all tests. */
 static int is_rounded_once(void)
 {
     return sums_hold() && differences_hold() && quotients_hold() && angles_hold();
 }
 
-static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
-static const double decisive = 8.470329472543003e-22; /* 2^-70, share of a tilt; rates that cause less may be taken for zero */
-static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, E_b in inner units; below it, motions are on the separatrix */
-static const double tolerated = 8.673617379884035e-19; /* 2^-60, error of such motions, as a share of the momentum */
-static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
-static const double max_circular = 0.5; /* 2^-1, k_1^2 on the circular branch; above it, the hyperbolic one */
-static const double max_real = 0.5; /* 2^-1, m for thetas of real elapsed time; above it, of imaginary time */
-static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
-static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
-#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
+/* Return a double as an exact number. */
+static exact exact_of(double a)
+{
+    exact x;
+    x.count = 1;
+    x.part[0] = a;
+    return x;
+}
 
-/* The mark of a prepared motion: a number that memory hardly has by chance. */
-enum { PREPARED = 0x7f4a7c15 };
+/* Return the discriminant of doubles, as a pair rounded from its exact value. */
+static double_double exact_discriminant(double c_a, double c_b, double c_d, double Omega_a,
+    double Omega_d)
+{
+    const exact above = exact_sub_xx(exact_of(c_a), exact_of(c_b));
+    const exact below = exact_sub_xx(exact_of(c_b), exact_of(c_d));
+    const exact E_b = discriminant_exact(exact_of(c_a), exact_of(c_d), above, below, exact_of(Omega_a), exact_of(Omega_d));
+    double_double total = {0.0, 0.0};
+    for (size_t i = 0; i < E_b.count; i++) {
+        total = dd_add_xd(total, E_b.part[i]);
+    }
+    return total;
+}
 
-/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
-   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return True if x > y. */
+static INLINED int is_above(double_double x, double_double y)
+{
+    return x.hi > y.hi || (x.hi >= y.hi && x.lo > y.lo);
+}
+
+/* Return True for moments that a body can have, up to rounding. The largest is at most the sum of
+   the others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
-#ifdef ALLOW_NONPHYSICAL
-    (void)c;
-    return 1;
-#else
-    int high = 0;
-    for (int k = 1; k < 3; k++)
-        if (c[k].hi > c[high].hi || (c[k].hi >= c[high].hi && c[k].lo > c[high].lo))
-            high = k;
-    const double_double one = c[(high + 1) % 3], other = c[(high + 2) % 3], total = dd_add_xx(one, other);
-    const double_double beyond = two_sum(c[high].hi - total.hi, c[high].lo - total.lo);
-    const double allowed = 8.881784197001252e-16 * (one.hi < other.hi ? one.hi : other.hi);
-    return c[high].hi < total.hi || (c[high].hi <= total.hi && c[high].lo <= 0.0) || beyond.hi < allowed ||
-           (beyond.hi <= allowed && beyond.lo <= 0.0);
-#endif
+    const int second = is_above(c[1], c[0]) ? 1 : 0;
+    const int high = is_above(c[2], c[second]) ? 2 : second;
+    const double_double one = c[(high + 1) % 3];
+    const double_double other = c[(high + 2) % 3];
+    const double_double most = c[high];
+    const double_double total = dd_add_xx(one, other);
+    const double_double beyond = two_sum(most.hi - total.hi, most.lo - total.lo);
+    const double allowed = 8.881784197001252e-16 * (one.hi <= other.hi ? one.hi : other.hi);
+    return ALLOW_NONPHYSICAL || most.hi < total.hi || (most.hi <= total.hi && most.lo <= 0.0) || beyond.hi < allowed || (beyond.hi <= allowed && beyond.lo <= 0.0);
 }
 
-/* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
-static int exponent_of(size_t n, const double *x)
+/* Return True for zero of either sign. */
+static INLINED int is_zero(double x)
 {
-    double largest = 0.0;
-    int e;
-    for (size_t k = 0; k < n; k++)
-        largest = fabs(x[k]) > largest ? fabs(x[k]) : largest;
-    (void)frexp(largest, &e);
-    return e - 1;
+    return !(x < 0.0 || x > 0.0);
 }
 
-/* x 2^n, by `ldexp` where 2^n is no normal double. */
-static double scaled_by(double x, int n)
+/* Return x 2^n, by `ldexp` where 2^n is no normal double. */
+static INLINED double scaled_by(double x, int n)
 {
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
 }
 
-static double_double scaled(double_double x, int n)
+/* Return x 2^n. */
+static INLINED double_double scaled(double_double x, int n)
 {
-    const double_double y = {scaled_by(x.hi, n), scaled_by(x.lo, n)};
-    return y;
+    const double_double result = {scaled_by(x.hi, n), scaled_by(x.lo, n)};
+    return result;
 }
 
-static int all_finite(size_t n, const double *x)
+/* Return the exponent e of the largest size, so that x 2^-e is below 2; -1 for zeros. */
+static int scale_of(double x, double y, double z)
 {
-    for (size_t k = 0; k < n; k++)
-        if (!isfinite(x[k]))
-            return 0;
-    return 1;
+    const double first = fabs(x) >= fabs(y) ? fabs(x) : fabs(y);
+    const double largest = first >= fabs(z) ? first : fabs(z);
+    return exponent_of(largest) - 1;
 }
 
-static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
+/* Return x 2^n, or the least double of its sign where that is zero but x is not. */
+static double scaled_rate(double x, int n)
+{
+    const double y = scaled_by(x, n);
+    return is_zero(y) && !is_zero(x) ? copysign(5e-324, x) : y;
+}
 
-/* c_j - c_k of two different axes; apart holds the differences of each moment and the next in turn. */
-static double_double difference(const double_double apart[3], int j, int k)
+/* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
+   inner units. */
+static int broken_rule(const double inertia[3], const double_double c[3], const double attitude0[4])
+{
+    const double smaller = inertia[0] <= inertia[1] ? inertia[0] : inertia[1];
+    const double smallest = smaller <= inertia[2] ? smaller : inertia[2];
+    const double thinner = c[0].hi <= c[1].hi ? c[0].hi : c[1].hi;
+    const double thinnest = thinner <= c[2].hi ? thinner : c[2].hi;
+    const int no_attitude = is_zero(attitude0[0]) && is_zero(attitude0[1]) && is_zero(attitude0[2]) && is_zero(attitude0[3]);
+    const int attitude = no_attitude ? TORQUE_FREE_ATTITUDE : TORQUE_FREE_OK;
+    const int thin = thinnest < min_moment_ratio ? TORQUE_FREE_THIN : attitude;
+    const int nonphysical = can_exist(c) ? thin : TORQUE_FREE_NONPHYSICAL;
+    return smallest > 0.0 ? nonphysical : TORQUE_FREE_INERTIA;
+}
+
+/* Return a quaternion divided by its length. */
+static void normalised(const double_double q[4], double_double *q_0_out, double_double *q_1_out,
+    double_double *q_2_out, double_double *q_3_out)
+{
+    const double_double square = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q[0], q[0]), dd_mul_xx(q[1], q[1])), dd_mul_xx(q[2], q[2])), dd_mul_xx(q[3], q[3]));
+    const double_double length = dd_sqrt(square);
+    const double_double q_0 = dd_div_xx(q[0], length);
+    const double_double q_1 = dd_div_xx(q[1], length);
+    const double_double q_2 = dd_div_xx(q[2], length);
+    const double_double q_3 = dd_div_xx(q[3], length);
+    *q_0_out = q_0;
+    *q_1_out = q_1;
+    *q_2_out = q_2;
+    *q_3_out = q_3;
+}
+
+/* Return a rate, or zero where it is negligible beside the largest. */
+static INLINED double_double not_negligible(double_double rate)
+{
+    const double_double zero = {0.0, 0.0};
+    return fabs(rate.hi) < negligible ? zero : rate;
+}
+
+/* Return True if all rates are zero. */
+static int is_at_rest(const double_double omega[3])
+{
+    return is_zero(omega[0].hi) && is_zero(omega[1].hi) && is_zero(omega[2].hi);
+}
+
+/* Return c_j - c_k of two different axes. */
+static INLINED double_double difference(const double_double apart[3], int j, int k)
 {
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* Sort the axes by their moments, largest first; equal ones keep their order. */
-static void sorted(const double_double apart[3], int axis[3])
+/* Return two axes, that of the larger moment first; equal ones keep their order. */
+static INLINED void ordered(const double_double apart[3], int j, int k, int *first_out,
+    int *second_out)
 {
-    for (int k = 0; k < 3; k++)
-        axis[k] = k;
-    for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k < 2; k++)
-            if (difference(apart, axis[k], axis[k + 1]).hi < 0.0) {
-                const int first = axis[k];
-                axis[k] = axis[k + 1];
-                axis[k + 1] = first;
-            }
+    const int swaps = difference(apart, j, k).hi < 0.0;
+    const int first = swaps ? k : j;
+    const int second = swaps ? j : k;
+    *first_out = first;
+    *second_out = second;
 }
 
-/* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
-   sorted by their moments. */
-static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
+/* Return the axes by their moments, largest first; equal ones keep their order. */
+static void sorted_axes(const double_double apart[3], int *a_out, int *b_out, int *d_out)
 {
-    const int j = axis[0], k = axis[1], l = axis[2];
-    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
-                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
-                       !is_zero(omega[l]), E_2);
+    int one;
+    int other;
+    ordered(apart, 0, 1, &one, &other);
+    int rest;
+    int d;
+    ordered(apart, other, 2, &rest, &d);
+    int a;
+    int b;
+    ordered(apart, one, rest, &a, &b);
+    *a_out = a;
+    *b_out = b;
+    *d_out = d;
 }
 
-/* E_b to all digits of a double_double, in exact arithmetic where its terms cancel. */
-static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
+/* Return 0 for zero, else 1. */
+static double mark(double_double x)
 {
-    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
-    const double_double c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
+    return is_zero(x.hi) ? 0.0 : 1.0;
+}
+
+/* Return 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant. The
+   axes are sorted by their moments. */
+static double side_of(const double_double apart[3], const double_double omega[3], int a, int b,
+    int d, double E_b)
+{
+    return circulation(mark(difference(apart, a, b)), mark(difference(apart, a, d)), mark(difference(apart, b, d)), mark(omega[a]), mark(omega[b]), mark(omega[d]), E_b);
+}
+
+/* Return E_b to all digits of a pair, from exact arithmetic where its terms cancel. */
+static double_double discriminant_of(const double_double c[3], const double_double apart[3],
+    const double_double omega[3], int a, int b, int d)
+{
+    const double_double c_ab = difference(apart, a, b);
+    const double_double c_bd = difference(apart, b, d);
     const double_double zero = {0.0, 0.0};
-    const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
-    const int scale = exponent_of(2, rates);
-    const double_double a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
-    const double_double over = discriminant_dd(c_a, c_d, c_ab, c_bd, a, zero);
-    const double_double under = discriminant_dd(c_a, c_d, c_ab, c_bd, zero, d);
-    const double_double sum = dd_add_xx(over, under);
-    if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
-        return scaled(sum, 2 * scale);
-    const exact moment_b = exact_of(c_b.hi);
-    const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
-    const exact below = exact_sub_xx(moment_b, exact_of(c_d.hi));
-    return scaled(exact_to_dd(discriminant_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
-                                             exact_of(a.hi), exact_of(d.hi))),
-                  2 * scale);
+    const int scale = scale_of(omega[a].hi, omega[d].hi, 0.0);
+    const double_double rate_a = scaled(omega[a], -scale);
+    const double_double rate_d = scaled(omega[d], -scale);
+    const double_double over = discriminant_dd(c[a], c[d], c_ab, c_bd, rate_a, zero);
+    const double_double under = discriminant_dd(c[a], c[d], c_ab, c_bd, zero, rate_d);
+    double_double E_b = dd_add_xx(over, under);
+    if (!(fabs(E_b.hi) > (over.hi - under.hi) / 1024.0)) {
+        E_b = exact_discriminant(c[a].hi, c[b].hi, c[d].hi, rate_a.hi, rate_d.hi);
+    }
+    return scaled(E_b, 2 * scale);
 }
 
-static void steady_init(torque_free_motion *motion, const double_double omega[3], const double_double q[4])
+/* Return log2(x), x >= 0, without an exception for zero. */
+static double log2_of(double x)
 {
-    double_double rates[3] = {omega[0], omega[1], omega[2]};
-    const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
-    if (at_rest)
-        rates[0] = dd_of(1.0);
-    motion->branch = 0;
-    steady_constants(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &motion->of.steady);
-    if (at_rest)
-        motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
+    return x > 0.0 ? log2(x) : -HUGE_VAL;
 }
 
-/* Shorten the time domain of nonphysical bodies, which can speed up a lot after t = 0. */
-static void limit(torque_free_motion *motion, double rate, double other)
+/* Return log2(2^x + 2^y); both may be minus infinity. */
+static double log2_sum(double x, double y)
 {
-    const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
-    if (largest > 16.0)
-        motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
+    const double most = x >= y ? x : y;
+    const double other = x <= y ? x : y;
+    return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
-/* Return 1 where no constant of a motion and no rate, up to its amplitude, overflows. */
-static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
+/* Return whether a motion is replaced by another, whether by spin, and its last time. A separatrix
+   motion replaces a motion whose E_b is too faint. Spin about the middle axis replaces a motion for
+   which rates taken for zero could decide when that spin turns over. The last time is that up to
+   which the replacement is close enough. With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b
+   - c_d|) Omega_d Euler's equations are X' = k Omega_b Z, Z' = k Omega_b X, up to signs. So X + Z
+   and X - Z, whose product is E_b, grow no faster than exp(lambda t), where lambda is k times the
+   largest |Omega_b|. One of them is zero on the separatrix, and both are zero in spin. Those that
+   are not zero may grow to the share `tolerated` of the momentum. Logarithms have base 2: the
+   numbers themselves leave the range of binary64. */
+static void follow(const double_double c[3], const double_double apart[3],
+    const double_double given[3], const double_double omega[3], int a, int b, int d, double E_b,
+    int is_faint, int *follows_out, int *spins_out, double *last_out)
 {
-    for (int k = 0; k < 3; k++)
-        if (!(amplitude[k] * unit <= max_rate))
+    const double c_a = c[a].hi;
+    const double c_b = c[b].hi;
+    const double c_d = c[d].hi;
+    const double rate_b = given[b].hi;
+    const double rate_d = given[d].hi;
+    const double over = fabs(difference(apart, a, b).hi);
+    const double under = fabs(difference(apart, b, d).hi);
+    const double largest = c_a >= c_d ? c_a : c_d;
+    const double smallest = c_a <= c_d ? c_a : c_d;
+    const double weight_a = 0.5 * log2_of(c_a * over);
+    const double weight_d = 0.5 * log2_of(c_d * under);
+    const double part_a = weight_a + log2_of(fabs(given[a].hi));
+    const double part_d = weight_d + log2_of(fabs(rate_d));
+    const int loses_a = is_zero(omega[a].hi);
+    const int loses_d = is_zero(omega[d].hi);
+    const double gone = log2_sum(loses_a ? part_a : -HUGE_VAL, loses_d ? part_d : -HUGE_VAL);
+    const double left = log2_sum(loses_a ? -HUGE_VAL : part_a, loses_d ? -HUGE_VAL : part_d);
+    const double momentum_0 = c[0].hi * fabs(given[0].hi);
+    const double momentum_1 = c[1].hi * fabs(given[1].hi);
+    const double momentum_2 = c[2].hi * fabs(given[2].hi);
+    const double larger = momentum_0 >= momentum_1 ? momentum_0 : momentum_1;
+    const double momentum = larger >= momentum_2 ? larger : momentum_2;
+    const double whole = log2_sum(part_a, part_d);
+    const double distance = log2_of(fabs(E_b));
+    const int spins = gone > left + log2(decisive) || (is_faint && distance > 2.0 * whole + log2(decisive));
+    const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) + under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
+    const double speed = log2_of(growth) + log2(smallest / largest);
+    const double slow = 0.0 <= speed ? 0.0 : speed;
+    const double room = (weight_a <= weight_d ? weight_a : weight_d) + log2(momentum / largest) + slow - (spins ? whole : distance - whole);
+    const double doublings = log2(tolerated) + room;
+    const double until = doublings > 0.0 ? log(2.0) * doublings / growth : 0.0;
+    const double close = until <= max_angle ? until : max_angle;
+    const int follows = spins || is_faint;
+    const double last = follows ? close : max_angle;
+    *follows_out = follows;
+    *spins_out = spins;
+    *last_out = last;
+}
+
+/* Return a motion's last time, and the rates and E_b that it is computed from until then. given:
+   the rates; omega: the same but for negligible ones, which are zero. */
+static void course(const double_double c[3], const double_double apart[3],
+    const double_double given[3], const double_double omega[3], int a, int b, int d,
+    double_double E_b, double *last_out, double_double *omega_0_out, double_double *omega_1_out,
+    double_double *omega_2_out, double_double *found_out)
+{
+    const int is_asymmetric = !(is_zero(apart[0].hi) || is_zero(apart[1].hi) || is_zero(apart[2].hi));
+    const int is_faint = !is_zero(E_b.hi) && fabs(E_b.hi) < min_discriminant;
+    const int loses_a = is_zero(omega[a].hi) && !is_zero(given[a].hi);
+    const int loses_d = is_zero(omega[d].hi) && !is_zero(given[d].hi);
+    const double_double zero = {0.0, 0.0};
+    int follows = 0;
+    int spins = 0;
+    double last = max_angle;
+    if (is_asymmetric && (is_faint || loses_a || loses_d)) {
+        follow(c, apart, given, omega, a, b, d, E_b.hi, is_faint, &follows, &spins, &last);
+    }
+    const double_double omega_0 = spins && b != 0 ? zero : omega[0];
+    const double_double omega_1 = spins && b != 1 ? zero : omega[1];
+    const double_double omega_2 = spins && b != 2 ? zero : omega[2];
+    const double_double found = follows ? zero : E_b;
+    *last_out = last;
+    *omega_0_out = omega_0;
+    *omega_1_out = omega_1;
+    *omega_2_out = omega_2;
+    *found_out = found;
+}
+
+/* Return the last time, earlier for nonphysical bodies that speed up a lot after t = 0. */
+static double limit(double last, double rate, double other)
+{
+    const double larger = fabs(rate) >= fabs(other) ? fabs(rate) : fabs(other);
+    const double largest = larger >= 16.0 ? larger : 16.0;
+    const double earlier = 16.0 * max_angle / largest;
+    return last <= earlier ? last : earlier;
+}
+
+/* Return True if no rate, up to its amplitude, overflows. */
+static int is_held(double unit, double A_a, double A_b, double A_d)
+{
+    return A_a * unit <= max_rate && A_b * unit <= max_rate && A_d * unit <= max_rate;
+}
+
+/* Return True if n doubles are finite. */
+static int all_finite(size_t n, const double *restrict x)
+{
+    for (size_t k = 0; k < n; k++) {
+        if (!isfinite(x[k])) {
             return 0;
-    return all_finite(n, constants);
+        }
+    }
+    return 1;
 }
 
-/* Copy lane i of the constants of a branch to a motion; return a code. */
-static int take(torque_free_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
+/* Compute the constants of a motion with constant rates. */
+static void steady_init(torque_free_motion *motion, const double_double omega[3],
+    const double_double q[4])
 {
-    const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
-    double *constants = (double *)&motion->of;
-    for (size_t k = 0; k < held; k++)
-        constants[k] = rows[k * LANES + i];
-    if (motion->branch == 1)
-        limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
-    else
-        limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
-    return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    const int at_rest = is_at_rest(omega);
+    const double_double one = {1.0, 0.0};
+    const double_double first = at_rest ? one : omega[0];
+    motion->branch = 0;
+    steady_constants(first, omega[1], omega[2], q[0], q[1], q[2], q[3], &motion->of.steady);
+    if (at_rest) {
+        motion->unit = 0.0;
+        motion->of.steady.Lambda_rate_hi = 0.0;
+        motion->of.steady.Lambda_rate_lo = 0.0;
+    }
+}
+
+/* Write a pair to lane i. */
+static void put_pair(double *restrict high, double *restrict low, size_t i, double_double x)
+{
+    high[i] = x.hi;
+    low[i] = x.lo;
 }
 
 /* Write the numbers that the constants of a motion are computed from to lane i. */
-#define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
-
 static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
-                const double_double apart[3], const double_double omega[3], const double_double q[4], double_double E_b)
+    const double_double apart[3], const double_double omega[3], const double_double q[4],
+    double_double E_b)
 {
-    const int a = motion->axis[0], b = motion->axis[1], d = motion->axis[2];
-    PUT(c_a, c[a]), PUT(c_b, c[b]), PUT(c_d, c[d]);
-    PUT(c_ab, difference(apart, a, b)), PUT(c_ad, difference(apart, a, d)), PUT(c_bd, difference(apart, b, d));
-    PUT(Omega_a, omega[a]), PUT(Omega_b, omega[b]), PUT(Omega_d, omega[d]), PUT(E_b, E_b);
-    PUT(q_0, q[0]), PUT(q_a, q[1 + a]), PUT(q_b, q[1 + b]), PUT(q_d, q[1 + d]);
-    lane->axis_a[i] = a, lane->axis_b[i] = b, lane->axis_d[i] = d;
+    const int a = motion->axis[0];
+    const int b = motion->axis[1];
+    const int d = motion->axis[2];
+    put_pair(lane->c_a_hi, lane->c_a_lo, i, c[a]);
+    put_pair(lane->c_b_hi, lane->c_b_lo, i, c[b]);
+    put_pair(lane->c_d_hi, lane->c_d_lo, i, c[d]);
+    put_pair(lane->c_ab_hi, lane->c_ab_lo, i, difference(apart, a, b));
+    put_pair(lane->c_ad_hi, lane->c_ad_lo, i, difference(apart, a, d));
+    put_pair(lane->c_bd_hi, lane->c_bd_lo, i, difference(apart, b, d));
+    put_pair(lane->Omega_a_hi, lane->Omega_a_lo, i, omega[a]);
+    put_pair(lane->Omega_b_hi, lane->Omega_b_lo, i, omega[b]);
+    put_pair(lane->Omega_d_hi, lane->Omega_d_lo, i, omega[d]);
+    put_pair(lane->E_b_hi, lane->E_b_lo, i, E_b);
+    put_pair(lane->q_0_hi, lane->q_0_lo, i, q[0]);
+    put_pair(lane->q_a_hi, lane->q_a_lo, i, q[1 + a]);
+    put_pair(lane->q_b_hi, lane->q_b_lo, i, q[1 + b]);
+    put_pair(lane->q_d_hi, lane->q_d_lo, i, q[1 + d]);
+    lane->axis_a[i] = (double)a;
+    lane->axis_b[i] = (double)b;
+    lane->axis_d[i] = (double)d;
     lane->unit[i] = motion->unit;
+}
+
+/* Copy a used lane of a row to all that are not used. */
+static void spread(double *restrict row, const double own[LANES], size_t used)
+{
+    const double other = row[used];
+    for (size_t i = 0; i < LANES; i++) {
+        row[i] = own[i] > 0.0 ? row[i] : other;
+    }
 }
 
 /* Copy a used lane to all that are not used, so that unused lanes raise no exceptions. */
 static void repeat(lanes *lane, const int own[LANES])
 {
-    double *row = (double *)lane;
-    size_t from = 0;
-    while (!own[from])
-        from++;
-    for (size_t k = 0; k < sizeof *lane / sizeof *row; k += LANES)
-        for (size_t i = 0; i < LANES; i++)
-            row[k + i] = own[i] ? row[k + i] : row[k + from];
+    size_t used = 0;
+    double mask[LANES];
+    for (size_t i = 0; i < LANES; i++) {
+        used = own[LANES - 1 - i] ? LANES - 1 - i : used;
+        mask[i] = own[i] ? 1.0 : 0.0;
+    }
+    spread(lane->c_a_hi, mask, used);
+    spread(lane->c_a_lo, mask, used);
+    spread(lane->c_b_hi, mask, used);
+    spread(lane->c_b_lo, mask, used);
+    spread(lane->c_d_hi, mask, used);
+    spread(lane->c_d_lo, mask, used);
+    spread(lane->c_ab_hi, mask, used);
+    spread(lane->c_ab_lo, mask, used);
+    spread(lane->c_ad_hi, mask, used);
+    spread(lane->c_ad_lo, mask, used);
+    spread(lane->c_bd_hi, mask, used);
+    spread(lane->c_bd_lo, mask, used);
+    spread(lane->Omega_a_hi, mask, used);
+    spread(lane->Omega_a_lo, mask, used);
+    spread(lane->Omega_b_hi, mask, used);
+    spread(lane->Omega_b_lo, mask, used);
+    spread(lane->Omega_d_hi, mask, used);
+    spread(lane->Omega_d_lo, mask, used);
+    spread(lane->E_b_hi, mask, used);
+    spread(lane->E_b_lo, mask, used);
+    spread(lane->axis_a, mask, used);
+    spread(lane->axis_b, mask, used);
+    spread(lane->axis_d, mask, used);
+    spread(lane->K_hi, mask, used);
+    spread(lane->K_lo, mask, used);
+    spread(lane->A_a_hi, mask, used);
+    spread(lane->A_a_lo, mask, used);
+    spread(lane->A_b_hi, mask, used);
+    spread(lane->A_b_lo, mask, used);
+    spread(lane->A_d_hi, mask, used);
+    spread(lane->A_d_lo, mask, used);
+    spread(lane->B_a_hi, mask, used);
+    spread(lane->B_a_lo, mask, used);
+    spread(lane->B_d_hi, mask, used);
+    spread(lane->B_d_lo, mask, used);
+    spread(lane->k_1_hi, mask, used);
+    spread(lane->k_1_lo, mask, used);
+    spread(lane->kc_1_hi, mask, used);
+    spread(lane->kc_1_lo, mask, used);
+    spread(lane->mu_hi, mask, used);
+    spread(lane->mu_lo, mask, used);
+    spread(lane->psi_0_hi, mask, used);
+    spread(lane->psi_0_lo, mask, used);
+    spread(lane->s_hi, mask, used);
+    spread(lane->s_lo, mask, used);
+    spread(lane->c_hi, mask, used);
+    spread(lane->c_lo, mask, used);
+    spread(lane->d_hi, mask, used);
+    spread(lane->d_lo, mask, used);
+    spread(lane->epsilon, mask, used);
+    spread(lane->sigma, mask, used);
+    spread(lane->rho, mask, used);
+    spread(lane->chi, mask, used);
+    spread(lane->q_0_hi, mask, used);
+    spread(lane->q_0_lo, mask, used);
+    spread(lane->q_a_hi, mask, used);
+    spread(lane->q_a_lo, mask, used);
+    spread(lane->q_b_hi, mask, used);
+    spread(lane->q_b_lo, mask, used);
+    spread(lane->q_d_hi, mask, used);
+    spread(lane->q_d_lo, mask, used);
+    spread(lane->unit, mask, used);
 }
 
-/* Compute the constants of those of n motions that are on one branch, from the lanes of `initial_state`. */
-static void branch_init(const lanes *lane, int branch, size_t n, torque_free_motion *motion, int *code)
+/* Compute the constants of those of n motions that are on one branch. lane: what `initial_state`
+   has written. */
+static void branch_init(const lanes *lane, int branch, size_t n,
+    torque_free_motion *restrict motion, int *restrict code)
 {
-    lanes alike = *lane;
-    union {
-        circular_lanes circular;
-        hyperbolic_lanes hyperbolic;
-    } of;
-    int own[LANES], count = 0, others = 0;
+    lanes alike;
+    alike = *lane;
+    int own[LANES];
+    int is_any = 0;
+    int are_others = 0;
     for (size_t i = 0; i < LANES; i++) {
         own[i] = i < n && motion[i].branch == branch;
-        count += own[i];
-        others += i < n && motion[i].branch && !own[i];
+        is_any = is_any || own[i];
+        are_others = are_others || (i < n && motion[i].branch != 0 && !own[i]);
     }
-    if (!count)
+    if (!is_any) {
         return;
-    if (others)
+    }
+    if (are_others) {
         repeat(&alike, own);
-    if (branch == 1)
-        circular_constants(&alike, &of.circular);
-    else
-        hyperbolic_constants(&alike, &of.hyperbolic);
-    const size_t held = branch == 1 ? sizeof(torque_free_circular) : sizeof(torque_free_hyperbolic);
-    for (size_t i = 0; i < n; i++)
-        if (own[i])
-            code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
+    }
+    if (branch == 1) {
+        circular_lanes circular;
+        circular_constants(&alike, &circular);
+        for (size_t i = 0; i < n; i++) {
+            if (own[i]) {
+                int holds = 1;
+                motion[i].of.circular.v_rate_hi = circular.v_rate_hi[i];
+                holds = holds && isfinite(circular.v_rate_hi[i]);
+                motion[i].of.circular.v_rate_lo = circular.v_rate_lo[i];
+                holds = holds && isfinite(circular.v_rate_lo[i]);
+                motion[i].of.circular.v_hi = circular.v_hi[i];
+                holds = holds && isfinite(circular.v_hi[i]);
+                motion[i].of.circular.v_lo = circular.v_lo[i];
+                holds = holds && isfinite(circular.v_lo[i]);
+                motion[i].of.circular.Lambda_rate_hi = circular.Lambda_rate_hi[i];
+                holds = holds && isfinite(circular.Lambda_rate_hi[i]);
+                motion[i].of.circular.Lambda_rate_lo = circular.Lambda_rate_lo[i];
+                holds = holds && isfinite(circular.Lambda_rate_lo[i]);
+                motion[i].of.circular.T4_re_0 = circular.T4_re_0[i];
+                holds = holds && isfinite(circular.T4_re_0[i]);
+                motion[i].of.circular.T4_re_1 = circular.T4_re_1[i];
+                holds = holds && isfinite(circular.T4_re_1[i]);
+                motion[i].of.circular.T4_re_2 = circular.T4_re_2[i];
+                holds = holds && isfinite(circular.T4_re_2[i]);
+                motion[i].of.circular.T4_re_3 = circular.T4_re_3[i];
+                holds = holds && isfinite(circular.T4_re_3[i]);
+                motion[i].of.circular.T4_im_0 = circular.T4_im_0[i];
+                holds = holds && isfinite(circular.T4_im_0[i]);
+                motion[i].of.circular.T4_im_1 = circular.T4_im_1[i];
+                holds = holds && isfinite(circular.T4_im_1[i]);
+                motion[i].of.circular.T4_im_2 = circular.T4_im_2[i];
+                holds = holds && isfinite(circular.T4_im_2[i]);
+                motion[i].of.circular.T1_re_0 = circular.T1_re_0[i];
+                holds = holds && isfinite(circular.T1_re_0[i]);
+                motion[i].of.circular.T1_re_1 = circular.T1_re_1[i];
+                holds = holds && isfinite(circular.T1_re_1[i]);
+                motion[i].of.circular.T1_re_2 = circular.T1_re_2[i];
+                holds = holds && isfinite(circular.T1_re_2[i]);
+                motion[i].of.circular.T1_re_3 = circular.T1_re_3[i];
+                holds = holds && isfinite(circular.T1_re_3[i]);
+                motion[i].of.circular.T1_im_0 = circular.T1_im_0[i];
+                holds = holds && isfinite(circular.T1_im_0[i]);
+                motion[i].of.circular.T1_im_1 = circular.T1_im_1[i];
+                holds = holds && isfinite(circular.T1_im_1[i]);
+                motion[i].of.circular.T1_im_2 = circular.T1_im_2[i];
+                holds = holds && isfinite(circular.T1_im_2[i]);
+                motion[i].of.circular.T1_im_3 = circular.T1_im_3[i];
+                holds = holds && isfinite(circular.T1_im_3[i]);
+                motion[i].of.circular.even_0 = circular.even_0[i];
+                holds = holds && isfinite(circular.even_0[i]);
+                motion[i].of.circular.even_1 = circular.even_1[i];
+                holds = holds && isfinite(circular.even_1[i]);
+                motion[i].of.circular.even_2 = circular.even_2[i];
+                holds = holds && isfinite(circular.even_2[i]);
+                motion[i].of.circular.odd_0 = circular.odd_0[i];
+                holds = holds && isfinite(circular.odd_0[i]);
+                motion[i].of.circular.odd_1 = circular.odd_1[i];
+                holds = holds && isfinite(circular.odd_1[i]);
+                motion[i].of.circular.sine_even_0 = circular.sine_even_0[i];
+                holds = holds && isfinite(circular.sine_even_0[i]);
+                motion[i].of.circular.sine_even_1 = circular.sine_even_1[i];
+                holds = holds && isfinite(circular.sine_even_1[i]);
+                motion[i].of.circular.sine_even_2 = circular.sine_even_2[i];
+                holds = holds && isfinite(circular.sine_even_2[i]);
+                motion[i].of.circular.sine_odd_0 = circular.sine_odd_0[i];
+                holds = holds && isfinite(circular.sine_odd_0[i]);
+                motion[i].of.circular.sine_odd_1 = circular.sine_odd_1[i];
+                holds = holds && isfinite(circular.sine_odd_1[i]);
+                motion[i].of.circular.row_0_P4_re = circular.row_0_P4_re[i];
+                holds = holds && isfinite(circular.row_0_P4_re[i]);
+                motion[i].of.circular.row_0_P4_im = circular.row_0_P4_im[i];
+                holds = holds && isfinite(circular.row_0_P4_im[i]);
+                motion[i].of.circular.row_0_P1_re = circular.row_0_P1_re[i];
+                holds = holds && isfinite(circular.row_0_P1_re[i]);
+                motion[i].of.circular.row_0_P1_im = circular.row_0_P1_im[i];
+                holds = holds && isfinite(circular.row_0_P1_im[i]);
+                motion[i].of.circular.row_a_P4_re = circular.row_a_P4_re[i];
+                holds = holds && isfinite(circular.row_a_P4_re[i]);
+                motion[i].of.circular.row_a_P4_im = circular.row_a_P4_im[i];
+                holds = holds && isfinite(circular.row_a_P4_im[i]);
+                motion[i].of.circular.row_a_P1_re = circular.row_a_P1_re[i];
+                holds = holds && isfinite(circular.row_a_P1_re[i]);
+                motion[i].of.circular.row_a_P1_im = circular.row_a_P1_im[i];
+                holds = holds && isfinite(circular.row_a_P1_im[i]);
+                motion[i].of.circular.row_b_P4_re = circular.row_b_P4_re[i];
+                holds = holds && isfinite(circular.row_b_P4_re[i]);
+                motion[i].of.circular.row_b_P4_im = circular.row_b_P4_im[i];
+                holds = holds && isfinite(circular.row_b_P4_im[i]);
+                motion[i].of.circular.row_b_P1_re = circular.row_b_P1_re[i];
+                holds = holds && isfinite(circular.row_b_P1_re[i]);
+                motion[i].of.circular.row_b_P1_im = circular.row_b_P1_im[i];
+                holds = holds && isfinite(circular.row_b_P1_im[i]);
+                motion[i].of.circular.row_d_P4_re = circular.row_d_P4_re[i];
+                holds = holds && isfinite(circular.row_d_P4_re[i]);
+                motion[i].of.circular.row_d_P4_im = circular.row_d_P4_im[i];
+                holds = holds && isfinite(circular.row_d_P4_im[i]);
+                motion[i].of.circular.row_d_P1_re = circular.row_d_P1_re[i];
+                holds = holds && isfinite(circular.row_d_P1_re[i]);
+                motion[i].of.circular.row_d_P1_im = circular.row_d_P1_im[i];
+                holds = holds && isfinite(circular.row_d_P1_im[i]);
+                motion[i].of.circular.gain_a = circular.gain_a[i];
+                holds = holds && isfinite(circular.gain_a[i]);
+                motion[i].of.circular.gain_b = circular.gain_b[i];
+                holds = holds && isfinite(circular.gain_b[i]);
+                motion[i].of.circular.gain_d = circular.gain_d[i];
+                holds = holds && isfinite(circular.gain_d[i]);
+                motion[i].max_angle = limit(motion[i].max_angle, circular.v_rate_hi[i], circular.Lambda_rate_hi[i]);
+                code[i] = holds ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+            }
+        }
+    } else {
+        hyperbolic_lanes hyperbolic;
+        hyperbolic_constants(&alike, &hyperbolic);
+        for (size_t i = 0; i < n; i++) {
+            if (own[i]) {
+                int holds = 1;
+                motion[i].of.hyperbolic.y_rate_hi = hyperbolic.y_rate_hi[i];
+                holds = holds && isfinite(hyperbolic.y_rate_hi[i]);
+                motion[i].of.hyperbolic.y_rate_lo = hyperbolic.y_rate_lo[i];
+                holds = holds && isfinite(hyperbolic.y_rate_lo[i]);
+                motion[i].of.hyperbolic.y0_hi = hyperbolic.y0_hi[i];
+                holds = holds && isfinite(hyperbolic.y0_hi[i]);
+                motion[i].of.hyperbolic.y0_lo = hyperbolic.y0_lo[i];
+                holds = holds && isfinite(hyperbolic.y0_lo[i]);
+                motion[i].of.hyperbolic.period_hi = hyperbolic.period_hi[i];
+                holds = holds && isfinite(hyperbolic.period_hi[i]);
+                motion[i].of.hyperbolic.period_lo = hyperbolic.period_lo[i];
+                holds = holds && isfinite(hyperbolic.period_lo[i]);
+                motion[i].of.hyperbolic.Lambda_rate_hi = hyperbolic.Lambda_rate_hi[i];
+                holds = holds && isfinite(hyperbolic.Lambda_rate_hi[i]);
+                motion[i].of.hyperbolic.Lambda_rate_lo = hyperbolic.Lambda_rate_lo[i];
+                holds = holds && isfinite(hyperbolic.Lambda_rate_lo[i]);
+                motion[i].of.hyperbolic.jump_hi = hyperbolic.jump_hi[i];
+                holds = holds && isfinite(hyperbolic.jump_hi[i]);
+                motion[i].of.hyperbolic.jump_lo = hyperbolic.jump_lo[i];
+                holds = holds && isfinite(hyperbolic.jump_lo[i]);
+                motion[i].of.hyperbolic.period_far = hyperbolic.period_far[i];
+                holds = holds && isfinite(hyperbolic.period_far[i]);
+                motion[i].of.hyperbolic.period_inverse = hyperbolic.period_inverse[i];
+                holds = holds && isfinite(hyperbolic.period_inverse[i]);
+                motion[i].of.hyperbolic.re_0 = hyperbolic.re_0[i];
+                holds = holds && isfinite(hyperbolic.re_0[i]);
+                motion[i].of.hyperbolic.re_1 = hyperbolic.re_1[i];
+                holds = holds && isfinite(hyperbolic.re_1[i]);
+                motion[i].of.hyperbolic.re_2 = hyperbolic.re_2[i];
+                holds = holds && isfinite(hyperbolic.re_2[i]);
+                motion[i].of.hyperbolic.re_3 = hyperbolic.re_3[i];
+                holds = holds && isfinite(hyperbolic.re_3[i]);
+                motion[i].of.hyperbolic.im_0 = hyperbolic.im_0[i];
+                holds = holds && isfinite(hyperbolic.im_0[i]);
+                motion[i].of.hyperbolic.im_1 = hyperbolic.im_1[i];
+                holds = holds && isfinite(hyperbolic.im_1[i]);
+                motion[i].of.hyperbolic.im_2 = hyperbolic.im_2[i];
+                holds = holds && isfinite(hyperbolic.im_2[i]);
+                motion[i].of.hyperbolic.im_3 = hyperbolic.im_3[i];
+                holds = holds && isfinite(hyperbolic.im_3[i]);
+                motion[i].of.hyperbolic.nome = hyperbolic.nome[i];
+                holds = holds && isfinite(hyperbolic.nome[i]);
+                motion[i].of.hyperbolic.nome2 = hyperbolic.nome2[i];
+                holds = holds && isfinite(hyperbolic.nome2[i]);
+                motion[i].of.hyperbolic.nome4 = hyperbolic.nome4[i];
+                holds = holds && isfinite(hyperbolic.nome4[i]);
+                motion[i].of.hyperbolic.nome8 = hyperbolic.nome8[i];
+                holds = holds && isfinite(hyperbolic.nome8[i]);
+                motion[i].of.hyperbolic.nome12 = hyperbolic.nome12[i];
+                holds = holds && isfinite(hyperbolic.nome12[i]);
+                motion[i].of.hyperbolic.row_0_P4_re = hyperbolic.row_0_P4_re[i];
+                holds = holds && isfinite(hyperbolic.row_0_P4_re[i]);
+                motion[i].of.hyperbolic.row_0_P4_im = hyperbolic.row_0_P4_im[i];
+                holds = holds && isfinite(hyperbolic.row_0_P4_im[i]);
+                motion[i].of.hyperbolic.row_0_P1_re = hyperbolic.row_0_P1_re[i];
+                holds = holds && isfinite(hyperbolic.row_0_P1_re[i]);
+                motion[i].of.hyperbolic.row_0_P1_im = hyperbolic.row_0_P1_im[i];
+                holds = holds && isfinite(hyperbolic.row_0_P1_im[i]);
+                motion[i].of.hyperbolic.row_a_P4_re = hyperbolic.row_a_P4_re[i];
+                holds = holds && isfinite(hyperbolic.row_a_P4_re[i]);
+                motion[i].of.hyperbolic.row_a_P4_im = hyperbolic.row_a_P4_im[i];
+                holds = holds && isfinite(hyperbolic.row_a_P4_im[i]);
+                motion[i].of.hyperbolic.row_a_P1_re = hyperbolic.row_a_P1_re[i];
+                holds = holds && isfinite(hyperbolic.row_a_P1_re[i]);
+                motion[i].of.hyperbolic.row_a_P1_im = hyperbolic.row_a_P1_im[i];
+                holds = holds && isfinite(hyperbolic.row_a_P1_im[i]);
+                motion[i].of.hyperbolic.row_b_P4_re = hyperbolic.row_b_P4_re[i];
+                holds = holds && isfinite(hyperbolic.row_b_P4_re[i]);
+                motion[i].of.hyperbolic.row_b_P4_im = hyperbolic.row_b_P4_im[i];
+                holds = holds && isfinite(hyperbolic.row_b_P4_im[i]);
+                motion[i].of.hyperbolic.row_b_P1_re = hyperbolic.row_b_P1_re[i];
+                holds = holds && isfinite(hyperbolic.row_b_P1_re[i]);
+                motion[i].of.hyperbolic.row_b_P1_im = hyperbolic.row_b_P1_im[i];
+                holds = holds && isfinite(hyperbolic.row_b_P1_im[i]);
+                motion[i].of.hyperbolic.row_d_P4_re = hyperbolic.row_d_P4_re[i];
+                holds = holds && isfinite(hyperbolic.row_d_P4_re[i]);
+                motion[i].of.hyperbolic.row_d_P4_im = hyperbolic.row_d_P4_im[i];
+                holds = holds && isfinite(hyperbolic.row_d_P4_im[i]);
+                motion[i].of.hyperbolic.row_d_P1_re = hyperbolic.row_d_P1_re[i];
+                holds = holds && isfinite(hyperbolic.row_d_P1_re[i]);
+                motion[i].of.hyperbolic.row_d_P1_im = hyperbolic.row_d_P1_im[i];
+                holds = holds && isfinite(hyperbolic.row_d_P1_im[i]);
+                motion[i].of.hyperbolic.gain_a = hyperbolic.gain_a[i];
+                holds = holds && isfinite(hyperbolic.gain_a[i]);
+                motion[i].of.hyperbolic.gain_b = hyperbolic.gain_b[i];
+                holds = holds && isfinite(hyperbolic.gain_b[i]);
+                motion[i].of.hyperbolic.gain_d = hyperbolic.gain_d[i];
+                holds = holds && isfinite(hyperbolic.gain_d[i]);
+                motion[i].max_angle = limit(motion[i].max_angle, hyperbolic.y_rate_hi[i], hyperbolic.Lambda_rate_hi[i]);
+                code[i] = holds ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+            }
+        }
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (own[i] && !is_held(motion[i].unit, lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i])) {
+            code[i] = TORQUE_FREE_RATES;
+        }
+    }
 }
 
-/* Compute the constants of n motions that `begin` wrote to lanes, and their codes; steady ones have theirs. */
-static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *code)
+/* Compute the constants of n motions that `begin` wrote to lanes, and their codes. Steady motions
+   have their constants. */
+static void moving_init(lanes *lane, size_t n, torque_free_motion *restrict motion,
+    int *restrict code)
 {
-    int own[LANES], count = 0;
+    int own[LANES];
+    size_t count = 0;
     for (size_t i = 0; i < LANES; i++) {
-        own[i] = i < n && motion[i].branch;
-        count += own[i];
+        own[i] = i < n && motion[i].branch != 0;
+        count += own[i] ? 1 : 0;
     }
-    if (!count)
+    if (count == 0) {
         return;
-    if (count < LANES)
+    }
+    if (count < LANES) {
         repeat(lane, own);
+    }
     initial_state(lane);
-    for (size_t i = 0; i < n; i++)
-        if (own[i])
+    for (size_t i = 0; i < n; i++) {
+        if (own[i]) {
             motion[i].branch = lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular ? 1 : 2;
+        }
+    }
     branch_init(lane, 1, n, motion, code);
     branch_init(lane, 2, n, motion, code);
 }
 
-/* log2(x), x >= 0, without an exception for zero. */
-static double log2_of(double x) { return x > 0.0 ? log2(x) : -HUGE_VAL; }
-
-/* log2(2^x + 2^y); both may be minus infinity. */
-static double log2_sum(double x, double y)
-{
-    const double most = x > y ? x : y, other = x > y ? y : x;
-    return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
-}
-
-/* Follow the separatrix, or spin about the middle axis, up to a time, where E_b is too faint, or where
-   rates taken for zero could decide when that spin turns over.
-
-   With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
-   X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
-   no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
-   zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
-static void follow(torque_free_motion *motion, const double_double c[3], const double_double apart[3], double_double omega[3],
-                   const double_double given[3], double_double *E_b, int is_faint)
-{
-    const int *axis = motion->axis;
-    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
-    const double over = fabs(difference(apart, axis[0], axis[1]).hi);
-    const double under = fabs(difference(apart, axis[1], axis[2]).hi);
-    const double largest = c_a > c_d ? c_a : c_d, smallest = c_a > c_d ? c_d : c_a;
-    const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
-    double part[2], gone = -HUGE_VAL, left = -HUGE_VAL, momentum = 0.0;
-    for (int k = 0; k < 2; k++) {
-        part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
-        if (is_zero(omega[axis[2 * k]]))
-            gone = log2_sum(gone, part[k]);
-        else
-            left = log2_sum(left, part[k]);
-    }
-    for (int k = 0; k < 3; k++)
-        momentum = fmax(momentum, c[k].hi * fabs(given[k].hi));
-    const double size = log2_sum(part[0], part[1]), distance = log2_of(fabs(E_b->hi));
-    const int is_spin = gone > left + log2(decisive) || (is_faint && distance > 2.0 * size + log2(decisive));
-    if (!is_spin && !is_faint)
-        return;
-    const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
-    const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
-                               under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2_of(growth) + log2(smallest / largest));
-    const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
-                        (is_spin ? size : distance - size);
-    const double bits = log2(tolerated) + room;
-    motion->max_angle = bits > 0.0 ? fmin(log(2.0) * bits / growth, max_angle) : 0.0;
-    motion->blurred = motion->max_angle < max_angle;
-    *E_b = dd_of(0.0);
-    for (int k = 0; k < 3 && is_spin; k += 2)
-        omega[axis[k]] = dd_of(0.0);
-}
-
 /* Copy the numbers that sensitivities are computed from to the motion. */
 static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
-                 const double_double omega[3], double_double E_b)
+    const double_double omega[3], double_double E_b)
 {
-    for (int k = 0; k < 10; k++) {
-        const double_double x = k < 3 ? c[k] : k < 6 ? apart[k - 3] : k < 9 ? omega[k - 6] : E_b;
-        motion->given[2 * k] = x.hi;
-        motion->given[2 * k + 1] = x.lo;
+    for (size_t k = 0; k < 3; k++) {
+        motion->given[2 * k] = c[k].hi;
+        motion->given[2 * k + 1] = c[k].lo;
+        motion->given[6 + 2 * k] = apart[k].hi;
+        motion->given[7 + 2 * k] = apart[k].lo;
+        motion->given[12 + 2 * k] = omega[k].hi;
+        motion->given[13 + 2 * k] = omega[k].lo;
     }
+    motion->given[18] = E_b.hi;
+    motion->given[19] = E_b.lo;
 }
 
-/* Set all of a motion but the constants of its branch, and write what these are computed from to lane i.
-   c, apart (differences of each moment and the next in turn), the rates `given` and q are in inner
-   units. */
+/* Set all of a motion but the constants of its branch, which are computed from lane i. c, apart
+   (differences of each moment and the next in turn), the rates `given` and q are in inner units;
+   known: E_b, where `is_known`. */
 static void begin(torque_free_motion *motion, lanes *lane, size_t i, const double_double c[3],
-                  const double_double apart[3], const double_double given[3], const double_double q[4],
-                  const double_double *known, double unit)
+    const double_double apart[3], const double_double given[3], const double_double q[4],
+    int is_known, double_double known, double unit)
 {
-    double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
-    memset(motion, 0, sizeof *motion);
+    memset(motion, 0, sizeof(torque_free_motion));
     motion->prepared = PREPARED;
-    for (int k = 0; k < 3; k++) {
-        omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
-        length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
-    }
-    length = dd_sqrt(length);
     motion->unit = unit;
-    motion->max_angle = max_angle;
-    for (int k = 0; k < 4; k++) {
-        unit_q[k] = dd_div_xx(q[k], length);
-        motion->q0[k] = dd_rounded(unit_q[k]);
-    }
-    for (int k = 0; k < 3; k++)
-        motion->omega0[k] = given[k].hi * unit;
-    sorted(apart, motion->axis);
-    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, motion->axis);
-    const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
-    const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
-    int lost = 0;
-    for (int k = 0; k < 3; k += 2)
-        lost |= is_zero(omega[motion->axis[k]]) && !is_zero(given[motion->axis[k]]);
-    if (distinct && (lost || faint))
-        follow(motion, c, apart, omega, given, &discriminant, faint);
     motion->moment_unit = 1.0;
-    keep(motion, c, apart, omega, discriminant);
-    const double side = side_of(apart, omega, motion->axis, discriminant.hi);
-    if (side < 0.0) {
-        const int first = motion->axis[0];
-        motion->axis[0] = motion->axis[2];
-        motion->axis[2] = first;
+    double_double omega[3];
+    for (size_t k = 0; k < 3; k++) {
+        omega[k] = not_negligible(given[k]);
+        motion->omega0[k] = given[k].hi * unit;
     }
-    motion->branch = side < 0.0 || side > 0.0;
-    if (motion->branch)
-        put(lane, i, motion, c, apart, omega, unit_q, discriminant);
-    else
-        steady_init(motion, omega, unit_q);
+    double_double turn[4];
+    normalised(q, &turn[0], &turn[1], &turn[2], &turn[3]);
+    for (size_t k = 0; k < 4; k++) {
+        motion->q0[k] = dd_rounded(turn[k]);
+    }
+    int a;
+    int b;
+    int d;
+    sorted_axes(apart, &a, &b, &d);
+    double_double found = known;
+    if (!is_known) {
+        found = discriminant_of(c, apart, omega, a, b, d);
+    }
+    double last;
+    double_double omega_0;
+    double_double omega_1;
+    double_double omega_2;
+    double_double E_b;
+    course(c, apart, given, omega, a, b, d, found, &last, &omega_0, &omega_1, &omega_2, &E_b);
+    omega[0] = omega_0;
+    omega[1] = omega_1;
+    omega[2] = omega_2;
+    motion->max_angle = last;
+    motion->blurred = last < max_angle ? 1 : 0;
+    keep(motion, c, apart, omega, E_b);
+    const double side = side_of(apart, omega, a, b, d, E_b.hi);
+    motion->axis[0] = side < 0.0 ? d : a;
+    motion->axis[1] = b;
+    motion->axis[2] = side < 0.0 ? a : d;
+    motion->branch = side < 0.0 || side > 0.0 ? 1 : 0;
+    if (motion->branch == 0) {
+        steady_init(motion, omega, turn);
+    } else {
+        put(lane, i, motion, c, apart, omega, turn, E_b);
+    }
 }
 
 /* Check doubles and begin a motion with them; return a code. */
 static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
-                         const double omega0[3], const double attitude0[4])
+    const double omega0[3], const double attitude0[4])
 {
-    double_double c[3], apart[3], omega[3], q[4];
-    double smallest = inertia[0];
     motion->branch = 0;
-    if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
+    if (!(all_finite(3, inertia) && all_finite(3, omega0) && all_finite(4, attitude0))) {
         return TORQUE_FREE_NOT_FINITE;
-    for (int k = 1; k < 3; k++)
-        smallest = inertia[k] < smallest ? inertia[k] : smallest;
-    if (!(smallest > 0.0))
-        return TORQUE_FREE_INERTIA;
-    const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
-    const int q_scale = exponent_of(4, attitude0);
-    int is_zero_attitude = 1;
-    for (int k = 0; k < 3; k++) {
-        c[k] = dd_of(scaled_by(inertia[k], -c_scale));
-        omega[k] = dd_of(scaled_by(omega0[k], -scale));
-        /* Numbers other than zero stay so. */
-        if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
-            omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (!can_exist(c))
-        return TORQUE_FREE_NONPHYSICAL;
-    if (scaled_by(smallest, -c_scale) < min_moment_ratio)
-        return TORQUE_FREE_THIN;
-    for (int k = 0; k < 4; k++) {
-        q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
-        is_zero_attitude = is_zero_attitude && is_zero(q[k]);
+    const int c_scale = scale_of(inertia[0], inertia[1], inertia[2]);
+    const int scale = scale_of(omega0[0], omega0[1], omega0[2]);
+    const double first = fabs(attitude0[0]) >= fabs(attitude0[1]) ? fabs(attitude0[0]) : fabs(attitude0[1]);
+    const int q_scale = scale_of(first, attitude0[2], attitude0[3]);
+    double_double c[3];
+    double_double apart[3];
+    double_double omega[3];
+    double_double q[4];
+    for (size_t k = 0; k < 3; k++) {
+        c[k].hi = scaled_by(inertia[k], -c_scale);
+        c[k].lo = 0.0;
+        omega[k].hi = scaled_rate(omega0[k], -scale);
+        omega[k].lo = 0.0;
     }
-    if (is_zero_attitude)
-        return TORQUE_FREE_ATTITUDE;
+    const int code = broken_rule(inertia, c, attitude0);
+    if (code != TORQUE_FREE_OK) {
+        return code;
+    }
+    for (size_t k = 0; k < 4; k++) {
+        q[k].hi = scaled_by(attitude0[k], -q_scale);
+        q[k].lo = 0.0;
+    }
     /* Differences of doubles are pairs exactly. */
-    for (int k = 0; k < 3; k++)
+    for (size_t k = 0; k < 3; k++) {
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    begin(motion, lane, i, c, apart, omega, q, NULL, scaled_by(1.0, scale));
-    for (int k = 0; k < 3; k++)
+    }
+    begin(motion, lane, i, c, apart, omega, q, 0, q[0], scaled_by(1.0, scale));
+    for (size_t k = 0; k < 3; k++) {
         motion->omega0[k] = omega0[k];
+    }
     motion->moment_unit = scaled_by(1.0, c_scale);
     return TORQUE_FREE_OK;
 }
 
 /* Finish one motion that was begun, and return its code. */
-static int end(torque_free_motion *motion, torque_free_motion *made, lanes *lane)
+static int end(torque_free_motion *motion, torque_free_motion *restrict made, lanes *lane)
 {
-    int code = TORQUE_FREE_OK;
-    if (!is_rounded_once())
+    int code[1];
+    code[0] = TORQUE_FREE_OK;
+    if (!is_rounded_once()) {
         return TORQUE_FREE_ARITHMETIC;
-    moving_init(lane, 1, made, &code);
-    if (code == TORQUE_FREE_OK)
-        *motion = *made;
-    return code;
+    }
+    moving_init(lane, 1, made, code);
+    if (code[0] == TORQUE_FREE_OK) {
+        *motion = made[0];
+    }
+    return code[0];
 }
 
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4])
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
+    const double omega0[3], const double attitude0[4])
 {
-    torque_free_motion made;
+    torque_free_motion made[1];
     lanes lane;
-    memset(&lane, 0, sizeof lane);
-    const int code = begin_doubles(&made, &lane, 0, inertia, omega0, attitude0);
-    return code == TORQUE_FREE_OK ? end(motion, &made, &lane) : code;
+    memset(&lane, 0, sizeof(lanes));
+    const int code = begin_doubles(&made[0], &lane, 0, inertia, omega0, attitude0);
+    if (code != TORQUE_FREE_OK) {
+        return code;
+    }
+    return end(motion, made, &lane);
 }
 
 int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
-                                const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double discriminant[2], double unit)
+    const double differences[3][2], const double omega0[3][2], const double attitude0[4][2],
+    const double discriminant[2], double unit)
 {
-    double_double c[3], apart[3], omega[3], q[4];
-    for (int k = 0; k < 4; k++) {
-        const double_double one = {attitude0[k][0], attitude0[k][1]};
-        q[k] = one;
-    }
-    for (int k = 0; k < 3; k++) {
-        const double_double moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
-        const double_double above = {differences[k][0], differences[k][1]};
-        c[k] = moment;
-        apart[k] = above;
-        omega[k] = rate;
-        if (!all_finite(2, inertia[k]) || !all_finite(2, differences[k]) || !all_finite(2, omega0[k]))
+    double_double c[3];
+    double_double apart[3];
+    double_double omega[3];
+    double_double q[4];
+    int are_finite = isfinite(discriminant[0]) && isfinite(discriminant[1]) && isfinite(unit);
+    for (size_t k = 0; k < 3; k++) {
+        c[k].hi = inertia[k][0];
+        c[k].lo = inertia[k][1];
+        apart[k].hi = differences[k][0];
+        apart[k].lo = differences[k][1];
+        omega[k].hi = omega0[k][0];
+        omega[k].lo = omega0[k][1];
+        if (!(isfinite(c[k].hi) && isfinite(c[k].lo))) {
             return TORQUE_FREE_NOT_FINITE;
-        if (!(moment.hi > 0.0))
+        }
+        if (!(isfinite(apart[k].hi) && isfinite(apart[k].lo))) {
+            return TORQUE_FREE_NOT_FINITE;
+        }
+        if (!(isfinite(omega[k].hi) && isfinite(omega[k].lo))) {
+            return TORQUE_FREE_NOT_FINITE;
+        }
+        if (!(c[k].hi > 0.0)) {
             return TORQUE_FREE_INERTIA;
-        if (moment.hi < min_moment_ratio || moment.hi > 4.0)
+        }
+        if (c[k].hi < min_moment_ratio || c[k].hi > 4.0) {
             return TORQUE_FREE_THIN;
-        if (fabs(rate.hi) > 4.0)
+        }
+        if (fabs(omega[k].hi) > 4.0) {
             return TORQUE_FREE_RATES;
+        }
     }
-    if (!can_exist(c))
+    if (!can_exist(c)) {
         return TORQUE_FREE_NONPHYSICAL;
-    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
+    }
+    int is_turned = 0;
+    for (size_t k = 0; k < 4; k++) {
+        q[k].hi = attitude0[k][0];
+        q[k].lo = attitude0[k][1];
+        are_finite = are_finite && isfinite(q[k].hi) && isfinite(q[k].lo);
+        is_turned = is_turned || !is_zero(q[k].hi);
+    }
+    if (!are_finite) {
         return TORQUE_FREE_NOT_FINITE;
-    if (!(unit > 0.0))
+    }
+    if (!(unit > 0.0)) {
         return TORQUE_FREE_RATES;
-    if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
+    }
+    if (!is_turned) {
         return TORQUE_FREE_ATTITUDE;
-    const double_double known = {discriminant[0], discriminant[1]};
-    torque_free_motion made;
+    }
+    torque_free_motion made[1];
     lanes lane;
-    memset(&lane, 0, sizeof lane);
-    begin(&made, &lane, 0, c, apart, omega, q, &known, unit);
-    return end(motion, &made, &lane);
+    memset(&lane, 0, sizeof(lanes));
+    const double_double known = {discriminant[0], discriminant[1]};
+    begin(&made[0], &lane, 0, c, apart, omega, q, 1, known, unit);
+    return end(motion, made, &lane);
 }
 
-/* Scale times to inner units; return 1 if all are within the domain, and set *zero if one is zero. */
-static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
-                        double *restrict inner, int *zero)
+/* Scale times to inner units. Return whether all are within the domain, and whether one is zero. */
+static void scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
+    double *restrict inner, int *near_out, int *has_zero_out)
 {
-    const double unit = motion->unit, last = motion->max_angle;
-    int bad = 0, zeros = 0;
+    const double unit = motion->unit;
+    const double last = motion->max_angle;
+    int late = 0;
+    int zeros = 0;
     for (size_t i = 0; i < n; i++) {
         inner[i] = unit * t[i];
-        bad |= !(fabs(inner[i]) <= last);
-        zeros |= !(t[i] < 0.0 || t[i] > 0.0);
+        late += fabs(inner[i]) <= last ? 0 : 1;
+        zeros += is_zero(t[i]) ? 1 : 0;
     }
-    *zero = zeros;
-    return !bad;
+    const int near = late == 0;
+    const int has_zero = zeros > 0;
+    *near_out = near;
+    *has_zero_out = has_zero;
 }
 
+/* Write three columns as n rows. */
 static void interleaved(size_t n, const double *restrict a, const double *restrict b,
-                        const double *restrict c, double *restrict rows)
+    const double *restrict c, double *restrict rows)
 {
     for (size_t i = 0; i < n; i++) {
         rows[3 * i] = a[i];
@@ -3440,8 +3672,9 @@ static void interleaved(size_t n, const double *restrict a, const double *restri
     }
 }
 
+/* Write four columns as n rows. */
 static void interleaved4(size_t n, const double *restrict a, const double *restrict b,
-                         const double *restrict c, const double *restrict d, double *restrict rows)
+    const double *restrict c, const double *restrict d, double *restrict rows)
 {
     for (size_t i = 0; i < n; i++) {
         rows[4 * i] = a[i];
@@ -3451,146 +3684,181 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* Compute n states from the angles, in rows s apart: two on the steady branch, at most six on the
-   others; `out` has room for seven. */
-static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
-                         double *restrict out, double *restrict q, double *restrict omega)
+/* Compute n states from the angles, in rows s apart. The steady branch has two rows of angles, the
+   others have at most six; `to` has room for seven. */
+static void block_states(const torque_free_motion *motion, size_t n, size_t s,
+    const double *restrict angles, double *restrict to, double *restrict q, double *restrict omega)
 {
-    const int *axis = motion->axis;
-    double *row[7];
     if (motion->branch == 0) {
-        steady_state(&motion->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
-        for (size_t i = 0; i < n; i++)
-            for (int k = 0; k < 3; k++)
-                omega[3 * i + (size_t)k] = motion->omega0[k];
-        interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
+        steady_state(&motion->of.steady, n, angles, angles + s, to, to + s, to + 2 * s, to + 3 * s);
+        for (size_t i = 0; i < n; i++) {
+            for (size_t k = 0; k < 3; k++) {
+                omega[3 * i + k] = motion->omega0[k];
+            }
+        }
+        interleaved4(n, to, to + s, to + 2 * s, to + 3 * s, q);
         return;
     }
-    row[0] = out;
-    for (size_t k = 0; k < 3; k++) {
-        row[1 + axis[k]] = out + (1 + k) * s;
-        row[4 + axis[k]] = out + (4 + k) * s;
+    if (motion->branch == 1) {
+        circular_state(&motion->of.circular, n, angles, angles + s, angles + 2 * s, angles + 3 * s, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s, to + 6 * s);
+    } else {
+        hyperbolic_state(&motion->of.hyperbolic, n, angles, angles + s, angles + 2 * s, angles + 3 * s, angles + 4 * s, angles + 5 * s, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s, to + 6 * s);
     }
-    if (motion->branch == 1)
-        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s,
-                       out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
-    else
-        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s, in + 5 * s,
-                         out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
-    interleaved4(n, row[0], row[1], row[2], row[3], q);
-    interleaved(n, row[4], row[5], row[6], omega);
+    /* Where the row of each body axis begins. */
+    size_t at[3];
+    for (size_t k = 0; k < 3; k++) {
+        at[motion->axis[k]] = (1 + k) * s;
+    }
+    interleaved4(n, to, to + at[0], to + at[1], to + at[2], q);
+    interleaved(n, to + (3 * s + at[0]), to + (3 * s + at[1]), to + (3 * s + at[2]), omega);
 }
 
 /* Write the angles at the inner times t + t_lo, in rows s apart. */
-static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
-                         const double *restrict t_lo, double *restrict to)
+static void block_angles(const torque_free_motion *motion, size_t n, size_t s,
+    const double *restrict t, const double *restrict t_lo, double *restrict to)
 {
-    if (motion->branch == 0)
+    if (motion->branch == 0) {
         steady_angles(&motion->of.steady, n, t, t_lo, to, to + s);
-    else if (motion->branch == 1)
+    } else if (motion->branch == 1) {
         circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
-    else
+    } else {
         hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s);
+    }
 }
 
-/* Prefetch the cache lines that the next block of rows will be written to. */
-static void fetch(const double *q, const double *omega)
+/* Prefetch the cache lines that the next block will be written to, where n states are left. */
+static void fetch(size_t n, const double *restrict q, const double *restrict omega)
 {
-#ifdef __GNUC__
-    for (size_t i = 0; i < 4 * BLOCK; i += 8)
-        __builtin_prefetch(q + i, 1);
-    for (size_t i = 0; i < 3 * BLOCK; i += 8)
-        __builtin_prefetch(omega + i, 1);
-#else
-    (void)q, (void)omega;
-#endif
+    if (n >= 2 * BLOCK) {
+        PREFETCH(q + 4 * BLOCK, 4 * BLOCK);
+        PREFETCH(omega + 3 * BLOCK, 3 * BLOCK);
+    }
 }
 
 /* Write the exact initial state of a motion. */
-static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
+static void at_initial_state(const torque_free_motion *motion, double *restrict q,
+    double *restrict omega)
 {
-    for (int k = 0; k < 4; k++)
+    for (size_t k = 0; k < 4; k++) {
         q[k] = motion->q0[k];
-    for (int k = 0; k < 3; k++)
+    }
+    for (size_t k = 0; k < 3; k++) {
         omega[k] = motion->omega0[k];
+    }
 }
 
 /* Return the code for times at which a motion has no states. */
-static int refusal(const torque_free_motion *motion, size_t n, const double *t)
+static int refusal(const torque_free_motion *motion, int are_finite)
 {
-    if (!all_finite(n, t))
+    if (!are_finite) {
         return TORQUE_FREE_NOT_FINITE;
-    return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
-}
-
-static void no_states(size_t n, double *q, double *omega)
-{
-    for (size_t i = 0; i < 4 * n; i++)
-        q[i] = (double)NAN;
-    for (size_t i = 0; i < 3 * n; i++)
-        omega[i] = (double)NAN;
-}
-
-/* Write the states at n times; late times are refused, or have states of NaN where `lenient`. */
-static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
-                     int lenient)
-{
-    double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
-    int zero;
-    for (size_t i = 0; i < n && !lenient; i += BLOCK)
-        if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return refusal(motion, n, t);
-    for (size_t k = 0; k < BLOCK; k++)
-        rest[k] = 0.0;
-    int refused = 0;
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        const int near = scaled_times(motion, count, t + i, inner, &zero);
-        for (size_t k = 0; !near && k < count; k++)
-            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
-        if (n - i >= 2 * BLOCK)
-            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(motion, count, BLOCK, inner, rest, by_time);
-        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
-        for (size_t k = 0; zero && k < count; k++)
-            if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
-                at_initial_state(motion, q + 4 * (i + k), omega + 3 * (i + k));
-        for (size_t k = 0; !near && k < count; k++)
-            if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
-                no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        refused |= !near;
     }
-    return refused ? refusal(motion, n, t) : TORQUE_FREE_OK;
+    return motion->blurred != 0 ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
 }
 
-int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
-                          double *omega)
+/* Write n states of NaN. */
+static void no_states(size_t n, double *restrict q, double *restrict omega)
 {
-    return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_UNPREPARED;
+    for (size_t i = 0; i < 4 * n; i++) {
+        q[i] = ((double)NAN);
+    }
+    for (size_t i = 0; i < 3 * n; i++) {
+        omega[i] = ((double)NAN);
+    }
 }
 
-/* Write one state, which needs no block. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
 {
-    const double rest = 0.0;
-    double by_time[6], out[7], inner;
-    int zero;
-    if (motion->prepared != PREPARED)
+    double by_time[6];
+    double to[7];
+    double inner[1];
+    double rest[1];
+    if (motion->prepared != PREPARED) {
         return TORQUE_FREE_UNPREPARED;
-    if (!scaled_times(motion, 1, &t, &inner, &zero))
-        return refusal(motion, 1, &t);
-    if (zero) {
+    }
+    inner[0] = motion->unit * t;
+    rest[0] = 0.0;
+    if (!(fabs(inner[0]) <= motion->max_angle)) {
+        return refusal(motion, isfinite(t));
+    }
+    if (is_zero(t)) {
         at_initial_state(motion, q, omega);
         return TORQUE_FREE_OK;
     }
-    block_angles(motion, 1, 1, &inner, &rest, by_time);
-    block_states(motion, 1, 1, by_time, out, q, omega);
+    block_angles(motion, 1, 1, inner, rest, by_time);
+    block_states(motion, 1, 1, by_time, to, q, omega);
     return TORQUE_FREE_OK;
 }
 
-/* Sines and cosines of a + b. */
+/* Write the states at n times. Late times are refused, or have states of NaN where `lenient`. */
+static int unrefused_states(const torque_free_motion *motion, size_t n, const double *restrict t,
+    double *restrict q, double *restrict omega, int lenient)
+{
+    double by_time[6 * BLOCK];
+    double to[7 * BLOCK];
+    double inner[BLOCK];
+    double rest[BLOCK];
+    int is_refused = 0;
+    if (!lenient) {
+        for (size_t i = 0; i < n; i += BLOCK) {
+            int near;
+            int zero;
+            scaled_times(motion, n - i <= BLOCK ? n - i : BLOCK, t + i, inner, &near, &zero);
+            if (!near) {
+                return refusal(motion, all_finite(n, t));
+            }
+        }
+    }
+    for (size_t k = 0; k < BLOCK; k++) {
+        rest[k] = 0.0;
+    }
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i <= BLOCK ? n - i : BLOCK;
+        int near;
+        int zero;
+        scaled_times(motion, count, t + i, inner, &near, &zero);
+        if (!near) {
+            is_refused = 1;
+            for (size_t k = 0; k < count; k++) {
+                inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
+            }
+        }
+        fetch(n - i, q + 4 * i, omega + 3 * i);
+        block_angles(motion, count, BLOCK, inner, rest, by_time);
+        block_states(motion, count, BLOCK, by_time, to, q + 4 * i, omega + 3 * i);
+        if (zero) {
+            for (size_t k = 0; k < count; k++) {
+                if (is_zero(t[i + k])) {
+                    at_initial_state(motion, q + 4 * (i + k), omega + 3 * (i + k));
+                }
+            }
+        }
+        if (!near) {
+            for (size_t k = 0; k < count; k++) {
+                if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle)) {
+                    no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
+                }
+            }
+        }
+    }
+    if (is_refused) {
+        return refusal(motion, all_finite(n, t));
+    }
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
+    double *omega)
+{
+    if (motion->prepared != PREPARED) {
+        return TORQUE_FREE_UNPREPARED;
+    }
+    return unrefused_states(motion, n, t, q, omega, 0);
+}
+
+/* Write the sines and cosines of a + b. */
 static void turned(size_t n, double sin_a, double cos_a, const double *restrict sin_b,
-                   const double *restrict cos_b, double *restrict sine, double *restrict cosine)
+    const double *restrict cos_b, double *restrict sine, double *restrict cosine)
 {
     for (size_t i = 0; i < n; i++) {
         sine[i] = fused(sin_a, cos_b[i], cos_a * sin_b[i]);
@@ -3598,13 +3866,17 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
     }
 }
 
-/* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
+/* Write the sines and cosines of both angles in a block of a grid from t = 0, as from zero. */
 static void grid_table(const torque_free_motion *motion, double step, double *restrict table)
 {
-    double t[BLOCK], t_lo[BLOCK];
-    torque_free_motion from_zero = *motion;
-    if (motion->branch == 1)
-        from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
+    double t[BLOCK];
+    double t_lo[BLOCK];
+    torque_free_motion from_zero;
+    from_zero = *motion;
+    if (motion->branch == 1) {
+        from_zero.of.circular.v_hi = 0.0;
+        from_zero.of.circular.v_lo = 0.0;
+    }
     for (size_t k = 0; k < BLOCK; k++) {
         const double_double time = two_product((double)k, step);
         t[k] = time.hi;
@@ -3615,9 +3887,10 @@ static void grid_table(const torque_free_motion *motion, double step, double *re
 
 /* Write the angles at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
-                        size_t every, size_t n, double *restrict by_time)
+    size_t every, size_t n, double *restrict by_time)
 {
-    double t[BLOCK], t_lo[BLOCK];
+    double t[BLOCK];
+    double t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
         const double_double time = dd_add_xd(two_product((double)(first + i * every), step), start);
         t[i] = time.hi;
@@ -3626,124 +3899,139 @@ static void grid_angles(const torque_free_motion *motion, double start, double s
     block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
-/* Write n <= BLOCK^2 states from number `first` on: angles are evaluated once in a block, and turned. */
-static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
-                        const double *restrict table, double *restrict q, double *restrict omega)
+/* Write n <= BLOCK^2 states from number `first` on. Angles are evaluated once in a block, and
+   turned. */
+static void grid_states(const torque_free_motion *motion, double start, double step, size_t first,
+    size_t n, const double *restrict table, double *restrict q, double *restrict omega)
 {
-    double base[6 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
-    const size_t rows = motion->branch == 0 ? 2 : 4;
+    double base[6 * BLOCK];
+    double by_time[4 * BLOCK];
+    double to[7 * BLOCK];
+    const size_t angles = motion->branch == 0 ? 2 * BLOCK : 4 * BLOCK;
     grid_angles(motion, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
-        if (n - i >= 2 * BLOCK)
-            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
-            turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
-                   by_time + s + BLOCK);
-        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        const size_t count = n - i <= BLOCK ? n - i : BLOCK;
+        const size_t k = i / BLOCK;
+        fetch(n - i, q + 4 * i, omega + 3 * i);
+        for (size_t s = 0; s < angles; s += 2 * BLOCK) {
+            turned(count, base[s + k], base[s + BLOCK + k], table + s, table + (s + BLOCK), by_time + s, by_time + (s + BLOCK));
+        }
+        block_states(motion, count, BLOCK, by_time, to, q + 4 * i, omega + 3 * i);
     }
 }
 
 /* Write the states of a grid where angles are more than sines and cosines. */
-static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
-                                   size_t n, double *restrict q, double *restrict omega)
+static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step,
+    size_t first, size_t n, double *restrict q, double *restrict omega)
 {
-    double by_time[6 * BLOCK], out[7 * BLOCK];
+    double by_time[6 * BLOCK];
+    double to[7 * BLOCK];
     for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        if (n - i >= 2 * BLOCK)
-            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+        const size_t count = n - i <= BLOCK ? n - i : BLOCK;
+        fetch(n - i, q + 4 * i, omega + 3 * i);
         grid_angles(motion, start, step, first + i, 1, count, by_time);
-        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        block_states(motion, count, BLOCK, by_time, to, q + 4 * i, omega + 3 * i);
     }
 }
 
-/* Return the index of the first of n samples, from number `first` on, that is at t = 0; n if there is none. */
+/* Return the index of the first of n samples that is at t = 0, or n. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
-    const int stands = is_zero(dd_of(step));
-    const double k = stands ? (double)first : nearest(-start / step);
+    const double k = is_zero(step) ? (double)first : nearest(-start / step);
     const double_double t = dd_add_xd(two_product(k, step), start);
     const double place = k - (double)first;
-    return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
+    if (place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0) {
+        return (size_t)place;
+    }
+    return n;
 }
 
-int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
-                               size_t n, double *q, double *omega)
+int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step,
+    size_t first, size_t n, double *q, double *omega)
 {
     double table[6 * BLOCK];
-    /* Sample number 0 does not depend on the step, however large. */
-    const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
-    const double begin = inner + inner_step * (double)first;
-    const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
-    const double given[2] = {start, first + n > 1 ? step : 0.0};
-    const size_t most = BLOCK * BLOCK;
-    if (motion->prepared != PREPARED)
+    if (motion->prepared != PREPARED) {
         return TORQUE_FREE_UNPREPARED;
-    if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
-        return refusal(motion, 2, given);
+    }
+    /* Sample number 0 does not depend on the step, however large. */
+    const double used = first + n > 1 ? step : 0.0;
+    const double inner = motion->unit * start;
+    const double inner_step = motion->unit * used;
+    const double begin = inner + inner_step * (double)first;
+    const double end = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const double last = motion->max_angle;
+    if (!(fabs(inner) <= last && fabs(begin) <= last && fabs(end) <= last)) {
+        return refusal(motion, isfinite(start) && isfinite(used));
+    }
     if (motion->branch >= 2) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
         grid_table(motion, inner_step, table);
-        for (size_t i = 0; i < n; i += most)
-            grid_states(motion, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
-                        omega + 3 * i);
+        for (size_t i = 0; i < n; i += BLOCK * BLOCK) {
+            const size_t count = n - i <= BLOCK * BLOCK ? n - i : BLOCK * BLOCK;
+            grid_states(motion, inner, inner_step, first + i, count, table, q + 4 * i, omega + 3 * i);
+        }
     }
-    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(dd_of(step)) ? 1 : n)
+    const size_t every = is_zero(step) ? 1 : n;
+    for (size_t i = grid_zero(start, step, first, n); i < n; i += every) {
         at_initial_state(motion, q + 4 * i, omega + 3 * i);
+    }
     return TORQUE_FREE_OK;
 }
 
-/* Prepare the motions of at most as many bodies as there are lanes, with codes; return how many. */
-static size_t several_init(torque_free_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
-                           const double *inertia, const double *omega0, const double *attitude0)
+/* Prepare the motions of as many bodies as there are lanes, with codes; return how many. */
+static size_t several_init(torque_free_motion *restrict motion, int *restrict code, lanes *lane,
+    int rounds_once, size_t bodies, const double *restrict inertia, const double *restrict omega0,
+    const double *restrict attitude0)
 {
-    const size_t count = bodies < LANES ? bodies : LANES;
+    const size_t count = bodies <= LANES ? bodies : LANES;
     for (size_t i = 0; i < count; i++) {
         code[i] = begin_doubles(&motion[i], lane, i, inertia + 3 * i, omega0 + 3 * i, attitude0 + 4 * i);
-        if (code[i] == TORQUE_FREE_OK && !rounded)
+        if (code[i] == TORQUE_FREE_OK && !rounds_once) {
             code[i] = TORQUE_FREE_ARITHMETIC;
+        }
     }
     moving_init(lane, count, motion, code);
     return count;
 }
 
 /* Write the states of one of many bodies; late times have states of NaN where `lenient`. */
-static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
-                     int lenient)
+static int states_of(const torque_free_motion *motion, size_t n, const double *restrict t,
+    double *restrict q, double *restrict omega, int lenient)
 {
-    if (n != 1)
-        return states_at(motion, n, t, q, omega, lenient);
-    const int code = torque_free_state_at(motion, *t, q, omega);
-    if (code != TORQUE_FREE_OK && lenient)
+    if (n != 1) {
+        return unrefused_states(motion, n, t, q, omega, lenient);
+    }
+    const int code = torque_free_state_at(motion, t[0], q, omega);
+    if (code != TORQUE_FREE_OK && lenient) {
         no_states(1, q, omega);
+    }
     return code;
 }
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes, size_t *failed)
+    const double *attitude0, size_t n, const double *t, size_t stride, double *q, double *omega,
+    int *codes /* or NULL */, size_t *failed)
 {
-    torque_free_motion motion[LANES];
+    torque_free_motion motions[LANES];
     int code[LANES];
     lanes lane;
-    memset(&lane, 0, sizeof lane);
-    const int rounded = is_rounded_once();
+    memset(&lane, 0, sizeof(lanes));
+    const int lenient = codes != NULL;
+    const int rounds_once = is_rounded_once();
     for (size_t first = 0; first < bodies; first += LANES) {
-        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
-                                          omega0 + 3 * first, attitude0 + 4 * first);
+        const size_t count = several_init(motions, code, &lane, rounds_once, bodies - first, inertia + 3 * first, omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
-            double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-            if (code[i] == TORQUE_FREE_OK)
-                code[i] = states_of(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
-            else if (codes)
-                no_states(n, q_k, omega_k);
-            if (codes) {
+            if (code[i] == TORQUE_FREE_OK) {
+                code[i] = states_of(&motions[i], n, t + stride * k, q + 4 * n * k, omega + 3 * n * k, lenient);
+            } else if (lenient) {
+                no_states(n, q + 4 * n * k, omega + 3 * n * k);
+            }
+            if (codes != NULL) {
                 codes[k] = code[i];
             } else if (code[i] != TORQUE_FREE_OK) {
-                *failed = k;
+                failed[0] = k;
                 return code[i];
             }
         }
@@ -3753,276 +4041,296 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
 
 double torque_free_last_time(const torque_free_motion *motion)
 {
-    if (motion->prepared != PREPARED)
-        return (double)NAN;
-    return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
-}
-
-size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
-
-const char *torque_free_digest(void) { return "11adf346177c6378239c6539a5ed0a1c0882c9f6f2575988787c51166dc3cabc"; }
-
-const char *torque_free_message(int code)
-{
-    switch (code) {
-    case TORQUE_FREE_OK: return "success";
-    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
-    case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
-    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
-    case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
-    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
-    case TORQUE_FREE_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
-    case TORQUE_FREE_UNPREPARED: return "motion: torque_free_motion_init has not made it";
-    default: return "no such code";
+    const double longest = 1.7976931348623157e+308;
+    if (motion->prepared != PREPARED) {
+        return ((double)NAN);
     }
-}
-
-const char *torque_free_field(int code)
-{
-    switch (code) {
-    case TORQUE_FREE_INERTIA: return "inertia";
-    case TORQUE_FREE_THIN: return "inertia";
-    case TORQUE_FREE_ATTITUDE: return "attitude0";
-    case TORQUE_FREE_SEPARATRIX: return "t";
-    case TORQUE_FREE_TIME: return "t";
-    case TORQUE_FREE_RATES: return "omega0";
-    case TORQUE_FREE_ARITHMETIC: return "arithmetic";
-    case TORQUE_FREE_GROWTH: return "t";
-    case TORQUE_FREE_NONPHYSICAL: return "inertia";
-    case TORQUE_FREE_UNPREPARED: return "motion";
-    default: return "";
+    if (!(motion->unit > 0.0)) {
+        return longest;
     }
+    const double last = motion->max_angle / motion->unit;
+    return last <= longest ? last : longest;
 }
 
-const char *torque_free_rule(int code)
+size_t torque_free_motion_size(void)
 {
-    switch (code) {
-    case TORQUE_FREE_OK: return "success";
-    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_INERTIA: return "principal moments must be positive";
-    case TORQUE_FREE_THIN: return "principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_ATTITUDE: return "a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "nearer to the separatrix than binary64 can follow so long";
-    case TORQUE_FREE_TIME: return "beyond |omega| t = 2^46 rad the angle is lost in binary64";
-    case TORQUE_FREE_RATES: return "rates beyond what binary64 can hold";
-    case TORQUE_FREE_ARITHMETIC: return "sums are reordered or not rounded to nearest";
-    case TORQUE_FREE_GROWTH: return "on the way to spin about the middle axis squares of changes leave binary64";
-    case TORQUE_FREE_NONPHYSICAL: return "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
-    case TORQUE_FREE_UNPREPARED: return "torque_free_motion_init has not made it";
-    default: return "no such code";
-    }
+    return sizeof(torque_free_motion);
 }
 
-/* The number of sensitivities computed side by side: each needs about ninety doubles of stack. */
-enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
-
-/* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
-typedef struct {
-    torque_free_along along;
-    torque_free_columns columns;
-    torque_free_turn turn;
-    torque_free_real real;
-    torque_free_imaginary imaginary;
-    int axis[3], is_real, at_rest;
-} sensitive;
-
-static double_double given_pair(const torque_free_motion *motion, int k)
+/* Return one of the numbers that a motion was made from. */
+static double_double given_pair(const torque_free_motion *motion, size_t k)
 {
-    const double_double x = {motion->given[2 * k], motion->given[2 * k + 1]};
-    return x;
+    const double_double result = {motion->given[2 * k], motion->given[2 * k + 1]};
+    return result;
 }
 
+/* Write the constants of sensitivities. */
 static void sensitive_init(const torque_free_motion *motion, sensitive *made)
 {
-    double_double c[3], apart_from_next[3], omega[3];
+    double_double c[3];
+    double_double apart_from_next[3];
+    double_double omega[3];
+    int axis[3];
     const double_double E_b = given_pair(motion, 9);
-    int *axis = made->axis;
-    made->at_rest = 1;
-    for (int k = 0; k < 3; k++) {
+    int at_rest = 1;
+    for (size_t k = 0; k < 3; k++) {
         c[k] = given_pair(motion, k);
         apart_from_next[k] = given_pair(motion, 3 + k);
         omega[k] = given_pair(motion, 6 + k);
         axis[k] = motion->axis[k];
-        made->at_rest = made->at_rest && is_zero(omega[k]);
+        at_rest = at_rest && is_zero(omega[k].hi);
     }
     if (difference(apart_from_next, axis[0], axis[2]).hi * E_b.hi < 0.0) {
         axis[0] = motion->axis[2];
         axis[2] = motion->axis[0];
     }
-    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    for (size_t k = 0; k < 3; k++) {
+        made->axis[k] = axis[k];
+    }
+    made->at_rest = at_rest;
+    const double_double c_a = c[axis[0]];
+    const double_double c_b = c[axis[1]];
+    const double_double c_d = c[axis[2]];
     const double_double c_ab = difference(apart_from_next, axis[0], axis[1]);
     const double_double c_ad = difference(apart_from_next, axis[0], axis[2]);
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
-    const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
-    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    /* The time at which a motion turns over is known on the hyperbolic branch alone; others hardly do. */
+    const double_double Omega_a0 = omega[axis[0]];
+    const double_double Omega_b0 = omega[axis[1]];
+    const double_double Omega_d0 = omega[axis[2]];
+    const double axis_a = (double)axis[0];
+    const double axis_b = (double)axis[1];
+    const double axis_d = (double)axis[2];
+    /* The time at which a motion turns over is known on the hyperbolic branch alone; others hardly do.
+       */
     const int turns_over = motion->branch == 2;
     const double reach = turns_over ? 1.0 : never;
-    const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
-                              turns_over ? motion->of.hyperbolic.y0_lo : 0.0};
-    double_double p, r, apart, lambda_, divisor, modulus, complement;
+    double_double y0 = {0.0, 0.0};
+    if (turns_over) {
+        y0.hi = motion->of.hyperbolic.y0_hi;
+        y0.lo = motion->of.hyperbolic.y0_lo;
+    }
+    double_double p;
+    double_double r;
+    double_double apart;
+    double_double lambda_;
+    double_double divisor;
+    double_double modulus;
+    double_double complement;
     moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &p, &r, &apart, &lambda_, &divisor, &modulus, &complement);
     along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach, &made->along);
     columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &made->columns);
     made->is_real = modulus.hi * modulus.hi <= max_real;
-    if (made->is_real)
-        real_constants(p, r, apart, lambda_, divisor, modulus, complement, &made->real);
-    else
-        imaginary_constants(p, r, apart, lambda_, modulus, complement, y0, &made->imaginary);
-    if (!made->at_rest)
-        turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi,
-                       difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi,
-                       omega[1].hi, omega[2].hi, motion->q0[0], motion->q0[1], motion->q0[2], motion->q0[3],
-                       &made->turn);
-}
-
-/* Write S_t, C_t, D_t, E_t, D_t F_t, the integral over the phase and its turns, in rows s apart. */
-static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
-{
-    double in[11 * SENSITIVE], rest[SENSITIVE];
-    for (size_t i = 0; i < n; i++)
-        rest[i] = 0.0;
     if (made->is_real) {
-        real_angles(&made->real, n, t, rest, in, in + SENSITIVE);
-        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s,
-                   to + 5 * s, to + 6 * s);
+        real_constants(p, r, apart, lambda_, divisor, modulus, complement, &made->real);
     } else {
-        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE);
-        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
-                        to + 4 * s, to + 5 * s, to + 6 * s);
+        imaginary_constants(p, r, apart, lambda_, modulus, complement, y0, &made->imaginary);
+    }
+    if (!at_rest) {
+        turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi, difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi, omega[1].hi, omega[2].hi, motion->q0[0], motion->q0[1], motion->q0[2], motion->q0[3], &made->turn);
     }
 }
 
-/* The numbers of doubles of one state in `attitude` and in `rates`, then in attitude_t and in rates_t. */
-static size_t width_of(int asked)
+/* Write S_t, C_t, D_t, E_t, D_t F_t, the integral over the phase and its turns, in rows. */
+static void elapsed(const sensitive *made, size_t n, const double *restrict t, double *restrict to)
 {
-    const size_t first = asked & TORQUE_FREE_BY_ATTITUDE0 ? 9 : 0, second = asked & TORQUE_FREE_BY_OMEGA0 ? 9 : 0;
-    return first + second + (asked & TORQUE_FREE_BY_INERTIA ? 9 : 0);
+    double angles[11 * SENSITIVE];
+    double rest[SENSITIVE];
+    for (size_t i = 0; i < n; i++) {
+        rest[i] = 0.0;
+    }
+    if (made->is_real) {
+        real_angles(&made->real, n, t, rest, angles, angles + SENSITIVE);
+        real_state(&made->real, n, angles, angles + SENSITIVE, t, to, to + SENSITIVE, to + 2 * SENSITIVE, to + 3 * SENSITIVE, to + 4 * SENSITIVE, to + 5 * SENSITIVE, to + 6 * SENSITIVE);
+    } else {
+        imaginary_angles(&made->imaginary, n, t, rest, angles, angles + SENSITIVE, angles + 2 * SENSITIVE, angles + 3 * SENSITIVE, angles + 4 * SENSITIVE, angles + 5 * SENSITIVE, angles + 6 * SENSITIVE, angles + 7 * SENSITIVE, angles + 8 * SENSITIVE, angles + 9 * SENSITIVE, angles + 10 * SENSITIVE);
+        imaginary_state(&made->imaginary, n, angles, angles + SENSITIVE, angles + 2 * SENSITIVE, angles + 3 * SENSITIVE, angles + 4 * SENSITIVE, angles + 5 * SENSITIVE, angles + 6 * SENSITIVE, angles + 7 * SENSITIVE, angles + 8 * SENSITIVE, angles + 9 * SENSITIVE, angles + 10 * SENSITIVE, t, to, to + SENSITIVE, to + 2 * SENSITIVE, to + 3 * SENSITIVE, to + 4 * SENSITIVE, to + 5 * SENSITIVE, to + 6 * SENSITIVE);
+    }
 }
 
-static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
-
-/* Write three columns of each chosen group of a row: by the turn at t = 0, omega0 and the moments. */
-static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
-                            size_t i, double by_rate, double by_moment, double again)
+/* Return True where the changes with an input are asked for. */
+static INLINED int asks(uint64_t asked, int input)
 {
-    const int after = asked & TORQUE_FREE_BY_ATTITUDE0 ? 3 : 0;
-    const int last = after + (asked & TORQUE_FREE_BY_OMEGA0 ? 3 : 0);
-    for (int k = 0; k < 3; k++) {
-        if (asked & TORQUE_FREE_BY_ATTITUDE0)
+    return (asked & (uint64_t)input) != 0;
+}
+
+/* Return the number of doubles of one state in `attitude` and in `rates`. */
+static INLINED size_t width_of(uint64_t asked)
+{
+    const size_t first = asks(asked, TORQUE_FREE_BY_ATTITUDE0) ? 9 : 0;
+    const size_t second = asks(asked, TORQUE_FREE_BY_OMEGA0) ? 9 : 0;
+    const size_t third = asks(asked, TORQUE_FREE_BY_INERTIA) ? 9 : 0;
+    return first + second + third;
+}
+
+/* Return the number of doubles of one state in `attitude_t` and in `rates_t`. */
+static INLINED size_t width_t(uint64_t asked)
+{
+    return asks(asked, TORQUE_FREE_BY_T) ? 3 : 0;
+}
+
+/* Write three columns of each chosen group of a row. The groups are by the turn at t = 0, omega0
+   and the moments. column: the six of the last two, SENSITIVE apart. */
+static INLINED void put_row(uint64_t asked, double *restrict row, const double turn[3],
+    const double *restrict column, double by_rate, double by_moment, double again)
+{
+    const size_t after = asks(asked, TORQUE_FREE_BY_ATTITUDE0) ? 3 : 0;
+    const size_t last = after + (asks(asked, TORQUE_FREE_BY_OMEGA0) ? 3 : 0);
+    for (size_t k = 0; k < 3; k++) {
+        if (asks(asked, TORQUE_FREE_BY_ATTITUDE0)) {
             row[k] = turn[k];
-        if (asked & TORQUE_FREE_BY_OMEGA0)
-            row[after + k] = by_rate * column[k][i];
-        if (asked & TORQUE_FREE_BY_INERTIA)
-            row[last + k] = again * (by_moment * column[3 + k][i]);
+        }
+        if (asks(asked, TORQUE_FREE_BY_OMEGA0)) {
+            row[after + k] = by_rate * column[k * SENSITIVE];
+        }
+        if (asks(asked, TORQUE_FREE_BY_INERTIA)) {
+            row[last + k] = again * (by_moment * column[(3 + k) * SENSITIVE]);
+        }
     }
 }
 
-/* Write the rows of n states.  turned_by: 18 derivatives of the turn by omega0 and the moments, then six
-   of turn and rates by the time; by: 18 derivatives of the rates. */
-static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t n, const double *restrict turned_by,
-                             const double *const by[18], double *restrict attitude, double *restrict rates,
-                             double *restrict attitude_t, double *restrict rates_t)
+/* Write the rows of n states. turned_by: 18 derivatives of the turn by omega0 and the moments, then
+   six of turn and rates by the time; by: 18 derivatives of the rates. Rows of both are SENSITIVE
+   apart. */
+static INLINED void put_rows(uint64_t asked, const torque_free_motion *motion, size_t n,
+    const double *restrict turned_by, const double *restrict by, double *restrict attitude,
+    double *restrict rates, double *restrict attitude_t, double *restrict rates_t)
 {
-    enum { s = SENSITIVE };
-    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    static const double zeros[3] = {0.0, 0.0, 0.0};
-    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    const double unit = motion->unit;
+    const double over = 1.0 / unit;
+    const double over_moment = 1.0 / motion->moment_unit;
     /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
-    const double part = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double apart = (double)(exponent_of(unit) - exponent_of(motion->moment_unit));
+    const double part = ldexp(1.0, (int)(0.5 * apart));
     const double rest = unit / part * over_moment;
     const size_t width = width_of(asked) / 3;
-    const double *eta[18];
-    for (int k = 0; k < 18; k++)
-        eta[k] = turned_by + k * s;
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < 3; k++) {
-            put_row(asked, attitude + 3 * width * i + width * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
-            put_row(asked, rates + 3 * width * i + width * k, zeros, by + 6 * k, i, 1.0, part, rest);
+            const size_t to = 3 * width * i + width * k;
+            const size_t own = 6 * k * SENSITIVE + i;
+            put_row(asked, attitude + to, unit_rows + 3 * k, turned_by + own, over, over_moment, 1.0);
+            put_row(asked, rates + to, no_row, by + own, 1.0, part, rest);
         }
-        for (size_t k = 0; k < 3 && asked & TORQUE_FREE_BY_T; k++) {
-            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
-            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
+        if (asks(asked, TORQUE_FREE_BY_T)) {
+            for (size_t k = 0; k < 3; k++) {
+                attitude_t[3 * i + k] = unit * turned_by[(18 + k) * SENSITIVE + i];
+                rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * SENSITIVE + i]);
+            }
         }
     }
 }
 
 /* Write the derivatives of n <= SENSITIVE states at inner times t. */
-static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
-                                const double *restrict t, const double *restrict q, const double *restrict omega,
-                                double *restrict attitude, double *restrict rates, double *restrict attitude_t,
-                                double *restrict rates_t)
+static void block_sensitivities(const torque_free_motion *motion, const sensitive *made,
+    uint64_t asked, size_t n, const double *restrict t, const double *restrict q,
+    const double *restrict omega, double *restrict attitude, double *restrict rates,
+    double *restrict attitude_t, double *restrict rates_t)
 {
-    enum { s = SENSITIVE };
-    double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
+    double functions[7 * SENSITIVE];
+    double state[7 * SENSITIVE];
+    double along[7 * SENSITIVE];
+    double by[21 * SENSITIVE];
+    double turned_by[24 * SENSITIVE];
+    size_t place[21];
     const double over = 1.0 / motion->unit;
-    const double *by[18], *excess[3];
-    const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
-        for (size_t k = 0; k < 4; k++)
-            state[k * s + i] = q[4 * i + k];
-        for (size_t k = 0; k < 3; k++)
-            state[(4 + k) * s + i] = omega[3 * i + k] * over;
-    }
-    elapsed(made, n, s, t, functions);
-    along_state(&made->along, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
-                state + (4 + axis[2]) * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s);
-    columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  functions + 4 * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
-                  state + (4 + axis[2]) * s, columns, columns + s, columns + 2 * s, columns + 3 * s, columns + 4 * s, columns + 5 * s, columns + 6 * s, columns + 7 * s, columns + 8 * s, columns + 9 * s, columns + 10 * s, columns + 11 * s, columns + 12 * s, columns + 13 * s, columns + 14 * s, columns + 15 * s, columns + 16 * s, columns + 17 * s, columns + 18 * s, columns + 19 * s, columns + 20 * s);
-    for (int x = 0; x < 3; x++) {
-        excess[axis[x]] = columns + (18 + x) * s;
-        for (int y = 0; y < 3; y++) {
-            by[6 * axis[x] + axis[y]] = columns + (6 * x + y) * s;
-            by[6 * axis[x] + 3 + axis[y]] = columns + (6 * x + 3 + y) * s;
+        for (size_t k = 0; k < 4; k++) {
+            state[k * SENSITIVE + i] = q[4 * i + k];
+        }
+        for (size_t k = 0; k < 3; k++) {
+            state[(4 + k) * SENSITIVE + i] = omega[3 * i + k] * over;
         }
     }
-    turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
-               state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
+    /* Rows of derivatives by columns of axes a, b, d go where those of axes 1, 2, 3 are. */
+    for (size_t x = 0; x < 3; x++) {
+        const size_t rate = (size_t)made->axis[x];
+        place[18 + x] = (18 + rate) * SENSITIVE;
+        for (size_t y = 0; y < 3; y++) {
+            const size_t column = 6 * rate + (size_t)made->axis[y];
+            place[6 * x + y] = column * SENSITIVE;
+            place[6 * x + 3 + y] = (column + 3) * SENSITIVE;
+        }
+    }
+    const size_t Omega_a = (4 + (size_t)made->axis[0]) * SENSITIVE;
+    const size_t Omega_b = (4 + (size_t)made->axis[1]) * SENSITIVE;
+    const size_t Omega_d = (4 + (size_t)made->axis[2]) * SENSITIVE;
+    elapsed(made, n, t, functions);
+    along_state(&made->along, n, functions, functions + SENSITIVE, functions + 2 * SENSITIVE, functions + 3 * SENSITIVE, functions + 4 * SENSITIVE, functions + 5 * SENSITIVE, functions + 6 * SENSITIVE, t, state + Omega_a, state + Omega_b, state + Omega_d, along, along + SENSITIVE, along + 2 * SENSITIVE, along + 3 * SENSITIVE, along + 4 * SENSITIVE, along + 5 * SENSITIVE, along + 6 * SENSITIVE);
+    columns_state(&made->columns, n, functions, functions + SENSITIVE, functions + 2 * SENSITIVE, functions + 3 * SENSITIVE, functions + 4 * SENSITIVE, along, along + SENSITIVE, along + 2 * SENSITIVE, along + 3 * SENSITIVE, along + 4 * SENSITIVE, along + 5 * SENSITIVE, along + 6 * SENSITIVE, t, state + Omega_a, state + Omega_b, state + Omega_d, by + place[0], by + place[1], by + place[2], by + place[3], by + place[4], by + place[5], by + place[6], by + place[7], by + place[8], by + place[9], by + place[10], by + place[11], by + place[12], by + place[13], by + place[14], by + place[15], by + place[16], by + place[17], by + place[18], by + place[19], by + place[20]);
+    turn_state(&made->turn, n, state, state + SENSITIVE, state + 2 * SENSITIVE, state + 3 * SENSITIVE, state + 4 * SENSITIVE, state + 5 * SENSITIVE, state + 6 * SENSITIVE, by, by + SENSITIVE, by + 2 * SENSITIVE, by + 3 * SENSITIVE, by + 4 * SENSITIVE, by + 5 * SENSITIVE, by + 6 * SENSITIVE, by + 7 * SENSITIVE, by + 8 * SENSITIVE, by + 9 * SENSITIVE, by + 10 * SENSITIVE, by + 11 * SENSITIVE, by + 12 * SENSITIVE, by + 13 * SENSITIVE, by + 14 * SENSITIVE, by + 15 * SENSITIVE, by + 16 * SENSITIVE, by + 17 * SENSITIVE, by + 18 * SENSITIVE, by + 19 * SENSITIVE, by + 20 * SENSITIVE, t, turned_by, turned_by + SENSITIVE, turned_by + 2 * SENSITIVE, turned_by + 3 * SENSITIVE, turned_by + 4 * SENSITIVE, turned_by + 5 * SENSITIVE, turned_by + 6 * SENSITIVE, turned_by + 7 * SENSITIVE, turned_by + 8 * SENSITIVE, turned_by + 9 * SENSITIVE, turned_by + 10 * SENSITIVE, turned_by + 11 * SENSITIVE, turned_by + 12 * SENSITIVE, turned_by + 13 * SENSITIVE, turned_by + 14 * SENSITIVE, turned_by + 15 * SENSITIVE, turned_by + 16 * SENSITIVE, turned_by + 17 * SENSITIVE, turned_by + 18 * SENSITIVE, turned_by + 19 * SENSITIVE, turned_by + 20 * SENSITIVE, turned_by + 21 * SENSITIVE, turned_by + 22 * SENSITIVE, turned_by + 23 * SENSITIVE);
     /* All columns, the most frequent choice, without a test for each number. */
-    if (asked == TORQUE_FREE_BY_ALL)
-        put_rows(TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
-    else
+    if (asked == (uint64_t)TORQUE_FREE_BY_ALL) {
+        put_rows((uint64_t)TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
+    } else {
         put_rows(asked, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
+    }
 }
 
-/* Write the derivatives of a body at rest, which begins to turn when given rates, or of any body at t = 0. */
-static void plain_sensitivity(const torque_free_motion *motion, double t, int asked, double *restrict attitude,
-                              double *restrict rates)
+/* Write the derivatives of a body at rest, or of any body at t = 0. A body at rest begins to turn
+   when given rates. */
+static void plain_sensitivity(const torque_free_motion *motion, double t, uint64_t asked,
+    double *restrict attitude, double *restrict rates)
 {
-    const double *q = motion->q0;
-    const double start[3][3] = {
-        {1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]), 2.0 * (q[1] * q[2] - q[0] * q[3]), 2.0 * (q[1] * q[3] + q[0] * q[2])},
-        {2.0 * (q[1] * q[2] + q[0] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[3] * q[3]), 2.0 * (q[2] * q[3] - q[0] * q[1])},
-        {2.0 * (q[1] * q[3] - q[0] * q[2]), 2.0 * (q[2] * q[3] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2])}};
-    for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 9; j++)
-            if (asked >> j / 3 & 1) {
-                *attitude++ = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
-                *rates++ = j == 3 + k ? 1.0 : 0.0;
+    const double q_0 = motion->q0[0];
+    const double q_1 = motion->q0[1];
+    const double q_2 = motion->q0[2];
+    const double q_3 = motion->q0[3];
+    double start[3][3];
+    start[0][0] = 1.0 - 2.0 * (q_2 * q_2 + q_3 * q_3);
+    start[0][1] = 2.0 * (q_1 * q_2 - q_0 * q_3);
+    start[0][2] = 2.0 * (q_1 * q_3 + q_0 * q_2);
+    start[1][0] = 2.0 * (q_1 * q_2 + q_0 * q_3);
+    start[1][1] = 1.0 - 2.0 * (q_1 * q_1 + q_3 * q_3);
+    start[1][2] = 2.0 * (q_2 * q_3 - q_0 * q_1);
+    start[2][0] = 2.0 * (q_1 * q_3 - q_0 * q_2);
+    start[2][1] = 2.0 * (q_2 * q_3 + q_0 * q_1);
+    start[2][2] = 1.0 - 2.0 * (q_1 * q_1 + q_2 * q_2);
+    size_t place = 0;
+    for (size_t k = 0; k < 3; k++) {
+        if (asks(asked, TORQUE_FREE_BY_ATTITUDE0)) {
+            for (size_t j = 0; j < 3; j++) {
+                attitude[place + j] = j == k ? 1.0 : 0.0;
+                rates[place + j] = 0.0;
             }
+            place += 3;
+        }
+        if (asks(asked, TORQUE_FREE_BY_OMEGA0)) {
+            for (size_t j = 0; j < 3; j++) {
+                attitude[place + j] = t * start[k][j];
+                rates[place + j] = j == k ? 1.0 : 0.0;
+            }
+            place += 3;
+        }
+        if (asks(asked, TORQUE_FREE_BY_INERTIA)) {
+            for (size_t j = 0; j < 3; j++) {
+                attitude[place + j] = 0.0;
+                rates[place + j] = 0.0;
+            }
+            place += 3;
+        }
+    }
 }
 
-static int any_lost(size_t n, const double *x)
+/* Return True where one of n numbers is NaN. */
+static int any_lost(size_t n, const double *restrict x)
 {
     size_t lost = 0;
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n; k++) {
         lost += isnan(x[k]) ? 1 : 0;
+    }
     return lost > 0;
 }
 
-static void no_numbers(size_t n, double *x)
+/* Write n NaN. */
+static void no_numbers(size_t n, double *restrict x)
 {
-    for (size_t k = 0; k < n; k++)
-        x[k] = (double)NAN;
+    for (size_t k = 0; k < n; k++) {
+        x[k] = ((double)NAN);
+    }
 }
 
-static void no_changes(size_t n, int asked, double *attitude, double *rates, double *attitude_t, double *rates_t)
+/* Write NaN for all changes of n states. */
+static void no_changes(size_t n, uint64_t asked, double *restrict attitude, double *restrict rates,
+    double *restrict attitude_t, double *restrict rates_t)
 {
     no_numbers(width_of(asked) * n, attitude);
     no_numbers(width_of(asked) * n, rates);
@@ -4031,43 +4339,55 @@ static void no_changes(size_t n, int asked, double *attitude, double *rates, dou
 }
 
 /* Write n states and their sensitivities; late times have NaN where `lenient`. */
-static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, int asked, double *q,
-                            double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
-                            int lenient)
+static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *restrict t,
+    uint64_t asked, double *restrict q, double *restrict omega, double *restrict attitude,
+    double *restrict rates, double *restrict attitude_t, double *restrict rates_t, int lenient)
 {
-    const size_t most = SENSITIVE, width = width_of(asked), by_t = width_t(asked);
+    const size_t width = width_of(asked);
+    const size_t by_t = width_t(asked);
     sensitive made;
-    if (motion->prepared != PREPARED)
+    double inner[SENSITIVE];
+    if (motion->prepared != PREPARED) {
         return TORQUE_FREE_UNPREPARED;
-    int code = states_at(motion, n, t, q, omega, lenient);
-    if (code != TORQUE_FREE_OK && !lenient)
+    }
+    int code = unrefused_states(motion, n, t, q, omega, lenient);
+    if (code != TORQUE_FREE_OK && !lenient) {
         return code;
+    }
     sensitive_init(motion, &made);
-    for (size_t i = 0; i < n; i += most) {
-        const size_t count = n - i < most ? n - i : most;
-        double *const turns = attitude + width * i, *const changes = rates + width * i;
-        double *const turns_t = attitude_t + by_t * i, *const changes_t = rates_t + by_t * i;
-        double inner[SENSITIVE];
-        int zero;
-        const int near = scaled_times(motion, count, t + i, inner, &zero);
-        for (size_t k = 0; !near && k < count; k++)
-            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
-        if (!made.at_rest)
-            block_sensitivities(motion, &made, asked, count, inner, q + 4 * i, omega + 3 * i, turns, changes, turns_t,
-                                changes_t);
-        for (size_t k = 0; made.at_rest && k < by_t * count; k++)
-            turns_t[k] = changes_t[k] = 0.0;
-        for (size_t k = 0; (made.at_rest || zero) && k < count; k++)
-            if (made.at_rest || !(t[i + k] < 0.0 || t[i + k] > 0.0))
-                plain_sensitivity(motion, t[i + k], asked, turns + width * k, changes + width * k);
+    for (size_t i = 0; i < n; i += SENSITIVE) {
+        const size_t count = n - i <= SENSITIVE ? n - i : SENSITIVE;
+        int near;
+        int has_zero;
+        scaled_times(motion, count, t + i, inner, &near, &has_zero);
+        if (!near) {
+            for (size_t k = 0; k < count; k++) {
+                inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
+            }
+        }
+        if (!made.at_rest) {
+            block_sensitivities(motion, &made, asked, count, inner, q + 4 * i, omega + 3 * i, attitude + width * i, rates + width * i, attitude_t + by_t * i, rates_t + by_t * i);
+        } else {
+            for (size_t k = 0; k < by_t * count; k++) {
+                attitude_t[by_t * i + k] = 0.0;
+                rates_t[by_t * i + k] = 0.0;
+            }
+        }
+        if (made.at_rest || has_zero) {
+            for (size_t k = i; k < i + count; k++) {
+                if (made.at_rest || is_zero(t[k])) {
+                    plain_sensitivity(motion, t[k], asked, attitude + width * k, rates + width * k);
+                }
+            }
+        }
         /* Look for lost numbers while the block is in the cache. */
-        if (near && !any_lost(width * count, turns) && !any_lost(width * count, changes))
+        if (near && !any_lost(width * count, attitude + width * i) && !any_lost(width * count, rates + width * i)) {
             continue;
-        for (size_t k = 0; k < count; k++) {
-            double *const own[2] = {turns + width * k, changes + width * k};
-            const int late = !(fabs(motion->unit * t[i + k]) <= motion->max_angle);
-            if (late || any_lost(width, own[0]) || any_lost(width, own[1])) {
-                no_changes(1, asked, own[0], own[1], turns_t + by_t * k, changes_t + by_t * k);
+        }
+        for (size_t k = i; k < i + count; k++) {
+            const int late = !(fabs(motion->unit * t[k]) <= motion->max_angle);
+            if (late || any_lost(width, attitude + width * k) || any_lost(width, rates + width * k)) {
+                no_changes(1, asked, attitude + width * k, rates + width * k, attitude_t + by_t * k, rates_t + by_t * k);
                 code = late ? code : TORQUE_FREE_GROWTH;
             }
         }
@@ -4075,50 +4395,48 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
     return code;
 }
 
-int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int asked,
-                                    double *q, double *omega, double *attitude, double *rates, double *attitude_t,
-                                    double *rates_t)
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t,
+    double *q, double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t)
 {
-    return sensitivities_at(motion, n, t, asked, q, omega, attitude, rates, attitude_t, rates_t, 0);
+    return sensitivities_at(motion, n, t, (uint64_t)TORQUE_FREE_BY_ALL, q, omega, attitude, rates, attitude_t, rates_t, 0);
 }
 
-int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
-                                        double *omega, double *attitude, double *rates, double *attitude_t,
-                                        double *rates_t)
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t,
+    int columns, double *q, double *omega, double *attitude /* or NULL */,
+    double *rates /* or NULL */, double *attitude_t /* or NULL */, double *rates_t /* or NULL */)
 {
-    return sensitivities_at(motion, n, t, TORQUE_FREE_BY_ALL, q, omega, attitude, rates, attitude_t, rates_t, 0);
+    return sensitivities_at(motion, n, t, (uint64_t)columns, q, omega, attitude, rates, attitude_t, rates_t, 0);
 }
 
 int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
-                                       const double *attitude0, size_t n, const double *t, size_t stride,
-                                       int asked, double *q, double *omega, double *attitude, double *rates,
-                                       double *attitude_t, double *rates_t, int *codes, size_t *failed)
+    const double *attitude0, size_t n, const double *t, size_t stride, int columns, double *q,
+    double *omega, double *attitude /* or NULL */, double *rates /* or NULL */,
+    double *attitude_t /* or NULL */, double *rates_t /* or NULL */, int *codes /* or NULL */,
+    size_t *failed)
 {
-    torque_free_motion motion[LANES];
+    const uint64_t asked = (uint64_t)columns;
+    const size_t width = width_of(asked);
+    const size_t by_t = width_t(asked);
+    torque_free_motion made[LANES];
     int code[LANES];
     lanes lane;
-    memset(&lane, 0, sizeof lane);
+    memset(&lane, 0, sizeof(lanes));
     const int rounded = is_rounded_once();
-    const size_t width = width_of(asked), by_t = width_t(asked);
     for (size_t first = 0; first < bodies; first += LANES) {
-        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
-                                          omega0 + 3 * first, attitude0 + 4 * first);
+        const size_t count = several_init(made, code, &lane, rounded, bodies - first, inertia + 3 * first, omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
-            double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
-            double *const attitude_k = attitude + width * n * k, *const rates_k = rates + width * n * k;
-            double *const attitude_t_k = attitude_t + by_t * n * k, *const rates_t_k = rates_t + by_t * n * k;
+            const size_t from_ = n * k;
             if (code[i] == TORQUE_FREE_OK) {
-                code[i] = sensitivities_at(&motion[i], n, t + stride * k, asked, q_k, omega_k, attitude_k, rates_k,
-                                           attitude_t_k, rates_t_k, codes != NULL);
-            } else if (codes) {
-                no_states(n, q_k, omega_k);
-                no_changes(n, asked, attitude_k, rates_k, attitude_t_k, rates_t_k);
+                code[i] = sensitivities_at(&made[i], n, t + stride * k, asked, q + 4 * from_, omega + 3 * from_, attitude + width * from_, rates + width * from_, attitude_t + by_t * from_, rates_t + by_t * from_, codes != NULL);
+            } else if (codes != NULL) {
+                no_states(n, q + 4 * from_, omega + 3 * from_);
+                no_changes(n, asked, attitude + width * from_, rates + width * from_, attitude_t + by_t * from_, rates_t + by_t * from_);
             }
-            if (codes) {
+            if (codes != NULL) {
                 codes[k] = code[i];
             } else if (code[i] != TORQUE_FREE_OK) {
-                *failed = k;
+                failed[0] = k;
                 return code[i];
             }
         }
@@ -4126,11 +4444,31 @@ int torque_free_propagate_with_columns(size_t bodies, const double *inertia, con
     return TORQUE_FREE_OK;
 }
 
-int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
-                                           const double *attitude0, size_t n, const double *t, size_t stride,
-                                           double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
+    const double *omega0, const double *attitude0, size_t n, const double *t, size_t stride,
+    double *q, double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
+    int *codes /* or NULL */, size_t *failed)
 {
-    return torque_free_propagate_with_columns(bodies, inertia, omega0, attitude0, n, t, stride, TORQUE_FREE_BY_ALL, q,
-                                              omega, attitude, rates, attitude_t, rates_t, codes, failed);
+    return torque_free_propagate_with_columns(bodies, inertia, omega0, attitude0, n, t, stride, TORQUE_FREE_BY_ALL, q, omega, attitude, rates, attitude_t, rates_t, codes, failed);
 }
+
+const char *torque_free_message(int code)
+{
+    return code >= 0 && code < CODES ? MESSAGES[code] : UNKNOWN;
+}
+
+const char *torque_free_field(int code)
+{
+    return code >= 0 && code < CODES ? FIELDS[code] : "";
+}
+
+const char *torque_free_rule(int code)
+{
+    return code >= 0 && code < CODES ? RULES[code] : UNKNOWN;
+}
+
+const char *torque_free_digest(void)
+{
+    return "656a5b9d22aab3bd47fbfc230a9396de6e2dd01169f0b14de17f7685471c8876";
+}
+

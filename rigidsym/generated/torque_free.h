@@ -19,10 +19,11 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    476  19 %  follow facts of the ledger, each named on its line
-    595  24 %  follow classical formulas, each with its reference
-    102   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1287  52 %  are the runtime, written by hand
+    476  11 %  follow facts of the ledger, each named on its line
+    595  13 %  follow classical formulas, each with its reference
+    102   2 %  are arithmetic: sums, products, quotients, roots, reductions
+   3210  71 %  are the runtime, printed from its one representation
+    112   2 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -37,47 +38,10 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  8.7e-16  2.9e-16
-  published              7.3e-16  3.6e-16
-  axis orders and signs  8.8e-16  3.7e-16
-  uniform                1.0e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      8.2e-16  3.6e-16
-  nearest separatrix     7.8e-16  3.6e-16
-  separatrix             7.4e-16  3.1e-16
-  symmetric              7.0e-16  2.7e-16
-  near prolate           1.1e-15  5.6e-16
-  near oblate            8.2e-16  4.0e-16
-  nearest symmetric      7.4e-16  3.3e-16
-  sphere                 5.9e-16  6.9e-43
-  near sphere            9.3e-16  4.2e-16
-  nearest sphere         8.0e-16  3.4e-16
-  spin                   5.2e-16  7.6e-53
-  near spin, largest     6.1e-16  3.7e-16
-  near spin, middle      6.9e-16  3.6e-16
-  near spin, smallest    6.3e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   9.3e-16  4.8e-16
-  rod                    9.9e-16  4.7e-16
-  needle                 1.0e-15  4.9e-16
-  special values         8.9e-16  4.7e-16
-  special attitudes      7.8e-16  4.4e-16
-  scales                 9.2e-16  5.0e-16
-  small scales           8.0e-16  4.9e-16
-  large scales           8.5e-16  4.2e-16
-  extreme scales         8.6e-16  4.8e-16
-  decimals               9.6e-16  5.0e-16
-  long times             9.0e-16  4.3e-16
-  longest times          8.7e-16  4.3e-16
-  near separatrix, long  9.4e-16  5.1e-16
-  branch switch          1.1e-15  4.9e-16
-  zeros of the rates     8.1e-16  6.0e-16
-  quarter periods        9.1e-16  4.5e-16
+Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 11adf346177c6378239c6539a5ed0a1c0882c9f6f2575988787c51166dc3cabc
+digest 656a5b9d22aab3bd47fbfc230a9396de6e2dd01169f0b14de17f7685471c8876
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -104,63 +68,7 @@ fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off. 
 extern "C" {
 #endif
 
-typedef struct {
-    double v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo, T4_re_0, T4_re_1;
-    double T4_re_2, T4_re_3, T4_im_0, T4_im_1, T4_im_2, T1_re_0, T1_re_1, T1_re_2, T1_re_3;
-    double T1_im_0, T1_im_1, T1_im_2, T1_im_3, even_0, even_1, even_2, odd_0, odd_1;
-    double sine_even_0, sine_even_1, sine_even_2, sine_odd_0, sine_odd_1, row_0_P4_re;
-    double row_0_P4_im, row_0_P1_re, row_0_P1_im, row_a_P4_re, row_a_P4_im, row_a_P1_re;
-    double row_a_P1_im, row_b_P4_re, row_b_P4_im, row_b_P1_re, row_b_P1_im, row_d_P4_re;
-    double row_d_P4_im, row_d_P1_re, row_d_P1_im, gain_a, gain_b, gain_d;
-} torque_free_circular;
-
-typedef struct {
-    double y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi;
-    double Lambda_rate_lo, jump_hi, jump_lo, period_far, period_inverse, re_0, re_1, re_2, re_3;
-    double im_0, im_1, im_2, im_3, nome, nome2, nome4, nome8, nome12, row_0_P4_re, row_0_P4_im;
-    double row_0_P1_re, row_0_P1_im, row_a_P4_re, row_a_P4_im, row_a_P1_re, row_a_P1_im;
-    double row_b_P4_re, row_b_P4_im, row_b_P1_re, row_b_P1_im, row_d_P4_re, row_d_P4_im;
-    double row_d_P1_re, row_d_P1_im, gain_a, gain_b, gain_d;
-} torque_free_hyperbolic;
-
-typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r;
-    double share, half_over_p, reach;
-} torque_free_along;
-
-typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k;
-    double kappa_a, kappa_d, p, apart, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
-    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
-    double apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d;
-    double b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
-} torque_free_columns;
-
-typedef struct {
-    double v_rate_hi, v_rate_lo, even_0, even_1, even_2, odd_0, odd_1, sine_even_0, sine_even_1;
-    double sine_even_2, sine_odd_0, sine_odd_1, gain_S, gain_C, gain_D, E_rate, slope_0;
-    double slope_1, slope_2, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0;
-    double F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9;
-} torque_free_real;
-
-typedef struct {
-    double y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse;
-    double nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain;
-    double f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0;
-    double E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7;
-    double F_8, F_9;
-} torque_free_imaginary;
-
-typedef struct {
-    double c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11;
-    double B12, B13, B21, B22, B23, B31, B32, B33;
-} torque_free_turn;
-
-typedef struct {
-    double Lambda_rate_hi, Lambda_rate_lo, axis1, axis2, axis3, p0, p1, p2, p3;
-} torque_free_steady;
-
-/* Return codes; 0 is success.  A call for one body that fails writes nothing. */
+/* Return codes; 0 is success. A call for one body that fails writes nothing. */
 enum {
     TORQUE_FREE_OK = 0, /* success */
     TORQUE_FREE_NOT_FINITE = 1, /* every number must be finite; times, too */
@@ -173,128 +81,422 @@ enum {
     TORQUE_FREE_ARITHMETIC = 8, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
     TORQUE_FREE_GROWTH = 9, /* on the way to spin about the middle axis squares of changes leave binary64 */
     TORQUE_FREE_NONPHYSICAL = 10, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
-    TORQUE_FREE_UNPREPARED = 11, /* torque_free_motion_init has not made it */
+    TORQUE_FREE_UNPREPARED = 11 /* torque_free_motion_init has not made it */
 };
+
+/* Inputs that states change with, to be added up; columns are in this order. */
+enum {
+    TORQUE_FREE_BY_ATTITUDE0 = 1, /* three: a small turn at t = 0, in space */
+    TORQUE_FREE_BY_OMEGA0 = 2, /* three: the rates at t = 0 */
+    TORQUE_FREE_BY_INERTIA = 4, /* three: the principal moments */
+    TORQUE_FREE_BY_T = 8, /* the time, which has arrays of its own */
+    TORQUE_FREE_BY_ALL = 15 /* all of these */
+};
+
+typedef struct {
+    double v_rate_hi;
+    double v_rate_lo;
+    double v_hi;
+    double v_lo;
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double T4_re_0;
+    double T4_re_1;
+    double T4_re_2;
+    double T4_re_3;
+    double T4_im_0;
+    double T4_im_1;
+    double T4_im_2;
+    double T1_re_0;
+    double T1_re_1;
+    double T1_re_2;
+    double T1_re_3;
+    double T1_im_0;
+    double T1_im_1;
+    double T1_im_2;
+    double T1_im_3;
+    double even_0;
+    double even_1;
+    double even_2;
+    double odd_0;
+    double odd_1;
+    double sine_even_0;
+    double sine_even_1;
+    double sine_even_2;
+    double sine_odd_0;
+    double sine_odd_1;
+    double row_0_P4_re;
+    double row_0_P4_im;
+    double row_0_P1_re;
+    double row_0_P1_im;
+    double row_a_P4_re;
+    double row_a_P4_im;
+    double row_a_P1_re;
+    double row_a_P1_im;
+    double row_b_P4_re;
+    double row_b_P4_im;
+    double row_b_P1_re;
+    double row_b_P1_im;
+    double row_d_P4_re;
+    double row_d_P4_im;
+    double row_d_P1_re;
+    double row_d_P1_im;
+    double gain_a;
+    double gain_b;
+    double gain_d;
+} torque_free_circular;
+
+typedef struct {
+    double y_rate_hi;
+    double y_rate_lo;
+    double y0_hi;
+    double y0_lo;
+    double period_hi;
+    double period_lo;
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double jump_hi;
+    double jump_lo;
+    double period_far;
+    double period_inverse;
+    double re_0;
+    double re_1;
+    double re_2;
+    double re_3;
+    double im_0;
+    double im_1;
+    double im_2;
+    double im_3;
+    double nome;
+    double nome2;
+    double nome4;
+    double nome8;
+    double nome12;
+    double row_0_P4_re;
+    double row_0_P4_im;
+    double row_0_P1_re;
+    double row_0_P1_im;
+    double row_a_P4_re;
+    double row_a_P4_im;
+    double row_a_P1_re;
+    double row_a_P1_im;
+    double row_b_P4_re;
+    double row_b_P4_im;
+    double row_b_P1_re;
+    double row_b_P1_im;
+    double row_d_P4_re;
+    double row_d_P4_im;
+    double row_d_P1_re;
+    double row_d_P1_im;
+    double gain_a;
+    double gain_b;
+    double gain_d;
+} torque_free_hyperbolic;
+
+typedef struct {
+    double Omega_a0;
+    double Omega_b0;
+    double Omega_d0;
+    double alpha_a;
+    double alpha_b;
+    double alpha_d;
+    double k;
+    double kappa_a;
+    double kappa_d;
+    double p;
+    double r;
+    double share;
+    double half_over_p;
+    double reach;
+} torque_free_along;
+
+typedef struct {
+    double Omega_a0;
+    double Omega_b0;
+    double Omega_d0;
+    double alpha_a;
+    double alpha_b;
+    double alpha_d;
+    double alpha_divisor;
+    double g_a;
+    double g_d;
+    double k;
+    double kappa_a;
+    double kappa_d;
+    double p;
+    double apart;
+    double p_by_Omega_a;
+    double p_by_Omega_b;
+    double r_by_Omega_d;
+    double kappa_by_c_a;
+    double kappa_by_c_b;
+    double kappa_by_c_d;
+    double p_by_c_a;
+    double p_by_c_b;
+    double p_by_c_d;
+    double apart_by_c_a;
+    double apart_by_c_b;
+    double apart_by_c_d;
+    double leant_by_c_a;
+    double leant_by_c_b;
+    double leant_by_c_d;
+    double a_by_c_a;
+    double a_by_c_b;
+    double a_by_c_d;
+    double b_by_c_a;
+    double b_by_c_b;
+    double b_by_c_d;
+    double d_by_c_a;
+    double d_by_c_b;
+    double d_by_c_d;
+} torque_free_columns;
+
+typedef struct {
+    double v_rate_hi;
+    double v_rate_lo;
+    double even_0;
+    double even_1;
+    double even_2;
+    double odd_0;
+    double odd_1;
+    double sine_even_0;
+    double sine_even_1;
+    double sine_even_2;
+    double sine_odd_0;
+    double sine_odd_1;
+    double gain_S;
+    double gain_C;
+    double gain_D;
+    double E_rate;
+    double slope_0;
+    double slope_1;
+    double slope_2;
+    double p;
+    double apart;
+    double E_0;
+    double E_1;
+    double E_2;
+    double E_3;
+    double E_4;
+    double E_5;
+    double E_6;
+    double E_7;
+    double E_8;
+    double E_9;
+    double F_0;
+    double F_1;
+    double F_2;
+    double F_3;
+    double F_4;
+    double F_5;
+    double F_6;
+    double F_7;
+    double F_8;
+    double F_9;
+} torque_free_real;
+
+typedef struct {
+    double y_rate_hi;
+    double y_rate_lo;
+    double period_hi;
+    double period_lo;
+    double z0_hi;
+    double z0_lo;
+    double period_far;
+    double period_inverse;
+    double nome2;
+    double nome4;
+    double nome6;
+    double nome8;
+    double nome12;
+    double nome16;
+    double nome18;
+    double gain_S;
+    double gain_C;
+    double gain_D;
+    double f_gain;
+    double f_rate;
+    double f_period;
+    double p;
+    double apart;
+    double passed_gain;
+    double passed_rate;
+    double passed_period;
+    double passed_0;
+    double E_0;
+    double E_1;
+    double E_2;
+    double E_3;
+    double E_4;
+    double E_5;
+    double E_6;
+    double E_7;
+    double E_8;
+    double E_9;
+    double F_0;
+    double F_1;
+    double F_2;
+    double F_3;
+    double F_4;
+    double F_5;
+    double F_6;
+    double F_7;
+    double F_8;
+    double F_9;
+} torque_free_imaginary;
+
+typedef struct {
+    double c1;
+    double c2;
+    double c3;
+    double c12;
+    double c13;
+    double c23;
+    double Omega1_0;
+    double Omega2_0;
+    double Omega3_0;
+    double per_K2;
+    double l1;
+    double l2;
+    double l3;
+    double B11;
+    double B12;
+    double B13;
+    double B21;
+    double B22;
+    double B23;
+    double B31;
+    double B32;
+    double B33;
+} torque_free_turn;
+
+typedef struct {
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double axis1;
+    double axis2;
+    double axis3;
+    double p0;
+    double p1;
+    double p2;
+    double p3;
+} torque_free_steady;
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
 typedef struct {
-    int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
-    int axis[3];         /* the body axes a, b, d */
-    int blurred;         /* 1 where later times are refused as TORQUE_FREE_SEPARATRIX */
-    int prepared;        /* a mark that torque_free_motion_init has written the struct */
-    double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
-    double max_angle;     /* the largest inner time */
-    double q0[4];        /* attitude at t = 0 */
-    double omega0[3];    /* body rates at t = 0, rad/s */
+    int branch; /* 0 steady, 1 circular, 2 hyperbolic */
+    int axis[3]; /* the body axes a, b, d */
+    int blurred; /* 1 where later times are refused as TORQUE_FREE_SEPARATRIX */
+    int prepared; /* a mark that torque_free_motion_init has written the struct */
+    double unit; /* a power of two, 1/s: inner times are unit t; 0 at rest */
+    double max_angle; /* the largest inner time */
+    double q0[4]; /* attitude at t = 0 */
+    double omega0[3]; /* body rates at t = 0, rad/s */
     union {
         torque_free_circular circular;
         torque_free_hyperbolic hyperbolic;
         torque_free_steady steady;
     } of;
-    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, their differences, rates and E_b, all inner, in pairs */
+    double moment_unit; /* a power of two, kg m^2: inner moments are times this */
+    double given[20]; /* moments, their differences, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
-/* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
+/* The constants of a motion. inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Functions that take moments refuse those that no body can
-   have, beyond rounding, as TORQUE_FREE_NONPHYSICAL, unless the source is compiled with
-   -DALLOW_NONPHYSICAL.  Returns a code above. */
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4]);
+   inertial, of any length but zero. Functions that take moments refuse those that no body can have,
+   beyond rounding, as TORQUE_FREE_NONPHYSICAL, unless the source is compiled with
+   -DALLOW_NONPHYSICAL. Returns a code above. */
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
+    const double omega0[3], const double attitude0[4]);
 
-/* The constants of a motion from numbers known beyond binary64, each the sum of two doubles {hi, lo}.
-   The largest moment and the largest rate should be between 1/2 and 4.  Numbers that pairs would lose
-   by subtraction are arguments, right to all digits of a double_double: differences, moments 0 less 1,
-   1 less 2 and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign decides the
-   regime.  Rates are times `unit` rad/s, a power of two. */
+/* The constants of a motion from numbers known beyond binary64, each the sum of two doubles {hi,
+   lo}. The largest moment and the largest rate should be between 1/2 and 4. Numbers that pairs
+   would lose by subtraction are arguments, right to all digits of a double_double: differences,
+   moments 0 less 1, 1 less 2 and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis,
+   whose sign decides the regime. Rates are times `unit` rad/s, a power of two. */
 int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
-                                const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double discriminant[2], double unit);
+    const double differences[3][2], const double omega0[3][2], const double attitude0[4][2],
+    const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
-   TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all functions below,
-   TORQUE_FREE_UNPREPARED. */
+   attitude0 on, and omega[3], body rates in rad/s. Returns 0, TORQUE_FREE_NOT_FINITE,
+   TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all functions below, TORQUE_FREE_UNPREPARED. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
 
-/* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns a code as torque_free_state_at does. */
+/* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must not
+   overlap each other or t. Returns a code as torque_free_state_at does. */
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
-                          double *omega);
+    double *omega);
 
-/* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n <= 2^53.
-   Sines are evaluated once in 64 samples, but near the separatrix.  A grid in parts, each begun at a
-   multiple of 64, has the same bits as the whole. */
-int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
-                               size_t n, double *q, double *omega);
+/* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n is at
+   most 2^53. Sines are evaluated once in 64 samples, but near the separatrix. A grid in parts, each
+   begun at a multiple of 64, has the same bits as the whole. */
+int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step,
+    size_t first, size_t n, double *q, double *omega);
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
-   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
-   t is t[bodies][n].
-   codes[bodies]: the code of each body; refused bodies and times have states of NaN, and 0 is
-   returned.  Where codes is NULL, the first body that is refused ends the call: its number is left
-   in *failed, its code is returned, and the states of the bodies before it are written. */
+   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n
+   where t is t[bodies][n]. codes[bodies]: the code of each body; refused bodies and times have
+   states of NaN, and 0 is returned. Where codes is NULL, the first body that is refused ends the
+   call: its number is left in *failed, its code is returned, and the states of the bodies before it
+   are written. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes /* or NULL */, size_t *failed);
+    const double *attitude0, size_t n, const double *t, size_t stride, double *q, double *omega,
+    int *codes /* or NULL */, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for; NaN where it was not prepared. */
 double torque_free_last_time(const torque_free_motion *motion);
 
-/* sizeof(torque_free_motion), and the digest of the header and the source, for callers of a shared library. */
+/* sizeof(torque_free_motion), for callers of a shared library. */
 size_t torque_free_motion_size(void);
-const char *torque_free_digest(void);
+
+/* The states at n times t[n] (s), as torque_free_states_at has them, and their changes with the
+   inputs. attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes
+   by [eta] times itself. rates[n][3][9]: the body rates. Their columns: the small turn at t = 0,
+   omega0 and the principal moments. attitude_t[n][3], rates_t[n][3]: both by the time. No arrays
+   overlap; numbers beyond binary64 are infinite. Returns a code as torque_free_states_at does, or
+   TORQUE_FREE_GROWTH with states at all times and changes that are NaN at some. */
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t,
+    double *q, double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t);
+
+/* As torque_free_states_with_sensitivity, with the changes in `columns` alone, a sum of the inputs
+   above: attitude[n][3][m] and rates[n][3][m] have three columns for each of the first three that
+   is in it, attitude_t and rates_t are written where TORQUE_FREE_BY_T is. TORQUE_FREE_GROWTH is
+   about these columns alone. */
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t,
+    int columns, double *q, double *omega, double *attitude /* or NULL */,
+    double *rates /* or NULL */, double *attitude_t /* or NULL */, double *rates_t /* or NULL */);
+
+/* As torque_free_propagate_with_sensitivity, with the changes in `columns` alone and the arrays of
+   torque_free_states_with_columns. */
+int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
+    const double *attitude0, size_t n, const double *t, size_t stride, int columns, double *q,
+    double *omega, double *attitude /* or NULL */, double *rates /* or NULL */,
+    double *attitude_t /* or NULL */, double *rates_t /* or NULL */, int *codes /* or NULL */,
+    size_t *failed);
+
+/* States and changes at n times of each of many bodies, as torque_free_propagate has them:
+   q[bodies][n][4] to rates_t[bodies][n][3], none of which overlap. Where codes is not NULL, refused
+   times have states of NaN, and changes are NaN at these times and at those where they leave
+   binary64; a body with such a time has code TORQUE_FREE_GROWTH, whatever else it has. */
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
+    const double *omega0, const double *attitude0, size_t n, const double *t, size_t stride,
+    double *q, double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
+    int *codes /* or NULL */, size_t *failed);
 
 /* The message of a code, in one line: the field and its rule. */
 const char *torque_free_message(int code);
 
-/* The field of the input that a code is about, "" for none, and the rule that it breaks. */
+/* The field of the input that a code is about, "" for none. */
 const char *torque_free_field(int code);
+
+/* The rule of the input that a code says is broken. */
 const char *torque_free_rule(int code);
 
-/* Inputs that states change with, to be added up; columns are in this order. */
-enum {
-    TORQUE_FREE_BY_ATTITUDE0 = 1, /* three: a small turn at t = 0, in space */
-    TORQUE_FREE_BY_OMEGA0 = 2,    /* three: the rates at t = 0 */
-    TORQUE_FREE_BY_INERTIA = 4,   /* three: the principal moments */
-    TORQUE_FREE_BY_T = 8,         /* the time, which has arrays of its own */
-    TORQUE_FREE_BY_ALL = 15
-};
+/* The digest of the header and the source, for callers of a shared library. */
+const char *torque_free_digest(void);
 
-/* The states at n times t[n] (s), as torque_free_states_at has them, and their changes with the inputs.
-   attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
-   itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
-   principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; numbers beyond
-   binary64 are infinite.  Returns a code as torque_free_states_at does, or TORQUE_FREE_GROWTH with states
-   at all times and changes that are NaN at some. */
-int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
-                                        double *omega, double *attitude, double *rates, double *attitude_t,
-                                        double *rates_t);
-
-/* States and changes at n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
-   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, refused times have states
-   of NaN, and changes are NaN at these times and at those where they leave binary64; a body with such a
-   time has code TORQUE_FREE_GROWTH, whatever else it has. */
-int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
-                                           const double *attitude0, size_t n, const double *t, size_t stride,
-                                           double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes /* or NULL */,
-                                           size_t *failed);
-
-/* Both with the changes in `columns` alone, a sum of the inputs above: attitude[n][3][m] and
-   rates[n][3][m] have three columns for each of the first three that is in it, attitude_t and rates_t are
-   written where TORQUE_FREE_BY_T is.  TORQUE_FREE_GROWTH is about these columns alone. */
-int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int columns,
-                                    double *q, double *omega, double *attitude /* or NULL */,
-                                    double *rates /* or NULL */, double *attitude_t /* or NULL */,
-                                    double *rates_t /* or NULL */);
-int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
-                                       const double *attitude0, size_t n, const double *t, size_t stride,
-                                       int columns, double *q, double *omega, double *attitude /* or NULL */,
-                                       double *rates /* or NULL */, double *attitude_t /* or NULL */,
-                                       double *rates_t /* or NULL */, int *codes /* or NULL */, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

@@ -19,10 +19,11 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  18 %  follow facts of the ledger, each named on its line
-    317  19 %  follow classical formulas, each with its reference
-     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1002  59 %  are the runtime, written by hand
+    299  10 %  follow facts of the ledger, each named on its line
+    317  10 %  follow classical formulas, each with its reference
+     69   2 %  are arithmetic: sums, products, quotients, roots, reductions
+   2223  74 %  are the runtime, printed from its one representation
+    112   4 %  are written by hand
 
 Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
 uniqueness of solutions.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -38,47 +39,10 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c-pi --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  7.0e-16  8.7e-16
-  published              8.3e-16  1.2e-15
-  axis orders and signs  8.7e-16  9.3e-16
-  uniform                9.9e-16  1.1e-15
-  near separatrix        1.4e-15  1.1e-15
-  beside separatrix      1.2e-15  5.2e-16
-  nearest separatrix     1.1e-15  6.0e-16
-  separatrix             1.1e-15  5.5e-16
-  symmetric              6.8e-16  4.2e-16
-  near prolate           2.1e-15  1.0e-15
-  near oblate            1.3e-15  1.1e-15
-  nearest symmetric      8.2e-16  9.2e-16
-  sphere                 5.9e-16  6.9e-43
-  near sphere            1.0e-15  1.6e-15
-  nearest sphere         7.7e-16  7.3e-16
-  spin                   5.2e-16  7.6e-53
-  near spin, largest     8.6e-16  7.3e-16
-  near spin, middle      1.1e-15  4.0e-16
-  near spin, smallest    7.2e-16  5.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.1e-15  1.0e-15
-  rod                    1.2e-15  1.0e-15
-  needle                 1.9e-15  1.2e-15
-  special values         1.3e-15  1.0e-15
-  special attitudes      9.8e-16  1.0e-15
-  scales                 1.3e-15  1.0e-15
-  small scales           1.0e-15  1.1e-15
-  large scales           9.1e-16  1.1e-15
-  extreme scales         9.1e-16  9.9e-16
-  decimals               1.1e-15  1.1e-15
-  long times             9.8e-16  1.0e-15
-  longest times          9.3e-16  1.0e-15
-  near separatrix, long  1.1e-15  8.6e-16
-  branch switch          1.3e-15  1.5e-15
-  zeros of the rates     1.4e-15  8.1e-16
-  quarter periods        1.2e-15  9.1e-16
+Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 8a3bd110c75d7502fbd8ee9d1cea21a5b9d910f1a2654766f305598e7a2eeadc
+digest fcf17226414ef26bd4855ef46025e611f8780e7ec0976d00321356205dd2a3f9
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -93,7 +57,7 @@ below -O2 -fno-math-errno needs -DTORQUE_FREE_PI_LANES=1.
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
-long.  With -DTORQUE_FREE_PI_FMA=0 every processor and compiler computes the same bits; compilers that
+long.  With -DTORQUE_FREE_FMA=0 every processor and compiler computes the same bits; compilers that
 fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off. */
 
 #ifndef TORQUE_FREE_PI_H
@@ -105,25 +69,7 @@ fuse products by themselves (gcc without -std=c99) then need -ffp-contract=off. 
 extern "C" {
 #endif
 
-typedef struct {
-    double v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo, k_2, k_3, k_4, k_5;
-    double characteristic, spread, kappa, j, two_K, rest_0, c_a, c_b, c_d, A_a, A_b, A_d, K;
-    double k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit;
-} torque_free_pi_circular;
-
-typedef struct {
-    double y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi;
-    double Lambda_rate_lo, jump_hi, jump_lo, period_far, period_inverse, l_2, l_3, l_4, l_5, gc;
-    double kc_1, m_c, rho, g_1, g_2, h_2, alpha, delta, spread, slope, z, characteristic;
-    double start_rest, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0;
-    double p_a, p_b, p_d, unit;
-} torque_free_pi_hyperbolic;
-
-typedef struct {
-    double Lambda_rate_hi, Lambda_rate_lo, axis1, axis2, axis3, p0, p1, p2, p3;
-} torque_free_pi_steady;
-
-/* Return codes; 0 is success.  A call for one body that fails writes nothing. */
+/* Return codes; 0 is success. A call for one body that fails writes nothing. */
 enum {
     TORQUE_FREE_PI_OK = 0, /* success */
     TORQUE_FREE_PI_NOT_FINITE = 1, /* every number must be finite; times, too */
@@ -136,86 +82,190 @@ enum {
     TORQUE_FREE_PI_ARITHMETIC = 8, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
     TORQUE_FREE_PI_GROWTH = 9, /* on the way to spin about the middle axis squares of changes leave binary64 */
     TORQUE_FREE_PI_NONPHYSICAL = 10, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
-    TORQUE_FREE_PI_UNPREPARED = 11, /* torque_free_pi_motion_init has not made it */
+    TORQUE_FREE_PI_UNPREPARED = 11 /* torque_free_pi_motion_init has not made it */
 };
+
+typedef struct {
+    double v_rate_hi;
+    double v_rate_lo;
+    double v_hi;
+    double v_lo;
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double k_2;
+    double k_3;
+    double k_4;
+    double k_5;
+    double characteristic;
+    double spread;
+    double kappa;
+    double j;
+    double two_K;
+    double rest_0;
+    double c_a;
+    double c_b;
+    double c_d;
+    double A_a;
+    double A_b;
+    double A_d;
+    double K;
+    double k_1;
+    double k_c;
+    double epsilon;
+    double sigma;
+    double chi;
+    double tau;
+    double p_0;
+    double p_a;
+    double p_b;
+    double p_d;
+    double unit;
+} torque_free_pi_circular;
+
+typedef struct {
+    double y_rate_hi;
+    double y_rate_lo;
+    double y0_hi;
+    double y0_lo;
+    double period_hi;
+    double period_lo;
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double jump_hi;
+    double jump_lo;
+    double period_far;
+    double period_inverse;
+    double l_2;
+    double l_3;
+    double l_4;
+    double l_5;
+    double gc;
+    double kc_1;
+    double m_c;
+    double rho;
+    double g_1;
+    double g_2;
+    double h_2;
+    double alpha;
+    double delta;
+    double spread;
+    double slope;
+    double z;
+    double characteristic;
+    double start_rest;
+    double c_a;
+    double c_b;
+    double c_d;
+    double A_a;
+    double A_b;
+    double A_d;
+    double K;
+    double k_1;
+    double k_c;
+    double epsilon;
+    double sigma;
+    double chi;
+    double tau;
+    double p_0;
+    double p_a;
+    double p_b;
+    double p_d;
+    double unit;
+} torque_free_pi_hyperbolic;
+
+typedef struct {
+    double Lambda_rate_hi;
+    double Lambda_rate_lo;
+    double axis1;
+    double axis2;
+    double axis3;
+    double p0;
+    double p1;
+    double p2;
+    double p3;
+} torque_free_pi_steady;
 
 /* The constants of one motion; written by torque_free_pi_motion_init, read by all others. */
 typedef struct {
-    int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
-    int axis[3];         /* the body axes a, b, d */
-    int blurred;         /* 1 where later times are refused as TORQUE_FREE_PI_SEPARATRIX */
-    int prepared;        /* a mark that torque_free_pi_motion_init has written the struct */
-    double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
-    double max_angle;     /* the largest inner time */
-    double q0[4];        /* attitude at t = 0 */
-    double omega0[3];    /* body rates at t = 0, rad/s */
+    int branch; /* 0 steady, 1 circular, 2 hyperbolic */
+    int axis[3]; /* the body axes a, b, d */
+    int blurred; /* 1 where later times are refused as TORQUE_FREE_PI_SEPARATRIX */
+    int prepared; /* a mark that torque_free_pi_motion_init has written the struct */
+    double unit; /* a power of two, 1/s: inner times are unit t; 0 at rest */
+    double max_angle; /* the largest inner time */
+    double q0[4]; /* attitude at t = 0 */
+    double omega0[3]; /* body rates at t = 0, rad/s */
     union {
         torque_free_pi_circular circular;
         torque_free_pi_hyperbolic hyperbolic;
         torque_free_pi_steady steady;
     } of;
-    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, their differences, rates and E_b, all inner, in pairs */
+    double moment_unit; /* a power of two, kg m^2: inner moments are times this */
+    double given[20]; /* moments, their differences, rates and E_b, all inner, in pairs */
 } torque_free_pi_motion;
 
-/* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
+/* The constants of a motion. inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Functions that take moments refuse those that no body can
-   have, beyond rounding, as TORQUE_FREE_PI_NONPHYSICAL, unless the source is compiled with
-   -DALLOW_NONPHYSICAL.  Returns a code above. */
-int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4]);
+   inertial, of any length but zero. Functions that take moments refuse those that no body can have,
+   beyond rounding, as TORQUE_FREE_PI_NONPHYSICAL, unless the source is compiled with
+   -DALLOW_NONPHYSICAL. Returns a code above. */
+int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3],
+    const double omega0[3], const double attitude0[4]);
 
-/* The constants of a motion from numbers known beyond binary64, each the sum of two doubles {hi, lo}.
-   The largest moment and the largest rate should be between 1/2 and 4.  Numbers that pairs would lose
-   by subtraction are arguments, right to all digits of a double_double: differences, moments 0 less 1,
-   1 less 2 and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign decides the
-   regime.  Rates are times `unit` rad/s, a power of two. */
+/* The constants of a motion from numbers known beyond binary64, each the sum of two doubles {hi,
+   lo}. The largest moment and the largest rate should be between 1/2 and 4. Numbers that pairs
+   would lose by subtraction are arguments, right to all digits of a double_double: differences,
+   moments 0 less 1, 1 less 2 and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis,
+   whose sign decides the regime. Rates are times `unit` rad/s, a power of two. */
 int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, const double inertia[3][2],
-                                const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double discriminant[2], double unit);
+    const double differences[3][2], const double omega0[3][2], const double attitude0[4][2],
+    const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
-   TORQUE_FREE_PI_NOT_FINITE, TORQUE_FREE_PI_TIME, TORQUE_FREE_PI_SEPARATRIX or, as all functions below,
-   TORQUE_FREE_PI_UNPREPARED. */
+   attitude0 on, and omega[3], body rates in rad/s. Returns 0, TORQUE_FREE_PI_NOT_FINITE,
+   TORQUE_FREE_PI_TIME, TORQUE_FREE_PI_SEPARATRIX or, as all functions below, TORQUE_FREE_PI_UNPREPARED. */
 int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, double q[4], double omega[3]);
 
-/* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns a code as torque_free_pi_state_at does. */
+/* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must not
+   overlap each other or t. Returns a code as torque_free_pi_state_at does. */
 int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q,
-                          double *omega);
+    double *omega);
 
-/* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n <= 2^53.
-   Sines are evaluated once in 64 samples, but near the separatrix.  A grid in parts, each begun at a
-   multiple of 64, has the same bits as the whole. */
-int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double start, double step, size_t first,
-                               size_t n, double *q, double *omega);
+/* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n is at
+   most 2^53. Sines are evaluated once in 64 samples, but near the separatrix. A grid in parts, each
+   begun at a multiple of 64, has the same bits as the whole. */
+int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double start, double step,
+    size_t first, size_t n, double *q, double *omega);
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
-   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
-   t is t[bodies][n].
-   codes[bodies]: the code of each body; refused bodies and times have states of NaN, and 0 is
-   returned.  Where codes is NULL, the first body that is refused ends the call: its number is left
-   in *failed, its code is returned, and the states of the bodies before it are written. */
+   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n
+   where t is t[bodies][n]. codes[bodies]: the code of each body; refused bodies and times have
+   states of NaN, and 0 is returned. Where codes is NULL, the first body that is refused ends the
+   call: its number is left in *failed, its code is returned, and the states of the bodies before it
+   are written. */
 int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes /* or NULL */, size_t *failed);
+    const double *attitude0, size_t n, const double *t, size_t stride, double *q, double *omega,
+    int *codes /* or NULL */, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for; NaN where it was not prepared. */
 double torque_free_pi_last_time(const torque_free_pi_motion *motion);
 
-/* sizeof(torque_free_pi_motion), and the digest of the header and the source, for callers of a shared library. */
+/* sizeof(torque_free_pi_motion), for callers of a shared library. */
 size_t torque_free_pi_motion_size(void);
-const char *torque_free_pi_digest(void);
 
 /* The message of a code, in one line: the field and its rule. */
 const char *torque_free_pi_message(int code);
 
-/* The field of the input that a code is about, "" for none, and the rule that it breaks. */
+/* The field of the input that a code is about, "" for none. */
 const char *torque_free_pi_field(int code);
+
+/* The rule of the input that a code says is broken. */
 const char *torque_free_pi_rule(int code);
+
+/* The digest of the header and the source, for callers of a shared library. */
+const char *torque_free_pi_digest(void);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,248 +1,10 @@
 #include "torque_free_step.h"
-
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#ifdef __cplusplus
-#define restrict __restrict
-#endif
-
-/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
-#ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline, unused))
-#else
-#define INLINED inline
-#endif
-
+#include "torque_free_arithmetic.h"
 
 /* How many bodies are computed side by side. */
 #ifndef LANES
 #define LANES 16
 #endif
-
-/* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_body_init looks, too. */
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "torque_free_step.c: -ffast-math reorders sums that must not be; compile without it"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "torque_free_step.c: -ffinite-math-only takes the checks of inputs away; compile without it"
-#elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
-#error "torque_free_step.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
-#elif FLT_RADIX != 2 || DBL_MANT_DIG != 53
-#error "torque_free_step.c: a double must be a binary64 number"
-#endif
-/* -fsingle-precision-constant has no macro: an array of negative size is no type. */
-typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
-#if defined(__clang__)
-#pragma STDC FP_CONTRACT OFF
-#endif
-
-/* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
-   errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
-   sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
-   and Rideau, ACM TOMS 49(1), 2023). */
-typedef struct { double hi, lo; } double_double;
-
-/* -DTORQUE_FREE_FMA=0 computes without fused multiply-add, and so has the same bits on every processor;
-   -DTORQUE_FREE_FMA=1 computes with it, by the C library where the processor has none.  By default the
-   faster one is chosen. */
-#if defined(TORQUE_FREE_FMA)
-#define BITS_ARE_CHOSEN 1
-#else
-#define BITS_ARE_CHOSEN 0
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-#define TORQUE_FREE_FMA 1
-#else
-#define TORQUE_FREE_FMA 0
-#endif
-#endif
-#if TORQUE_FREE_FMA
-#define fused(a, b, c) fma((a), (b), (c))
-#define product_error(a, b, p) fma((a), (b), -(p))
-#else
-#define fused(a, b, c) ((a) * (b) + (c))
-
-/* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
-static INLINED double upper_half(double a)
-{
-    const double c = 134217729.0 * a;
-    const double d = c - a;
-    return c - d;
-}
-
-/* a b - p exactly, where p is the rounded product (Dekker). */
-static INLINED double product_error(double a, double b, double p)
-{
-    const double a1 = upper_half(a), b1 = upper_half(b);
-    const double a2 = a - a1, b2 = b - b1;
-    const double e1 = a1 * b1 - p;
-    const double e2 = e1 + a1 * b2;
-    const double e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
-}
-#endif
-
-/* The nearest whole number, for |x| < 2^51. */
-static INLINED double nearest(double x)
-{
-    const double shifted = x + 6755399441055744.0;
-    return shifted - 6755399441055744.0;
-}
-
-/* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
-   |n| < 2^51. */
-static INLINED uint64_t bits_of(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static INLINED double from_bits(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-/* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
-static INLINED double alternating(double n)
-{
-    return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
-}
-
-/* 2^n for a whole number n between -1022 and 1023, from its bits. */
-static INLINED double power_of_two(double n)
-{
-    return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
-}
-
-/* one where x <= y, else other. */
-static INLINED double choose(double x, double y, double one, double other)
-{
-    return x <= y ? one : other;
-}
-
-static INLINED double_double dd_of(double a)
-{
-    const double_double x = {a, 0.0};
-    return x;
-}
-
-/* a + b exactly (Knuth). */
-static INLINED double_double two_sum(double a, double b)
-{
-    const double s = a + b;
-    const double c = s - a;
-    const double d = s - c;
-    const double_double x = {s, (a - d) + (b - c)};
-    return x;
-}
-
-/* a + b exactly, for |a| >= |b| (Dekker). */
-static INLINED double_double quick_sum(double a, double b)
-{
-    const double s = a + b;
-    const double c = s - a;
-    const double_double x = {s, b - c};
-    return x;
-}
-
-/* a b exactly. */
-static INLINED double_double two_product(double a, double b)
-{
-    const double p = a * b;
-    const double_double x = {p, product_error(a, b, p)};
-    return x;
-}
-
-static INLINED double_double dd_neg(double_double x)
-{
-    const double_double y = {-x.hi, -x.lo};
-    return y;
-}
-
-static INLINED double_double dd_add_xx(double_double x, double_double y)
-{
-    const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-    const double_double v = quick_sum(s.hi, s.lo + t.hi);
-    return quick_sum(v.hi, v.lo + t.lo);
-}
-
-static INLINED double_double dd_add_xd(double_double x, double y)
-{
-    const double_double s = two_sum(x.hi, y);
-    return quick_sum(s.hi, s.lo + x.lo);
-}
-
-static INLINED double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
-static INLINED double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
-static INLINED double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
-static INLINED double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
-
-static INLINED double_double dd_mul_xx(double_double x, double_double y)
-{
-    const double_double p = two_product(x.hi, y.hi);
-    return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
-}
-
-static INLINED double_double dd_mul_xd(double_double x, double y)
-{
-    const double_double p = two_product(x.hi, y);
-    return quick_sum(p.hi, p.lo + x.lo * y);
-}
-
-static INLINED double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
-
-static INLINED double_double dd_div_xx(double_double x, double_double y)
-{
-    const double q = x.hi / y.hi;
-    const double_double r = dd_mul_xd(y, q);
-    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
-}
-
-static INLINED double_double dd_div_xd(double_double x, double y)
-{
-    const double q = x.hi / y;
-    const double_double r = two_product(y, q);
-    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
-}
-
-static INLINED double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
-
-static INLINED double_double dd_sqrt(double_double x)
-{
-    const double s = sqrt(x.hi);
-    const double_double r = two_product(s, s);
-    const double rest = (x.hi - r.hi) + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
-}
-
-static INLINED double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
-static INLINED double dd_rounded(double_double x) { return x.hi + x.lo; }
-static INLINED double_double dd_choose(double x, double y, double_double one, double_double other)
-{
-    return x <= y ? one : other;
-}
-
-/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
-   2^1022, from its bits: first as a mantissa between 1/2 and 1. */
-static INLINED double dd_exponent(double_double x)
-{
-    const uint64_t bits = bits_of(x.hi);
-    const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
-    const double e = from_bits(bits >> 52 | UINT64_C(0x4330000000000000)) - (4503599627370496.0 + 1022.0);
-    return fraction < 0.70710678118654752 ? e - 1.0 : e;
-}
-
-static INLINED double_double dd_mantissa(double_double x)
-{
-    const double power = power_of_two(-dd_exponent(x));
-    const double_double y = {x.hi * power, x.lo * power};
-    return y;
-}
 static const double_double pi = {3.141592653589793, 1.2246467991473532e-16}; /* pi */
 static const double_double unity = {1.0, 0.0}; /* 1 */
 static const double pi_hi = 3.141592653589793; /* pi */
@@ -263,6 +25,15 @@ static const double cosine_4 = -0.025806888796526702; /* cos(pi f), z^5 */
 static const double cosine_5 = 0.0019295558327461697; /* cos(pi f), z^6 */
 static const double cosine_6 = -0.00010456397431434991; /* cos(pi f), z^7 */
 static const double cosine_7 = 4.1457287175433435e-06; /* cos(pi f), z^8 */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
+static const double max_step = 8.0; /* 2^3, |omega dt|, rad */
+enum { CODES = 9 };
+static const char *const UNKNOWN = "no such code";
+static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "q: a zero quaternion is no attitude", "dt: |omega dt| must be at most 8 rad", "arithmetic: sums are reordered or not rounded to nearest", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "body: torque_free_body_init has not made it"};
+static const char *const FIELDS[CODES] = {"", "", "inertia", "inertia", "q", "dt", "arithmetic", "inertia", "body"};
+static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "|omega dt| must be at most 8 rad", "sums are reordered or not rounded to nearest", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_body_init has not made it"};
+static const double lane_cases[4] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007}; /* three moments, which also serve as elapsed functions, and a constant */
+enum { PREPARED = 2135587861 }; /* the mark of a prepared body: a number that memory hardly has by chance */
 
 typedef struct {
     double c_a_hi[LANES];
@@ -376,7 +147,22 @@ typedef struct {
     double T3[LANES];
     double turned[LANES];
 } lanes;
-
+/* The given state of a lane, the exponent that scales its rates, and whether nothing turns. */
+typedef struct {
+    int axis[3];
+    int power;
+    int is_still;
+    double q[4];
+    double omega[3];
+} scaling;
+/* Bodies side by side with their states; results do not depend on the lane. */
+typedef struct {
+    size_t count;
+    torque_free_body bodies[LANES];
+    double inertia[LANES][3];
+    double q[LANES][4];
+    double omega[LANES][3];
+} pushed;
 /* The coefficients of Euler's equations, and their products. */
 static void step_body(size_t n, lanes *x)
 {
@@ -902,163 +688,399 @@ static void step_kick(size_t n, lanes *x)
     }
 }
 
-static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
-static const double max_step = 8.0; /* 2^3, |omega dt|, rad */
-
-/* Return the exponent to scale by, 0 from 2^-40 to 2^40: there the highest powers of rates, the 22nd, do
-   not overflow. */
-static double scale(double largest)
+/* Return x 2^power, and x itself where the power is 0. */
+static INLINED double times_power(double x, int power)
 {
-    int exponent;
-    if (largest >= 9.094947017729282e-13 && largest <= 1099511627776.0)
-        return 0.0;
-    frexp(largest, &exponent);
-    return (double)exponent;
+    return power != 0 ? ldexp(x, power) : x;
 }
 
-static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
+/* Return the largest size of three numbers. */
+static double largest_of(double x, double y, double z)
+{
+    const double larger = fabs(y) >= fabs(z) ? fabs(y) : fabs(z);
+    return fabs(x) >= larger ? fabs(x) : larger;
+}
 
-/* The mark of a prepared body: a number that memory hardly has by chance. */
-enum { PREPARED = 0x7f4a7c15 };
+/* Return the exponent to scale by, 0 from 2^-40 to 2^40 and for what is not finite. There the
+   highest powers of rates, the 22nd, do not overflow. */
+static int scale(double largest)
+{
+    const int is_moderate = largest >= 9.094947017729282e-13 && largest <= 1099511627776.0;
+    return is_moderate || !isfinite(largest) ? 0 : exponent_of(largest);
+}
 
-/* Return 1 for moments that a body can have, up to rounding: the largest is at most the sum of the
-   others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
+/* Return the exponent that takes moments to their inner units. */
+static int moment_scale(const double inertia[3])
+{
+    return -scale(largest_of(inertia[0], inertia[1], inertia[2]));
+}
+
+/* Return True if x > y. */
+static INLINED int is_above(double_double x, double_double y)
+{
+    return x.hi > y.hi || (x.hi >= y.hi && x.lo > y.lo);
+}
+
+/* Return True for moments that a body can have, up to rounding. The largest is at most the sum of
+   the others, or that sum as a double, or beyond it by 2^-50 of the smallest. */
 static int can_exist(const double_double c[3])
 {
-#ifdef ALLOW_NONPHYSICAL
-    (void)c;
-    return 1;
-#else
-    int high = 0;
-    for (int k = 1; k < 3; k++)
-        if (c[k].hi > c[high].hi || (c[k].hi >= c[high].hi && c[k].lo > c[high].lo))
-            high = k;
-    const double_double one = c[(high + 1) % 3], other = c[(high + 2) % 3], total = dd_add_xx(one, other);
-    const double_double beyond = two_sum(c[high].hi - total.hi, c[high].lo - total.lo);
-    const double allowed = 8.881784197001252e-16 * (one.hi < other.hi ? one.hi : other.hi);
-    return c[high].hi < total.hi || (c[high].hi <= total.hi && c[high].lo <= 0.0) || beyond.hi < allowed ||
-           (beyond.hi <= allowed && beyond.lo <= 0.0);
-#endif
+    const int second = is_above(c[1], c[0]) ? 1 : 0;
+    const int high = is_above(c[2], c[second]) ? 2 : second;
+    const double_double one = c[(high + 1) % 3];
+    const double_double other = c[(high + 2) % 3];
+    const double_double most = c[high];
+    const double_double total = dd_add_xx(one, other);
+    const double_double beyond = two_sum(most.hi - total.hi, most.lo - total.lo);
+    const double allowed = 8.881784197001252e-16 * (one.hi <= other.hi ? one.hi : other.hi);
+    return ALLOW_NONPHYSICAL || most.hi < total.hi || (most.hi <= total.hi && most.lo <= 0.0) || beyond.hi < allowed || (beyond.hi <= allowed && beyond.lo <= 0.0);
+}
+
+/* Return True for moments that a body can have, up to rounding. */
+static int is_possible(const double c[3])
+{
+    double_double moments[3];
+    for (size_t k = 0; k < 3; k++) {
+        moments[k].hi = c[k];
+        moments[k].lo = 0.0;
+    }
+    return can_exist(moments);
+}
+
+/* Check the moments of a body, and these in inner units; return a code. */
+static int body_code(const double inertia[3], const double c[3])
+{
+    const double largest = largest_of(inertia[0], inertia[1], inertia[2]);
+    const double less = inertia[1] <= inertia[2] ? inertia[1] : inertia[2];
+    const double smallest = inertia[0] <= less ? inertia[0] : less;
+    const int is_number = !isnan(inertia[0] + inertia[1] + inertia[2]);
+    const int is_positive = inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0;
+    return !is_positive ? (is_number ? TORQUE_FREE_STEP_INERTIA : TORQUE_FREE_STEP_NOT_FINITE) : (!isfinite(largest) ? TORQUE_FREE_STEP_NOT_FINITE : (!is_possible(c) ? TORQUE_FREE_STEP_NONPHYSICAL : (smallest / largest < min_moment_ratio ? TORQUE_FREE_STEP_THIN : TORQUE_FREE_STEP_OK)));
+}
+
+/* Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed. Of
+   equal moments, that of the axis next in turn is first. */
+static void order_of(const double inertia[3], int *first_out, int *second_out, int *third_out,
+    double *epsilon_out)
+{
+    const int above = inertia[0] >= inertia[2] ? 0 : 2;
+    const int below = inertia[1] >= inertia[2] ? 1 : 2;
+    const int first = inertia[0] >= inertia[1] ? above : below;
+    const int one = (first + 1) % 3;
+    const int other = (first + 2) % 3;
+    const int is_turned = inertia[one] < inertia[other];
+    const int second = is_turned ? other : one;
+    const int third = is_turned ? one : other;
+    const double epsilon = is_turned ? -1.0 : 1.0;
+    *first_out = first;
+    *second_out = second;
+    *third_out = third;
+    *epsilon_out = epsilon;
 }
 
 /* Check moments and write them to lane i, the largest first; return a code. */
-static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
+static int set_body(lanes *x, size_t i, const double inertia[3], int axis[3])
 {
-    const double largest = largest_of(inertia), least = fmin(inertia[0], fmin(inertia[1], inertia[2]));
-    if (!(inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0))
-        return isnan(inertia[0] + inertia[1] + inertia[2]) ? TORQUE_FREE_STEP_NOT_FINITE : TORQUE_FREE_STEP_INERTIA;
-    if (!(largest <= DBL_MAX))
-        return TORQUE_FREE_STEP_NOT_FINITE;
-    const int exponent = -(int)scale(largest);
-    const double_double c[3] = {dd_of(ldexp(inertia[0], exponent)), dd_of(ldexp(inertia[1], exponent)),
-                                dd_of(ldexp(inertia[2], exponent))};
-    if (!can_exist(c))
-        return TORQUE_FREE_STEP_NONPHYSICAL;
-    if (least / largest < min_moment_ratio)
-        return TORQUE_FREE_STEP_THIN;
-    const int first = inertia[0] >= inertia[1] ? (inertia[0] >= inertia[2] ? 0 : 2) : (inertia[1] >= inertia[2] ? 1 : 2);
-    const int one = (first + 1) % 3, other = (first + 2) % 3, turned = inertia[one] < inertia[other];
-    axis[0] = first;
-    axis[1] = turned ? other : one;
-    axis[2] = turned ? one : other;
-    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
-    const double_double ab = two_sum(c_a, -c_b), ad = two_sum(c_a, -c_d), bd = two_sum(c_b, -c_d);
-    x->c_a_hi[i] = c_a, x->c_a_lo[i] = 0.0, x->c_b_hi[i] = c_b, x->c_b_lo[i] = 0.0;
-    x->c_d_hi[i] = c_d, x->c_d_lo[i] = 0.0, x->c_ab_hi[i] = ab.hi, x->c_ab_lo[i] = ab.lo;
-    x->c_ad_hi[i] = ad.hi, x->c_ad_lo[i] = ad.lo, x->c_bd_hi[i] = bd.hi, x->c_bd_lo[i] = bd.lo;
-    x->epsilon[i] = turned ? -1.0 : 1.0;
+    const int power = moment_scale(inertia);
+    double c[3];
+    for (size_t k = 0; k < 3; k++) {
+        c[k] = times_power(inertia[k], power);
+    }
+    const int code = body_code(inertia, c);
+    if (code != TORQUE_FREE_STEP_OK) {
+        return code;
+    }
+    order_of(inertia, &axis[0], &axis[1], &axis[2], &x->epsilon[i]);
+    const double c_a = c[axis[0]];
+    const double c_b = c[axis[1]];
+    const double c_d = c[axis[2]];
+    const double_double ab = two_sum(c_a, -c_b);
+    const double_double ad = two_sum(c_a, -c_d);
+    const double_double bd = two_sum(c_b, -c_d);
+    x->c_a_hi[i] = c_a;
+    x->c_a_lo[i] = 0.0;
+    x->c_b_hi[i] = c_b;
+    x->c_b_lo[i] = 0.0;
+    x->c_d_hi[i] = c_d;
+    x->c_d_lo[i] = 0.0;
+    x->c_ab_hi[i] = ab.hi;
+    x->c_ab_lo[i] = ab.lo;
+    x->c_ad_hi[i] = ad.hi;
+    x->c_ad_lo[i] = ad.lo;
+    x->c_bd_hi[i] = bd.hi;
+    x->c_bd_lo[i] = bd.lo;
     return TORQUE_FREE_STEP_OK;
 }
 
+/* Return True where the constants of a body, and a doubling, have all their digits. clang's -ffp-
+   contract=fast fuses sums with products across functions, so that low parts are counted twice. */
+static int lanes_hold(void)
+{
+    const double zero = hidden(0.0);
+    double inertia[3];
+    int axis[3];
+    lanes x;
+    for (size_t k = 0; k < 3; k++) {
+        inertia[k] = zero + lane_cases[k];
+    }
+    if (set_body(&x, 0, inertia, axis) != TORQUE_FREE_STEP_OK) {
+        return 0;
+    }
+    x.X_hi[0] = inertia[0];
+    x.Y_hi[0] = inertia[1];
+    x.e_1_hi[0] = inertia[2];
+    x.e_2_hi[0] = zero + lane_cases[3];
+    x.X_lo[0] = zero;
+    x.Y_lo[0] = zero;
+    x.e_1_lo[0] = zero;
+    x.e_2_lo[0] = zero;
+    step_body(1, &x);
+    step_doubled(1, &x);
+    const double_double l_a = {x.l_a_hi[0], x.l_a_lo[0]};
+    const double_double l_b = {x.l_b_hi[0], x.l_b_lo[0]};
+    const double_double X = {x.X_next_hi[0], x.X_next_lo[0]};
+    const double_double Y = {x.Y_next_hi[0], x.Y_next_lo[0]};
+    return is_double_double(l_a, 0.5265630116004512, 2.0259269896901686e-17) && is_double_double(l_b, 0.11906636935098612, 4.186140756463748e-18) && is_double_double(X, 0.7309683706206017, -5.138891903440856e-18) && is_double_double(Y, 0.9450906240536523, 1.3279045143746525e-17);
+}
+
+/* Return True where this build's arithmetic passes all tests. */
+static int is_rounded_once(void)
+{
+    return sums_hold() && quotients_hold() && lanes_hold();
+}
+
+/* Return the largest size of a quaternion's components. */
+static double size_of(const double q[4])
+{
+    const double larger = largest_of(q[1], q[2], q[3]);
+    return fabs(q[0]) >= larger ? fabs(q[0]) : larger;
+}
+
+/* Check an attitude, rates and a time; return a code. */
+static int state_code(const double q[4], const double omega[3], double dt)
+{
+    double sum = dt;
+    for (size_t k = 0; k < 3; k++) {
+        sum += 0.0 * omega[k] + 0.0 * q[1 + k];
+    }
+    const int is_number = isfinite(sum + 0.0 * q[0]);
+    return !is_number ? TORQUE_FREE_STEP_NOT_FINITE : (size_of(q) > 0.0 ? TORQUE_FREE_STEP_OK : TORQUE_FREE_STEP_ATTITUDE);
+}
+
+/* Return the exponent that scales rates, whether nothing turns, and the scaled time. */
+static void scaled_time(const double omega[3], double dt, int *power_out, int *is_still_out,
+    double *t_out)
+{
+    const double largest = largest_of(omega[0], omega[1], omega[2]);
+    const int power = scale(largest);
+    const int is_still = !(largest > 0.0 && fabs(dt) > 0.0);
+    const double t = is_still ? 0.0 : times_power(dt, power);
+    *power_out = power;
+    *is_still_out = is_still;
+    *t_out = t;
+}
+
+/* Return the scaled rates in the order of axes, for a body at rest those of a spin. At rest the
+   momentum has no direction to divide by. */
+static void scaled_rates(const int axis[3], const double omega[3], int power, double *a_out,
+    double *b_out, double *d_out)
+{
+    const int is_turning = largest_of(omega[0], omega[1], omega[2]) > 0.0;
+    const double a = is_turning ? times_power(omega[axis[0]], -power) : 1.0;
+    const double b = times_power(omega[axis[1]], -power);
+    const double d = times_power(omega[axis[2]], -power);
+    *a_out = a;
+    *b_out = b;
+    *d_out = d;
+}
+
+/* Return a quaternion times a power of two, so that squares neither overflow nor vanish. */
+static void scaled_attitude(const double q[4], double *result_1_out, double *result_2_out,
+    double *result_3_out, double *result_4_out)
+{
+    const int power = -scale(size_of(q));
+    *result_1_out = times_power(q[0], power);
+    *result_2_out = times_power(q[1], power);
+    *result_3_out = times_power(q[2], power);
+    *result_4_out = times_power(q[3], power);
+}
+
+/* Return True where a step turns by no more than the largest angle. */
+static int is_short(double a, double b, double d, double t)
+{
+    return sqrt(a * a + b * b + d * d) * fabs(t) <= max_step;
+}
+
+/* Return True where the momentum circulates about the axis of smallest moment. That is where K^2 <
+   2 H c_b. */
+static INLINED int is_under(double l_a, double l_d, double a, double d)
+{
+    return l_a * a * a < l_d * d * d;
+}
+
+/* Return two numbers, in the other order where `is_turned`. */
+static INLINED void swapped(int is_turned, double one, double other, double *result_1_out,
+    double *result_2_out)
+{
+    *result_1_out = is_turned ? other : one;
+    *result_2_out = is_turned ? one : other;
+}
+
+/* Return x over the root of a square, with little more error than one rounding. */
+static INLINED double divided(double x, double over, double more)
+{
+    const double y = x * over;
+    return y + (product_error(x, over, y) + x * more);
+}
+
+/* Normalise a quaternion. */
+static INLINED void unit(double q_0, double q_a, double q_b, double q_d, double *result_1_out,
+    double *result_2_out, double *result_3_out, double *result_4_out)
+{
+    const double_double first = dd_add_xx(two_product(q_0, q_0), two_product(q_a, q_a));
+    const double_double square = dd_add_xx(first, dd_add_xx(two_product(q_b, q_b), two_product(q_d, q_d)));
+    const double over = 1.0 / sqrt(square.hi);
+    const double_double rest = dd_sub_dx(1.0, dd_mul_xx(square, two_product(over, over)));
+    const double more = over * (rest.hi + rest.lo) / 2.0;
+    *result_1_out = divided(q_0, over, more);
+    *result_2_out = divided(q_a, over, more);
+    *result_3_out = divided(q_b, over, more);
+    *result_4_out = divided(q_d, over, more);
+}
+
+/* Round a pair up or down, to the nearer double more often; chance is between -1/2 and 1/2. */
+static INLINED double dithered(double_double x, double chance)
+{
+    const double size = fabs(x.hi);
+    const double next = size + size * 1.1102230246251568e-16;
+    return x.hi + (x.lo + chance * (next - size));
+}
+
+/* Round rates up or down at random, by the attitude's last digits. Rounded to nearest, a slow
+   motion's rates would err one way for long. */
+static INLINED void stochastic(double q_0, double q_a, double q_b, double_double a, double_double b,
+    double_double d, double *result_1_out, double *result_2_out, double *result_3_out)
+{
+    const uint64_t one = bits_of(q_0);
+    const uint64_t two = bits_of(q_a);
+    const uint64_t three = bits_of(q_b);
+    const uint64_t turned = ((two << 21) | (two >> 43)) ^ ((three << 42) | (three >> 22));
+    uint64_t mixed = (one ^ turned) * UINT64_C(0x9e3779b97f4a7c15);
+    mixed = (mixed ^ (mixed >> 32)) * UINT64_C(0xd6e8feb86659fd93);
+    mixed ^= mixed >> 32;
+    const double for_a = from_bits(UINT64_C(0x3ff0000000000000) | ((mixed >> 44) << 32)) - 1.5;
+    const double for_b = from_bits(UINT64_C(0x3ff0000000000000) | (((mixed << 20) >> 44) << 32)) - 1.5;
+    const double for_d = from_bits(UINT64_C(0x3ff0000000000000) | (((mixed << 40) >> 44) << 32)) - 1.5;
+    *result_1_out = dithered(a, for_a);
+    *result_2_out = dithered(b, for_b);
+    *result_3_out = dithered(d, for_d);
+}
+
+/* Return True where a state is finite. Nonphysical bodies can turn much faster than at the start.
+   */
+static INLINED int is_finite_state(double q_0, double q_a, double q_b, double q_d, double a,
+    double b, double d)
+{
+    return isfinite(q_0 + q_a + q_b + q_d + a + b + d);
+}
+
+/* Return the place of each axis in the order of axes, whose ends are swapped if `is_turned`. */
+static INLINED void places(const int axis[3], int is_turned, int *result_1_out, int *result_2_out,
+    int *result_3_out)
+{
+    const int first = is_turned ? axis[2] : axis[0];
+    *result_1_out = first == 0 ? 0 : (axis[1] == 0 ? 1 : 2);
+    *result_2_out = first == 1 ? 0 : (axis[1] == 1 ? 1 : 2);
+    *result_3_out = first == 2 ? 0 : (axis[1] == 2 ? 1 : 2);
+}
+
+/* Copy the constants of the body in lane 0. */
 static void get_body(const lanes *x, torque_free_body *body)
 {
-    const double moments[] = {x->c_a_hi[0], x->c_b_hi[0], x->c_d_hi[0]};
-    const double alphas[] = {x->alpha_a_hi[0], x->alpha_a_lo[0], x->alpha_b_hi[0],
-                             x->alpha_b_lo[0], x->alpha_d_hi[0], x->alpha_d_lo[0]};
-    const double squares[] = {x->l_a_hi[0], x->l_a_lo[0], x->l_b_hi[0], x->l_b_lo[0], x->l_d_hi[0], x->l_d_lo[0]};
-    memcpy(body->moments, moments, sizeof moments);
-    memcpy(body->alphas, alphas, sizeof alphas);
-    memcpy(body->squares, squares, sizeof squares);
     body->epsilon = x->epsilon[0];
+    body->moments[0] = x->c_a_hi[0];
+    body->moments[1] = x->c_b_hi[0];
+    body->moments[2] = x->c_d_hi[0];
+    body->alphas[0] = x->alpha_a_hi[0];
+    body->alphas[1] = x->alpha_a_lo[0];
+    body->alphas[2] = x->alpha_b_hi[0];
+    body->alphas[3] = x->alpha_b_lo[0];
+    body->alphas[4] = x->alpha_d_hi[0];
+    body->alphas[5] = x->alpha_d_lo[0];
+    body->squares[0] = x->l_a_hi[0];
+    body->squares[1] = x->l_a_lo[0];
+    body->squares[2] = x->l_b_hi[0];
+    body->squares[3] = x->l_b_lo[0];
+    body->squares[4] = x->l_d_hi[0];
+    body->squares[5] = x->l_d_lo[0];
 }
 
+/* Write the constants of a body to lane i. */
 static void put_body(lanes *x, size_t i, const torque_free_body *body)
 {
-    const double *alphas = body->alphas, *squares = body->squares;
-    x->c_a_hi[i] = body->moments[0], x->c_b_hi[i] = body->moments[1], x->c_d_hi[i] = body->moments[2];
-    x->c_a_lo[i] = x->c_b_lo[i] = x->c_d_lo[i] = 0.0;
-    x->alpha_a_hi[i] = alphas[0], x->alpha_a_lo[i] = alphas[1], x->alpha_b_hi[i] = alphas[2];
-    x->alpha_b_lo[i] = alphas[3], x->alpha_d_hi[i] = alphas[4], x->alpha_d_lo[i] = alphas[5];
-    x->l_a_hi[i] = squares[0], x->l_a_lo[i] = squares[1], x->l_b_hi[i] = squares[2];
-    x->l_b_lo[i] = squares[3], x->l_d_hi[i] = squares[4], x->l_d_lo[i] = squares[5];
     x->epsilon[i] = body->epsilon;
+    x->c_a_hi[i] = body->moments[0];
+    x->c_b_hi[i] = body->moments[1];
+    x->c_d_hi[i] = body->moments[2];
+    x->c_a_lo[i] = 0.0;
+    x->c_b_lo[i] = 0.0;
+    x->c_d_lo[i] = 0.0;
+    x->alpha_a_hi[i] = body->alphas[0];
+    x->alpha_a_lo[i] = body->alphas[1];
+    x->alpha_b_hi[i] = body->alphas[2];
+    x->alpha_b_lo[i] = body->alphas[3];
+    x->alpha_d_hi[i] = body->alphas[4];
+    x->alpha_d_lo[i] = body->alphas[5];
+    x->l_a_hi[i] = body->squares[0];
+    x->l_a_lo[i] = body->squares[1];
+    x->l_b_hi[i] = body->squares[2];
+    x->l_b_lo[i] = body->squares[3];
+    x->l_d_hi[i] = body->squares[4];
+    x->l_d_lo[i] = body->squares[5];
 }
 
-/* The given state of a lane, the exponent that scales its rates, and 1 where nothing turns. */
-typedef struct {
-    int axis[3], exponent, still;
-    double q[4], omega[3];
-} scaling;
-
-static int set_state(lanes *x, size_t i, const int axis[3], const double *q, const double *omega, double dt,
-                     scaling *of)
+/* Check a state and a time, and write them to lane i, scaled; return a code. The axes of `of` are
+   set before. */
+static int set_state(lanes *x, size_t i, const double q[4], const double omega[3], double dt,
+    scaling *of)
 {
-    const double largest = largest_of(omega), size = fmax(fabs(q[0]), largest_of(q + 1));
-    double sum = dt;
-    for (int k = 0; k < 3; k++)
-        sum += 0.0 * omega[k] + 0.0 * q[1 + k];
-    if (!(fabs(sum + 0.0 * q[0]) <= DBL_MAX))
-        return TORQUE_FREE_STEP_NOT_FINITE;
-    if (!(size > 0.0))
-        return TORQUE_FREE_STEP_ATTITUDE;
-    of->still = !(largest > 0.0 && fabs(dt) > 0.0);
-    of->exponent = largest > 0.0 ? (int)scale(largest) : 0;
-    memcpy(of->axis, axis, sizeof of->axis);
-    double rates[3], attitude[4];
-    for (int k = 0; k < 3; k++)
-        rates[k] = of->exponent ? ldexp(omega[axis[k]], -of->exponent) : omega[axis[k]];
-    const int less = -(int)scale(size);
-    attitude[0] = less ? ldexp(q[0], less) : q[0];
-    for (int k = 0; k < 3; k++)
-        attitude[1 + k] = less ? ldexp(q[1 + axis[k]], less) : q[1 + axis[k]];
-    x->t[i] = of->exponent ? ldexp(dt, of->exponent) : dt;
-    if (of->still)
-        x->t[i] = 0.0;
-    if (!(largest > 0.0))
-        rates[0] = 1.0;
-    memcpy(of->omega, omega, sizeof of->omega);
-    of->q[0] = attitude[0];
-    for (int k = 0; k < 3; k++)
-        of->q[1 + axis[k]] = attitude[1 + k];
-    x->Omega_a0_hi[i] = rates[0], x->Omega_b0_hi[i] = rates[1], x->Omega_d0_hi[i] = rates[2];
-    x->Omega_a0_lo[i] = x->Omega_b0_lo[i] = x->Omega_d0_lo[i] = 0.0;
-    x->q_0[i] = attitude[0], x->q_a[i] = attitude[1], x->q_b[i] = attitude[2], x->q_d[i] = attitude[3];
-    const double squared = rates[0] * rates[0] + rates[1] * rates[1] + rates[2] * rates[2];
-    return sqrt(squared) * fabs(x->t[i]) <= max_step ? TORQUE_FREE_STEP_OK : TORQUE_FREE_STEP_ANGLE;
+    const int code = state_code(q, omega, dt);
+    if (code != TORQUE_FREE_STEP_OK) {
+        return code;
+    }
+    memcpy(of->omega, omega, 3 * sizeof(double));
+    scaled_time(omega, dt, &of->power, &of->is_still, &x->t[i]);
+    scaled_attitude(q, &of->q[0], &of->q[1], &of->q[2], &of->q[3]);
+    double a;
+    double b;
+    double d;
+    scaled_rates(of->axis, omega, of->power, &a, &b, &d);
+    x->Omega_a0_hi[i] = a;
+    x->Omega_b0_hi[i] = b;
+    x->Omega_d0_hi[i] = d;
+    x->Omega_a0_lo[i] = 0.0;
+    x->Omega_b0_lo[i] = 0.0;
+    x->Omega_d0_lo[i] = 0.0;
+    x->q_0[i] = of->q[0];
+    x->q_a[i] = of->q[1 + of->axis[0]];
+    x->q_b[i] = of->q[1 + of->axis[1]];
+    x->q_d[i] = of->q[1 + of->axis[2]];
+    return is_short(a, b, d, x->t[i]) ? TORQUE_FREE_STEP_OK : TORQUE_FREE_STEP_ANGLE;
 }
-
-#define SWAP_IF(turned, one, other)                                                                       \
-    do {                                                                                                  \
-        const double first = (one), second = (other);                                                     \
-        (one) = (turned) ? second : first;                                                                \
-        (other) = (turned) ? first : second;                                                              \
-    } while (0)
 
 /* Choose the axis a: that of largest moment, or of smallest where K^2 < 2 H c_b. */
 static void circulating(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
-        const double over = x->l_a_hi[i] * x->Omega_a0_hi[i] * x->Omega_a0_hi[i];
-        const double under = x->l_d_hi[i] * x->Omega_d0_hi[i] * x->Omega_d0_hi[i];
-        const int turned = over < under;
+        const int turned = is_under(x->l_a_hi[i], x->l_d_hi[i], x->Omega_a0_hi[i], x->Omega_d0_hi[i]);
         const double sign = turned ? -1.0 : 1.0;
-        SWAP_IF(turned, x->Omega_a0_hi[i], x->Omega_d0_hi[i]);
-        SWAP_IF(turned, x->c_a_hi[i], x->c_d_hi[i]);
-        SWAP_IF(turned, x->alpha_a_hi[i], x->alpha_d_hi[i]);
-        SWAP_IF(turned, x->alpha_a_lo[i], x->alpha_d_lo[i]);
-        SWAP_IF(turned, x->l_a_hi[i], x->l_d_hi[i]);
-        SWAP_IF(turned, x->l_a_lo[i], x->l_d_lo[i]);
-        SWAP_IF(turned, x->q_a[i], x->q_d[i]);
+        swapped(turned, x->Omega_a0_hi[i], x->Omega_d0_hi[i], &x->Omega_a0_hi[i], &x->Omega_d0_hi[i]);
+        swapped(turned, x->c_a_hi[i], x->c_d_hi[i], &x->c_a_hi[i], &x->c_d_hi[i]);
+        swapped(turned, x->alpha_a_hi[i], x->alpha_d_hi[i], &x->alpha_a_hi[i], &x->alpha_d_hi[i]);
+        swapped(turned, x->alpha_a_lo[i], x->alpha_d_lo[i], &x->alpha_a_lo[i], &x->alpha_d_lo[i]);
+        swapped(turned, x->l_a_hi[i], x->l_d_hi[i], &x->l_a_hi[i], &x->l_d_hi[i]);
+        swapped(turned, x->l_a_lo[i], x->l_d_lo[i], &x->l_a_lo[i], &x->l_d_lo[i]);
+        swapped(turned, x->q_a[i], x->q_d[i], &x->q_a[i], &x->q_d[i]);
         x->epsilon[i] *= sign;
         x->turned[i] = sign;
         x->sigma[i] = x->Omega_a0_hi[i] < 0.0 ? -1.0 : 1.0;
@@ -1078,64 +1100,29 @@ static void advance(size_t n, lanes *x)
     }
 }
 
-/* x over the root of a square, with little more error than one rounding. */
-static INLINED double divided(double x, double over, double more)
-{
-    const double y = x * over;
-    return y + (product_error(x, over, y) + x * more);
-}
-
-/* Normalise a quaternion. */
-static INLINED void divide(double *q_0, double *q_a, double *q_b, double *q_d)
-{
-    const double_double first = dd_add_xx(two_product(*q_0, *q_0), two_product(*q_a, *q_a));
-    const double_double square = dd_add_xx(first, dd_add_xx(two_product(*q_b, *q_b), two_product(*q_d, *q_d)));
-    const double over = 1.0 / sqrt(square.hi);
-    const double_double rest = dd_sub_dx(1.0, dd_mul_xx(square, two_product(over, over)));
-    const double more = over * (rest.hi + rest.lo) / 2.0;
-    *q_0 = divided(*q_0, over, more);
-    *q_a = divided(*q_a, over, more);
-    *q_b = divided(*q_b, over, more);
-    *q_d = divided(*q_d, over, more);
-}
-
-static void normalised(size_t n, lanes *x)
-{
-    for (size_t i = 0; i < n; i++)
-        divide(&x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
-}
-
-/* x rounded up or down, to the nearer double more often: chance is between -1/2 and 1/2. */
-static INLINED double dithered(double hi, double lo, double chance)
-{
-    const double size = fabs(hi), next = size + size * 1.1102230246251568e-16;
-    return hi + (lo + chance * (next - size));
-}
-
-/* Round rates up or down at random, by the attitude's last digits: rounded to nearest, a slow motion's
-   rates would err one way for long. */
-static void rounded(size_t n, lanes *x)
+/* Normalise the attitudes of all lanes. */
+static void normalise(size_t n, lanes *x)
 {
     for (size_t i = 0; i < n; i++) {
-        const uint64_t one = bits_of(x->q_0[i]), two = bits_of(x->q_a[i]), three = bits_of(x->q_b[i]);
-        uint64_t mixed = (one ^ (two << 21 | two >> 43) ^ (three << 42 | three >> 22)) * UINT64_C(0x9e3779b97f4a7c15);
-        mixed = (mixed ^ mixed >> 32) * UINT64_C(0xd6e8feb86659fd93);
-        mixed ^= mixed >> 32;
-        const double a = from_bits(UINT64_C(0x3ff0000000000000) | mixed >> 44 << 32) - 1.5;
-        const double b = from_bits(UINT64_C(0x3ff0000000000000) | mixed << 20 >> 44 << 32) - 1.5;
-        const double d = from_bits(UINT64_C(0x3ff0000000000000) | mixed << 40 >> 44 << 32) - 1.5;
-        x->Omega_a_hi[i] = dithered(x->Omega_a_hi[i], x->Omega_a_lo[i], a);
-        x->Omega_b_hi[i] = dithered(x->Omega_b_hi[i], x->Omega_b_lo[i], b);
-        x->Omega_d_hi[i] = dithered(x->Omega_d_hi[i], x->Omega_d_lo[i], d);
+        unit(x->q_0[i], x->q_a[i], x->q_b[i], x->q_d[i], &x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
     }
 }
 
+/* Round the rates of all lanes up or down at random. */
+static void round_rates(size_t n, lanes *x)
+{
+    for (size_t i = 0; i < n; i++) {
+        stochastic(x->q_0[i], x->q_a[i], x->q_b[i], dd_pair(x->Omega_a_hi[i], x->Omega_a_lo[i]), dd_pair(x->Omega_b_hi[i], x->Omega_b_lo[i]), dd_pair(x->Omega_d_hi[i], x->Omega_d_lo[i]), &x->Omega_a_hi[i], &x->Omega_b_hi[i], &x->Omega_d_hi[i]);
+    }
+}
+
+/* Compute the states of n lanes after their times. */
 static void move(size_t n, lanes *x)
 {
     circulating(n, x);
     step_start(n, x);
     step_first(n, x);
-    for (int k = 0; k < 5; k++) {
+    for (size_t k = 0; k < 5; k++) {
         if (k < 5 - 2) {
             step_projected(n, x);
             step_second_half(n, x);
@@ -1151,132 +1138,49 @@ static void move(size_t n, lanes *x)
     step_front(n, x);
     step_shortest(n, x);
     step_attitude(n, x);
-    normalised(n, x);
-    rounded(n, x);
+    normalise(n, x);
+    round_rates(n, x);
 }
 
-/* Return 1 where the state is finite: nonphysical bodies can turn much faster than at the start. */
+/* Return True where the state of lane i is finite. */
 static int is_held(const lanes *x, size_t i)
 {
-    const double sum = x->q_0[i] + x->q_a[i] + x->q_b[i] + x->q_d[i];
-    return fabs(sum + x->Omega_a_hi[i] + x->Omega_b_hi[i] + x->Omega_d_hi[i]) <= DBL_MAX;
+    return is_finite_state(x->q_0[i], x->q_a[i], x->q_b[i], x->q_d[i], x->Omega_a_hi[i], x->Omega_b_hi[i], x->Omega_d_hi[i]);
 }
 
-static void get_state(const lanes *x, size_t i, const scaling *of, double *q, double *omega)
+/* Copy the state of lane i, in the given order of axes; a body at rest keeps its state. */
+static void get_state(const lanes *x, size_t i, const scaling *of, double q[4], double omega[3])
 {
-    if (of->still) {
-        memcpy(q, of->q, sizeof of->q);
-        divide(q, q + 1, q + 2, q + 3);
-        memcpy(omega, of->omega, sizeof of->omega);
+    if (of->is_still) {
+        unit(of->q[0], of->q[1], of->q[2], of->q[3], &q[0], &q[1], &q[2], &q[3]);
+        memcpy(omega, of->omega, 3 * sizeof(double));
         return;
     }
-    const int a = x->turned[i] < 0.0 ? 2 : 0, d = 2 - a;
-    const double rates[3] = {x->Omega_a_hi[i], x->Omega_b_hi[i], x->Omega_d_hi[i]};
-    const double parts[3] = {x->q_a[i], x->q_b[i], x->q_d[i]};
-    const int axis[3] = {of->axis[a], of->axis[1], of->axis[d]};
+    double parts[3] = {x->q_a[i], x->q_b[i], x->q_d[i]};
+    double rates[3] = {x->Omega_a_hi[i], x->Omega_b_hi[i], x->Omega_d_hi[i]};
+    int first;
+    int second;
+    int third;
+    places(of->axis, x->turned[i] < 0.0, &first, &second, &third);
     q[0] = x->q_0[i];
-    for (int k = 0; k < 3; k++) {
-        q[1 + axis[k]] = parts[k];
-        omega[axis[k]] = of->exponent ? ldexp(rates[k], of->exponent) : rates[k];
-    }
+    q[1] = parts[first];
+    q[2] = parts[second];
+    q[3] = parts[third];
+    omega[0] = times_power(rates[first], of->power);
+    omega[1] = times_power(rates[second], of->power);
+    omega[2] = times_power(rates[third], of->power);
 }
 
-static const double_double over_3 = {0.3333333333333333, 1.850371707708594e-17};
-static const double_double over_5 = {0.2, -1.1102230246251566e-17};
-static const double_double over_7 = {0.14285714285714285, 7.93016446160826e-18};
-static const double_double over_9 = {0.1111111111111111, 6.1679056923619804e-18};
-static const double_double over_15 = {0.06666666666666667, 9.251858538542971e-19};
-
-/* Tests of the arithmetic of this very build, which the compiler's options can spoil: a `volatile` zero is
-   in all numbers, so that no compiler can compute the outcome. */
-
-static int is_double_double(double_double x, double hi, double lo)
-{
-    return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
-}
-
-/* Return 1 where the compiler itself fuses no product with a sum, or where the bits were not chosen. */
-static int bits_hold(void)
-{
-    const volatile double zero = 0.0;
-    const double more = zero + 1.000000000931322574615478515625, less = zero + 0.999999999068677425384521484375;
-    return !BITS_ARE_CHOSEN || fabs(more * less - (zero + 1.0)) <= 0.0;
-}
-
-/* Return 1 where sums and products are rounded once, to nearest, and no low part is lost. */
-static int sums_hold(void)
-{
-    const volatile double zero = 0.0;
-    const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
-    const double tiny = zero + 8.673617379884035e-19;
-    const double_double third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
-    return bits_hold() && is_double_double(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
-           is_double_double(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_double_double(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
-           is_double_double(dd_mul_xx(third, third), over_9.hi, over_9.lo) &&
-           is_double_double(dd_mul_xx(third, dd_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
-           is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
-}
-
-/* Return 1 where quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that assume so are wrong in one quotient of five, some of which are here. */
-static int quotients_hold(void)
-{
-    static const double quotients[][4] = {
-        {7.0, 3.0, 2.3333333333333335, -1.4802973661668753e-16},
-        {3.0, 5.0, 0.6, 2.2204460492503132e-17},
-        {7.0, 25.0, 0.28, -2.6645352591003756e-17},
-        {15.0, 13.0, 1.1538461538461537, 1.0248212535001446e-16},
-        {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
-        {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
-    const volatile double zero = 0.0;
-    const double_double root = dd_sqrt(dd_of(zero + 2.0));
-    int holds = is_double_double(root, 1.4142135623730951, -9.667293313452913e-17);
-    for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
-        const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
-        holds &= is_double_double(dd_div_xd(dd_of(x), y), known[2], known[3]);
-        holds &= is_double_double(dd_div_dx(x, dd_of(y)), known[2], known[3]);
-    }
-    return holds;
-}
-
-/* Return 1 where the constants of a body, and a doubling, have all their digits: clang's
-   -ffp-contract=fast fuses sums with products across functions, so that low parts are counted twice. */
-static int lanes_hold(void)
-{
-    static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
-                                   0.15335179025447007};
-    const volatile double zero = 0.0;
-    double inertia[3];
-    int axis[3];
-    lanes x;
-    for (int k = 0; k < 3; k++)
-        inertia[k] = zero + given[k];
-    if (set_body(&x, 0, inertia, axis) != TORQUE_FREE_STEP_OK)
-        return 0;
-    x.X_hi[0] = inertia[0], x.Y_hi[0] = inertia[1], x.e_1_hi[0] = inertia[2], x.e_2_hi[0] = zero + given[3];
-    x.X_lo[0] = x.Y_lo[0] = x.e_1_lo[0] = x.e_2_lo[0] = zero;
-    step_body(1, &x);
-    step_doubled(1, &x);
-    const double_double l_a = {x.l_a_hi[0], x.l_a_lo[0]}, l_b = {x.l_b_hi[0], x.l_b_lo[0]};
-    const double_double X = {x.X_next_hi[0], x.X_next_lo[0]}, Y = {x.Y_next_hi[0], x.Y_next_lo[0]};
-    return is_double_double(l_a, 0.5265630116004512, 2.0259269896901686e-17) && is_double_double(l_b, 0.11906636935098612, 4.186140756463748e-18) && is_double_double(X, 0.7309683706206017, -5.138891903440856e-18) &&
-           is_double_double(Y, 0.9450906240536523, 1.3279045143746525e-17);
-}
-
-static int is_rounded_once(void) { return sums_hold() && quotients_hold() && lanes_hold(); }
-
-/* Compute the constants of a body, without testing the arithmetic of this build. */
-static int body_init(torque_free_body *body, const double inertia[3])
+/* Compute the constants of a body without testing this build's arithmetic; return a code. */
+static int body_constants(torque_free_body *body, const double inertia[3])
 {
     lanes x;
-    int axis[3];
-    const int code = set_body(&x, 0, inertia, axis);
-    if (code != TORQUE_FREE_STEP_OK)
+    const int code = set_body(&x, 0, inertia, body->axis);
+    if (code != TORQUE_FREE_STEP_OK) {
         return code;
+    }
     step_body(1, &x);
     get_body(&x, body);
-    memcpy(body->axis, axis, sizeof axis);
     body->prepared = PREPARED;
     return TORQUE_FREE_STEP_OK;
 }
@@ -1284,11 +1188,13 @@ static int body_init(torque_free_body *body, const double inertia[3])
 int torque_free_body_init(torque_free_body *body, const double inertia[3])
 {
     torque_free_body made;
-    const int code = body_init(&made, inertia);
-    if (code != TORQUE_FREE_STEP_OK)
+    const int code = body_constants(&made, inertia);
+    if (code != TORQUE_FREE_STEP_OK) {
         return code;
-    if (!is_rounded_once())
+    }
+    if (!is_rounded_once()) {
         return TORQUE_FREE_STEP_ARITHMETIC;
+    }
     *body = made;
     return TORQUE_FREE_STEP_OK;
 }
@@ -1297,56 +1203,69 @@ int torque_free_step(const torque_free_body *body, double q[4], double omega[3],
 {
     lanes x;
     scaling of;
-    if (body->prepared != PREPARED)
+    if (body->prepared != PREPARED) {
         return TORQUE_FREE_STEP_UNPREPARED;
-    const int code = set_state(&x, 0, body->axis, q, omega, dt, &of);
-    if (code != TORQUE_FREE_STEP_OK)
+    }
+    memcpy(of.axis, body->axis, 3 * sizeof(int));
+    const int code = set_state(&x, 0, q, omega, dt, &of);
+    if (code != TORQUE_FREE_STEP_OK) {
         return code;
+    }
     put_body(&x, 0, body);
     move(1, &x);
-    if (!is_held(&x, 0))
+    if (!is_held(&x, 0)) {
         return TORQUE_FREE_STEP_ANGLE;
+    }
     get_state(&x, 0, &of, q, omega);
     return TORQUE_FREE_STEP_OK;
 }
 
 int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, const double *q,
-                      const double *omega, const double *dt, size_t dt_stride, double *q_after,
-                      double *omega_after, size_t *failed)
+    const double *omega, const double *dt, size_t dt_stride, double *q_after, double *omega_after,
+    size_t *failed)
 {
-    torque_free_body body;
+    torque_free_body alike;
     lanes x;
     scaling of[LANES];
-    int axis[LANES][3], code;
-    *failed = 0;
-    if (n && inertia_stride && !is_rounded_once())
-        return TORQUE_FREE_STEP_ARITHMETIC;
-    if (n && !inertia_stride && (code = torque_free_body_init(&body, inertia)) != TORQUE_FREE_STEP_OK)
+    int code = TORQUE_FREE_STEP_OK;
+    failed[0] = 0;
+    if (n == 0) {
+        return TORQUE_FREE_STEP_OK;
+    }
+    if (inertia_stride == 0) {
+        code = torque_free_body_init(&alike, inertia);
+    } else if (!is_rounded_once()) {
+        code = TORQUE_FREE_STEP_ARITHMETIC;
+    }
+    if (code != TORQUE_FREE_STEP_OK) {
         return code;
+    }
     for (size_t begin = 0; begin < n; begin += LANES) {
         const size_t count = n - begin < LANES ? n - begin : LANES;
         for (size_t i = 0; i < LANES; i++) {
             /* Lanes beyond the last body repeat it. */
             const size_t k = begin + (i < count ? i : count - 1);
-            code = TORQUE_FREE_STEP_OK;
-            if (inertia_stride)
-                code = set_body(&x, i, inertia + k * inertia_stride, axis[i]);
-            else
-                put_body(&x, i, &body);
-            const int *order = inertia_stride ? axis[i] : body.axis;
-            if (code == TORQUE_FREE_STEP_OK)
-                code = set_state(&x, i, order, q + 4 * k, omega + 3 * k, dt[k * dt_stride], &of[i]);
+            if (inertia_stride != 0) {
+                code = set_body(&x, i, inertia + k * inertia_stride, of[i].axis);
+            } else {
+                put_body(&x, i, &alike);
+                memcpy(of[i].axis, alike.axis, 3 * sizeof(int));
+            }
+            if (code == TORQUE_FREE_STEP_OK) {
+                code = set_state(&x, i, q + 4 * k, omega + 3 * k, dt[k * dt_stride], &of[i]);
+            }
             if (code != TORQUE_FREE_STEP_OK) {
-                *failed = k;
+                failed[0] = k;
                 return code;
             }
         }
-        if (inertia_stride)
+        if (inertia_stride != 0) {
             step_body(LANES, &x);
+        }
         move(LANES, &x);
         for (size_t i = 0; i < count; i++) {
             if (!is_held(&x, i)) {
-                *failed = begin + i;
+                failed[0] = begin + i;
                 return TORQUE_FREE_STEP_ANGLE;
             }
             get_state(&x, i, &of[i], q_after + 4 * (begin + i), omega_after + 3 * (begin + i));
@@ -1355,90 +1274,49 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
     return TORQUE_FREE_STEP_OK;
 }
 
-size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
-
-const char *torque_free_step_digest(void) { return "0f127980bb2e127aac32609014a78475a8f3df799580728095f7450cf1b7fbc1"; }
-
-const char *torque_free_step_message(int code)
+size_t torque_free_body_size(void)
 {
-    switch (code) {
-    case TORQUE_FREE_STEP_OK: return "success";
-    case TORQUE_FREE_STEP_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_STEP_INERTIA: return "inertia: principal moments must be positive";
-    case TORQUE_FREE_STEP_THIN: return "inertia: principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_STEP_ATTITUDE: return "q: a zero quaternion is no attitude";
-    case TORQUE_FREE_STEP_ANGLE: return "dt: |omega dt| must be at most 8 rad";
-    case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
-    case TORQUE_FREE_STEP_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
-    case TORQUE_FREE_STEP_UNPREPARED: return "body: torque_free_body_init has not made it";
-    default: return "no such code";
-    }
+    return sizeof(torque_free_body);
 }
 
-const char *torque_free_step_field(int code)
-{
-    switch (code) {
-    case TORQUE_FREE_STEP_INERTIA: return "inertia";
-    case TORQUE_FREE_STEP_THIN: return "inertia";
-    case TORQUE_FREE_STEP_ATTITUDE: return "q";
-    case TORQUE_FREE_STEP_ANGLE: return "dt";
-    case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic";
-    case TORQUE_FREE_STEP_NONPHYSICAL: return "inertia";
-    case TORQUE_FREE_STEP_UNPREPARED: return "body";
-    default: return "";
-    }
-}
-
-const char *torque_free_step_rule(int code)
-{
-    switch (code) {
-    case TORQUE_FREE_STEP_OK: return "success";
-    case TORQUE_FREE_STEP_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_STEP_INERTIA: return "principal moments must be positive";
-    case TORQUE_FREE_STEP_THIN: return "principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_STEP_ATTITUDE: return "a zero quaternion is no attitude";
-    case TORQUE_FREE_STEP_ANGLE: return "|omega dt| must be at most 8 rad";
-    case TORQUE_FREE_STEP_ARITHMETIC: return "sums are reordered or not rounded to nearest";
-    case TORQUE_FREE_STEP_NONPHYSICAL: return "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
-    case TORQUE_FREE_STEP_UNPREPARED: return "torque_free_body_init has not made it";
-    default: return "no such code";
-    }
-}
-
-/* Mean anomaly = E - e sin E for |mean| <= pi, by Newton's method from pi on the side of the mean
-   anomaly, from where it comes down without passing (Charles and Tatum, Celestial Mechanics and
-   Dynamical Astronomy 69, 357-372, 1998). */
+/* Solve mean anomaly = E - e sin E for |mean| <= pi. Newton's method comes from pi on the side of
+   the mean anomaly, from where it comes down without passing (Charles and Tatum, Celestial
+   Mechanics and Dynamical Astronomy 69, 357-372, 1998). */
 static double elliptic_anomaly(double mean, double e)
 {
     double anomaly = copysign(3.141592653589793, mean);
-    for (int k = 0; k < 60; k++) {
+    for (size_t _ = 0; _ < 60; _++) {
         const double change = (anomaly - e * sin(anomaly) - mean) / (1.0 - e * cos(anomaly));
         anomaly -= change;
-        if (fabs(change) <= 1e-15 * fabs(anomaly))
+        if (fabs(change) <= 1e-15 * fabs(anomaly)) {
             break;
+        }
     }
     return anomaly;
 }
 
-/* Mean anomaly = e sinh F - F, from the far side of the root. */
+/* Solve mean anomaly = e sinh F - F, from the far side of the root. */
 static double hyperbolic_anomaly(double mean, double e)
 {
     double anomaly = asinh(mean / (e - 1.0));
-    for (int k = 0; k < 60; k++) {
+    for (size_t _ = 0; _ < 60; _++) {
         const double change = (e * sinh(anomaly) - anomaly - mean) / (e * cosh(anomaly) - 1.0);
         anomaly -= change;
-        if (fabs(change) <= 1e-15 * fabs(anomaly))
+        if (fabs(change) <= 1e-15 * fabs(anomaly)) {
             break;
+        }
     }
     return anomaly;
 }
 
-/* The vector from the mass point to the body, times sqrt(3 mu/r^5). */
+/* Write the vector from the mass point to the body, times sqrt(3 mu/r^5). */
 static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
 {
-    const double e = orbit->eccentricity, a = orbit->semi_major;
+    const double e = orbit->eccentricity;
+    const double a = orbit->semi_major;
     const double mean = orbit->mean_motion * (t - orbit->epoch);
-    double along, across;
+    double along;
+    double across;
     if (e < 1.0) {
         const double turned = remainder(mean, 6.283185307179586);
         const double anomaly = e > 0.0 ? elliptic_anomaly(turned, e) : turned;
@@ -1451,74 +1329,96 @@ static void seen_from(const torque_free_orbit *orbit, double t, double u[3])
     }
     const double r = hypot(along, across);
     const double strong = sqrt(orbit->strength / r) / (r * r);
-    for (int k = 0; k < 3; k++)
+    for (size_t k = 0; k < 3; k++) {
         u[k] = strong * (along * orbit->along[k] + across * orbit->across[k]);
+    }
 }
 
-/* Bodies side by side with their states; results do not depend on the lane. */
-typedef struct {
-    size_t count;
-    torque_free_body bodies[LANES];
-    double inertia[LANES][3], q[LANES][4], omega[LANES][3];
-} pushed;
-
-static void set_vector(lanes *x, size_t i, const double u[3])
+/* Write the vector that a torque depends on to lane i. */
+static void set_vector(lanes *x, size_t i, const double *restrict u)
 {
-    x->u1[i] = u[0], x->u2[i] = u[1], x->u3[i] = u[2];
+    x->u1[i] = u[0];
+    x->u2[i] = u[1];
+    x->u3[i] = u[2];
 }
 
-static void set_torque(lanes *x, size_t i, const double c[13])
+/* Write the coefficients of a torque to lane i. */
+static void set_torque(lanes *x, size_t i, const double *restrict c)
 {
-    x->b1[i] = c[0], x->b2[i] = c[1], x->b3[i] = c[2], x->k[i] = c[3];
-    x->m1[i] = c[4], x->m2[i] = c[5], x->m3[i] = c[6];
-    x->Q11[i] = c[7], x->Q22[i] = c[8], x->Q33[i] = c[9];
-    x->Q23[i] = c[10], x->Q13[i] = c[11], x->Q12[i] = c[12];
+    x->b1[i] = c[0];
+    x->b2[i] = c[1];
+    x->b3[i] = c[2];
+    x->k[i] = c[3];
+    x->m1[i] = c[4];
+    x->m2[i] = c[5];
+    x->m3[i] = c[6];
+    x->Q11[i] = c[7];
+    x->Q22[i] = c[8];
+    x->Q33[i] = c[9];
+    x->Q23[i] = c[10];
+    x->Q13[i] = c[11];
+    x->Q12[i] = c[12];
 }
 
-static int drifted(lanes *x, pushed *of, double dt, size_t *failed)
+/* Compute the free motion of some bodies; return a code, and the body that is refused. */
+static void drifted(lanes *x, pushed *of, double dt, int *OK_out, size_t *i_out)
 {
-    scaling as[LANES];
+    scaling scales[LANES];
     for (size_t i = 0; i < of->count; i++) {
         put_body(x, i, &of->bodies[i]);
-        const int code = set_state(x, i, of->bodies[i].axis, of->q[i], of->omega[i], dt, &as[i]);
+        memcpy(scales[i].axis, of->bodies[i].axis, 3 * sizeof(int));
+        const int code = set_state(x, i, of->q[i], of->omega[i], dt, &scales[i]);
         if (code != TORQUE_FREE_STEP_OK) {
-            *failed = i;
-            return code;
+            *OK_out = code;
+            *i_out = i;
+            return;
         }
     }
     move(of->count, x);
     for (size_t i = 0; i < of->count; i++) {
         if (!is_held(x, i)) {
-            *failed = i;
-            return TORQUE_FREE_STEP_ANGLE;
+            *OK_out = TORQUE_FREE_STEP_ANGLE;
+            *i_out = i;
+            return;
         }
-        get_state(x, i, &as[i], of->q[i], of->omega[i]);
+        get_state(x, i, &scales[i], of->q[i], of->omega[i]);
     }
-    return TORQUE_FREE_STEP_OK;
+    *OK_out = TORQUE_FREE_STEP_OK;
+    *i_out = 0;
 }
 
+/* Add the torque that a caller's function computes. */
 static void add_more(lanes *x, const pushed *of, const torque_free_torque *torque, double t)
 {
     for (size_t i = 0; i < of->count; i++) {
         double sum[3] = {x->T1[i], x->T2[i], x->T3[i]};
         torque->more(t, of->q[i], sum, torque->data);
-        x->T1[i] = sum[0], x->T2[i] = sum[1], x->T3[i] = sum[2];
+        x->T1[i] = sum[0];
+        x->T2[i] = sum[1];
+        x->T3[i] = sum[2];
     }
 }
 
+/* Change rates by what a torque at time t does to them in dt. */
 static void kicked(lanes *x, pushed *of, const torque_free_torque *torque, double t, double dt)
 {
-    if (torque->orbit) {
+    if (torque->orbit != NULL) {
         double u[3];
         seen_from(torque->orbit, t, u);
-        for (size_t i = 0; i < of->count; i++)
+        for (size_t i = 0; i < of->count; i++) {
             set_vector(x, i, u);
+        }
     }
-    for (size_t i = 0; i < of->count; i++)
-        x->q0[i] = of->q[i][0], x->q1[i] = of->q[i][1], x->q2[i] = of->q[i][2], x->q3[i] = of->q[i][3];
+    for (size_t i = 0; i < of->count; i++) {
+        x->q0[i] = of->q[i][0];
+        x->q1[i] = of->q[i][1];
+        x->q2[i] = of->q[i][2];
+        x->q3[i] = of->q[i][3];
+    }
     step_kick(of->count, x);
-    if (torque->more)
+    if (torque->more != NULL) {
         add_more(x, of, torque, t);
+    }
     for (size_t i = 0; i < of->count; i++) {
         of->omega[i][0] += dt * (x->T1[i] / of->inertia[i][0]);
         of->omega[i][1] += dt * (x->T2[i] / of->inertia[i][1]);
@@ -1526,62 +1426,101 @@ static void kicked(lanes *x, pushed *of, const torque_free_torque *torque, doubl
     }
 }
 
-/* All steps of some bodies. */
-static int advanced(lanes *x, pushed *of, const torque_free_splitting *method,
-                    const torque_free_torque *torque, double begin, double step, size_t first,
-                    size_t last, size_t *failed)
+/* Compute all steps of some bodies; return a code, and the body that is refused. */
+static void advanced(lanes *x, pushed *of, const torque_free_splitting *method,
+    const torque_free_torque *torque, double begin, double step, size_t first, size_t last,
+    int *code_out, size_t *failed_out)
 {
+    int code = TORQUE_FREE_STEP_OK;
+    size_t failed = 0;
     double pending = 0.0;
     for (size_t k = first; k < last; k++) {
         double into = 0.0;
         for (size_t part = 0; part < method->count; part++) {
-            const int code = drifted(x, of, (pending + method->drifts[part]) * step, failed);
-            if (code != TORQUE_FREE_STEP_OK)
-                return code;
+            drifted(x, of, (pending + method->drifts[part]) * step, &code, &failed);
+            if (code != TORQUE_FREE_STEP_OK) {
+                *code_out = code;
+                *failed_out = failed;
+                return;
+            }
             pending = 0.0;
             into += method->drifts[part];
             kicked(x, of, torque, begin + ((double)k + into) * step, method->kicks[part] * step);
         }
         pending = method->drifts[method->count];
     }
-    return first < last ? drifted(x, of, pending * step, failed) : TORQUE_FREE_STEP_OK;
+    if (first < last) {
+        drifted(x, of, pending * step, &code, &failed);
+    }
+    *code_out = code;
+    *failed_out = failed;
 }
 
 int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride,
-                          const torque_free_splitting *method, const torque_free_torque *torque,
-                          double begin, double step, size_t first, size_t last, double *q,
-                          double *omega, size_t *failed)
+    const torque_free_splitting *method, const torque_free_torque *torque, double begin,
+    double step, size_t first, size_t last, double *q, double *omega, size_t *failed)
 {
     lanes x;
     pushed of;
-    *failed = 0;
-    if (n && !is_rounded_once())
+    failed[0] = 0;
+    if (n != 0 && !is_rounded_once()) {
         return TORQUE_FREE_STEP_ARITHMETIC;
+    }
     for (size_t start = 0; start < n; start += LANES) {
         const size_t count = n - start < LANES ? n - start : LANES;
         /* One body goes alone; lanes beyond the last of several repeat it. */
         of.count = count > 1 ? LANES : 1;
         for (size_t i = 0; i < of.count; i++) {
             const size_t k = start + (i < count ? i : count - 1);
-            const int code = body_init(&of.bodies[i], inertia + k * inertia_stride);
+            const int code = body_constants(&of.bodies[i], inertia + k * inertia_stride);
             if (code != TORQUE_FREE_STEP_OK) {
-                *failed = k;
+                failed[0] = k;
                 return code;
             }
-            memcpy(of.inertia[i], inertia + k * inertia_stride, sizeof of.inertia[i]);
-            memcpy(of.q[i], q + 4 * k, sizeof of.q[i]);
-            memcpy(of.omega[i], omega + 3 * k, sizeof of.omega[i]);
+            memcpy(of.inertia[i], inertia + k * inertia_stride, 3 * sizeof(double));
+            memcpy(of.q[i], q + 4 * k, 4 * sizeof(double));
+            memcpy(of.omega[i], omega + 3 * k, 3 * sizeof(double));
             set_torque(&x, i, torque->coefficients + k * torque->coefficients_stride);
-            if (!torque->orbit)
+            if (torque->orbit == NULL) {
                 set_vector(&x, i, torque->vector + k * torque->vector_stride);
+            }
         }
-        const int code = advanced(&x, &of, method, torque, begin, step, first, last, failed);
-        if (code != TORQUE_FREE_STEP_OK) {
-            *failed = start + (*failed < count ? *failed : count - 1);
-            return code;
+        int ended;
+        size_t lane;
+        advanced(&x, &of, method, torque, begin, step, first, last, &ended, &lane);
+        if (ended != TORQUE_FREE_STEP_OK) {
+            failed[0] = start + (lane < count ? lane : count - 1);
+            return ended;
         }
-        memcpy(q + 4 * start, of.q, count * sizeof of.q[0]);
-        memcpy(omega + 3 * start, of.omega, count * sizeof of.omega[0]);
+        for (size_t i = 0; i < count; i++) {
+            for (size_t j = 0; j < 4; j++) {
+                q[4 * (start + i) + j] = of.q[i][j];
+            }
+            for (size_t j = 0; j < 3; j++) {
+                omega[3 * (start + i) + j] = of.omega[i][j];
+            }
+        }
     }
     return TORQUE_FREE_STEP_OK;
 }
+
+const char *torque_free_step_message(int code)
+{
+    return code >= 0 && code < CODES ? MESSAGES[code] : UNKNOWN;
+}
+
+const char *torque_free_step_field(int code)
+{
+    return code >= 0 && code < CODES ? FIELDS[code] : "";
+}
+
+const char *torque_free_step_rule(int code)
+{
+    return code >= 0 && code < CODES ? RULES[code] : UNKNOWN;
+}
+
+const char *torque_free_step_digest(void)
+{
+    return "9cad327779d005880610b94daae7b3772e9c9aa073992f1752cbe4b177562729";
+}
+

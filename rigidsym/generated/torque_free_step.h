@@ -18,10 +18,11 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  15 %  follow facts of the ledger, each named on its line
-     77   8 %  follow classical formulas, each with its reference
-      6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    748  77 %  are the runtime, written by hand
+    144   9 %  follow facts of the ledger, each named on its line
+     77   5 %  follow classical formulas, each with its reference
+      6   0 %  are arithmetic: sums, products, quotients, roots, reductions
+   1354  81 %  are the runtime, printed from its one representation
+     92   5 %  are written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
@@ -33,47 +34,10 @@ against mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate c-step --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  3.5e-16  1.2e-16
-  published              4.5e-16  1.4e-16
-  axis orders and signs  6.0e-16  1.6e-16
-  uniform                7.1e-16  1.9e-16
-  near separatrix        6.9e-16  2.0e-16
-  beside separatrix      6.5e-16  1.9e-16
-  nearest separatrix     6.4e-16  1.9e-16
-  separatrix             7.1e-16  1.9e-16
-  symmetric              7.4e-16  1.9e-16
-  near prolate           6.6e-16  1.9e-16
-  near oblate            6.6e-16  1.9e-16
-  nearest symmetric      6.4e-16  1.8e-16
-  sphere                 6.5e-16  2.0e-52
-  near sphere            6.1e-16  1.8e-16
-  nearest sphere         6.2e-16  5.4e-17
-  spin                   5.7e-16  7.6e-53
-  near spin, largest     5.2e-16  1.4e-16
-  near spin, middle      6.2e-16  1.8e-16
-  near spin, smallest    5.6e-16  1.8e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   6.7e-16  1.9e-16
-  rod                    7.9e-16  1.9e-16
-  needle                 6.6e-16  2.0e-16
-  special values         7.4e-16  1.8e-16
-  special attitudes      6.7e-16  2.0e-16
-  scales                 6.6e-16  1.9e-16
-  small scales           7.0e-16  2.0e-16
-  large scales           6.7e-16  1.9e-16
-  extreme scales         6.3e-16  1.9e-16
-  decimals               6.0e-16  1.7e-16
-  long times             6.3e-16  1.9e-16
-  longest times          7.1e-16  2.0e-16
-  near separatrix, long  7.9e-16  2.1e-16
-  branch switch          6.6e-16  2.0e-16
-  zeros of the rates     7.6e-16  1.9e-16
-  quarter periods        6.5e-16  2.0e-16
+Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 0f127980bb2e127aac32609014a78475a8f3df799580728095f7450cf1b7fbc1
+digest 9cad327779d005880610b94daae7b3772e9c9aa073992f1752cbe4b177562729
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
@@ -91,8 +55,6 @@ every body_init and every call of torque_free_steps and torque_free_integrate. *
 extern "C" {
 #endif
 
-
-
 /* Return codes; 0 is success. */
 enum {
     TORQUE_FREE_STEP_OK = 0, /* success */
@@ -103,60 +65,38 @@ enum {
     TORQUE_FREE_STEP_ANGLE = 5, /* |omega dt| must be at most 8 rad; or a body that cannot exist turns faster still */
     TORQUE_FREE_STEP_ARITHMETIC = 6, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
     TORQUE_FREE_STEP_NONPHYSICAL = 7, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
-    TORQUE_FREE_STEP_UNPREPARED = 8, /* torque_free_body_init has not made it */
+    TORQUE_FREE_STEP_UNPREPARED = 8 /* torque_free_body_init has not made it */
 };
 
 /* The constants of a body; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
-    int axis[3];  /* by moments of inertia, the largest first */
+    int axis[3]; /* by moments of inertia, the largest first */
     int prepared; /* a mark that torque_free_body_init has written the struct */
-    double epsilon, moments[3], alphas[6], squares[6];
+    double epsilon;
+    double moments[3];
+    double alphas[6];
+    double squares[6];
 } torque_free_body;
 
-/* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.
-   Functions that take moments refuse those that no body can have, beyond rounding, as
-   TORQUE_FREE_STEP_NONPHYSICAL, unless the source is compiled with -DALLOW_NONPHYSICAL.  Returns a code
-   above. */
-int torque_free_body_init(torque_free_body *body, const double inertia[3]);
-
-/* The free motion after dt (s), in place: q[4], scalar first, body to inertial, of any length but
-   zero, becomes a unit quaternion, continuous in the double cover; omega[3], body rates in rad/s.
-   Returns a code above; a call that fails writes nothing. */
-int torque_free_step(const torque_free_body *body, double q[4], double omega[3], double dt);
-
-/* One step of each of n bodies of moments inertia[n][3], in lanes: q[n][4] and omega[n][3] to q_after[n][4]
-   and omega_after[n][3], which may be q and omega themselves, and overlap nothing else.  Body k has
-   the moments at inertia + k inertia_stride and the time dt[k dt_stride]: strides are 3 and 1, or 0
-   where all have the same.  A body has the same bits wherever it stands among others.  The first
-   body that is refused ends the call: its number is left in *failed, its code is returned, and bodies
-   LANES or more before it are done. */
-int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, const double *q,
-                      const double *omega, const double *dt, size_t dt_stride, double *q_after,
-                      double *omega_after, size_t *failed);
-
-/* sizeof(torque_free_body), and the digest of the header and the source, for callers of a shared library. */
-size_t torque_free_body_size(void);
-const char *torque_free_step_digest(void);
-
-/* The message of a code, in one line: the field and its rule. */
-const char *torque_free_step_message(int code);
-
-/* The field of the input that a code is about, "" for none, and the rule that it breaks. */
-const char *torque_free_step_field(int code);
-const char *torque_free_step_rule(int code);
-
-/* The direction of a body from a mass point on a Kepler orbit: mean motion (rad/s), a time at periapsis
-   (s), eccentricity, which is not 1, size of the semi-major axis (m), 3 mu (m^3/s^2), and unit
-   vectors, inertial axes, towards periapsis and a right angle on from there. */
+/* The direction of a body from a mass point on a Kepler orbit. mean_motion (rad/s); epoch, a time
+   at periapsis (s); eccentricity, which is not 1; semi_major, the size of the semi-major axis (m);
+   strength, 3 mu (m^3/s^2); and unit vectors, inertial axes: along towards periapsis, and across a
+   right angle on from there. */
 typedef struct {
-    double mean_motion, epoch, eccentricity, semi_major, strength, along[3], across[3];
+    double mean_motion;
+    double epoch;
+    double eccentricity;
+    double semi_major;
+    double strength;
+    double along[3];
+    double across[3];
 } torque_free_orbit;
 
-/* A torque of each body, b + k v + v x (Q v - m) in body axes, N m, with v what a vector u in space
-   is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
-   that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
+/* A torque of each body, b + k v + v x (Q v - m) in body axes, N m. v is what a vector u in space
+   is there. vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
+   that is not null, u is that from the mass point times sqrt(3 mu/r^5). coefficients: three b, k,
    three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
-   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds another
+   Strides are 3 and 13, or 0 where all have the same. more, where it is not null, adds another
    torque on a body of attitude q at a time, in body axes, and is called with data. */
 typedef struct {
     const double *coefficients;
@@ -168,22 +108,60 @@ typedef struct {
     void *data;
 } torque_free_torque;
 
-/* A splitting method: drift, kick, drift ... kick, drift, as shares of a step.  There is one drift
+/* A splitting method: drift, kick, drift ... kick, drift, as shares of a step. There is one drift
    more than kicks, and the last is as long as the first. */
 typedef struct {
     size_t count;
-    const double *drifts, *kicks;
+    const double *drifts;
+    const double *kicks;
 } torque_free_splitting;
 
-/* The motion of n bodies under a torque from the time begin + first step to begin + last step (s),
-   in place: q[n][4] and omega[n][3].  Free motions between kicks are steps, each of |omega dt| up to
-   2^3 rad; those that meet are one.  Bodies with moments inertia as in torque_free_steps.
-   The first body that is refused ends the call: its number is left in *failed, its code is returned,
-   and that body and all after it are unchanged, except for bodies less than LANES away. */
+/* Compute the constants of a body. inertia: principal moments about the body axes, kg m^2,
+   positive. Functions that take moments refuse those that no body can have, beyond rounding, as
+   TORQUE_FREE_STEP_NONPHYSICAL, unless the source is compiled with -DALLOW_NONPHYSICAL. Returns a
+   code above. */
+int torque_free_body_init(torque_free_body *body, const double inertia[3]);
+
+/* Compute the free motion after dt (s), in place. q[4], scalar first, body to inertial, of any
+   length but zero, becomes a unit quaternion, continuous in the double cover; omega[3], body rates
+   in rad/s. Returns a code above; a call that fails writes nothing. */
+int torque_free_step(const torque_free_body *body, double q[4], double omega[3], double dt);
+
+/* Compute one step of each of n bodies of moments inertia[n][3], in lanes. q[n][4] and omega[n][3]
+   go to q_after[n][4] and omega_after[n][3], which may be q and omega themselves, and overlap
+   nothing else. Body k has the moments at inertia + k inertia_stride and the time dt[k dt_stride]:
+   strides are 3 and 1, or 0 where all have the same. A body has the same bits wherever it stands
+   among others. The first body that is refused ends the call: its number is left in *failed, its
+   code is returned, and bodies LANES or more before it are done. */
+int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, const double *q,
+    const double *omega, const double *dt, size_t dt_stride, double *q_after, double *omega_after,
+    size_t *failed);
+
+/* Return sizeof(torque_free_body), for callers of a shared library. */
+size_t torque_free_body_size(void);
+
+/* Compute the motion of n bodies under a torque, in place. It goes from the time begin + first step
+   to begin + last step (s), in q[n][4] and omega[n][3]. Free motions between kicks are steps, each
+   of |omega dt| up to 2^3 rad; those that meet are one. Bodies with moments inertia as in
+   torque_free_steps. The first body that is refused ends the call: its number is left in *failed,
+   its code is returned, and that body and all after it are unchanged, except for bodies less than
+   LANES away. */
 int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride,
-                          const torque_free_splitting *method, const torque_free_torque *torque,
-                          double begin, double step, size_t first, size_t last, double *q,
-                          double *omega, size_t *failed);
+    const torque_free_splitting *method, const torque_free_torque *torque, double begin,
+    double step, size_t first, size_t last, double *q, double *omega, size_t *failed);
+
+/* The message of a code, in one line: the field and its rule. */
+const char *torque_free_step_message(int code);
+
+/* The field of the input that a code is about, "" for none. */
+const char *torque_free_step_field(int code);
+
+/* The rule of the input that a code says is broken. */
+const char *torque_free_step_rule(int code);
+
+/* The digest of the header and the source, for callers of a shared library. */
+const char *torque_free_step_digest(void);
+
 #ifdef __cplusplus
 }
 #endif

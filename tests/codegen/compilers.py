@@ -128,7 +128,6 @@ def written(here: Path) -> None:
     """Write the C sources of all forms, their arithmetic alone, and those of tests to a folder."""
     for form in forms.FORMS:
         generate("c", form=form).write(here)
-    (here / "first_lines.c").write_text(module.source_first(forms.THETA), "utf-8")
     for source in SOURCES.iterdir():
         shutil.copy(source, here)
 

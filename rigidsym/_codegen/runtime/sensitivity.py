@@ -7,16 +7,22 @@ no_row: double[3] = [0.0, 0.0, 0.0]
 
 
 # Inputs that states change with, to be added up; columns are in this order.
-BY_ATTITUDE0: public[int] = 1
-"three: a small turn at t = 0, in space"
-BY_OMEGA0: public[int] = 2
-"three: the rates at t = 0"
-BY_INERTIA: public[int] = 4
-"three: the principal moments"
-BY_T: public[int] = 8
-"the time, which has arrays of its own"
-BY_ALL: public[int] = 15
-"all of these"
+
+
+@public
+class inputs:
+    """Inputs that states change with, to be added up; columns are in this order."""
+
+    BY_ATTITUDE0: int = 1
+    "three: a small turn at t = 0, in space"
+    BY_OMEGA0: int = 2
+    "three: the rates at t = 0"
+    BY_INERTIA: int = 4
+    "three: the principal moments"
+    BY_T: int = 8
+    "the time, which has arrays of its own"
+    BY_ALL: int = 15
+    "all of these"
 
 
 class sensitive:

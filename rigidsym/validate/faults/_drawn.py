@@ -17,14 +17,14 @@ from itertools import chain
 from textwrap import shorten
 from typing import NamedTuple
 
-from rigidsym._codegen.forms import STEP, THETA, split
+from rigidsym._codegen.forms import THETA, split
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.functions.sensitivity import sensitivity
 from rigidsym._codegen.ir import Constant, Function, Let, is_extended
 from rigidsym._codegen.lines import Lines
 from rigidsym._codegen.special_functions import angles
-from rigidsym._codegen.targets.c import emit as c
-from rigidsym._codegen.targets.c import frames, module
+from rigidsym._codegen.targets.c import module
+from rigidsym._codegen.targets.c.program import numbered, program
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym.language._expression import (
     Call,
@@ -115,16 +115,32 @@ def _printer(target: str) -> _Printer:
             numpy.function_lines, lambda x: f"def {x.name}(", numpy.constant_text, "  #"
         )
 
+    files = _files(form)
+
     def lines(function: Function) -> Lines:
-        printed = c.pieces(function, _functions(form))[0]
+        made = program(tuple(_with(function, form)), constants(), form)
+        one, *_ = (x for x in made.routines.values() if x.prints(function))
+        printed = module.Files(made, form).printer.routine(one)
         return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
 
     def first_line(function: Function) -> str:
-        if form == STEP:
-            return next(frames.frames_of(function, (function,))).before[0].removesuffix(" {")
         return next(line for line in lines(function).text if line.startswith("static "))
 
-    return _Printer(lines, first_line, c.constant_text, " /*")
+    def constant_text(constant: Constant) -> str:
+        return files.printer.number(numbered(constant))
+
+    return _Printer(lines, first_line, constant_text, " /*")
+
+
+@cache
+def _files(form: str) -> module.Files:
+    return module.Files(program(_functions(form), constants(), form), form)
+
+
+def _with(function: Function, form: str) -> Iterator[Function]:
+    """Yield the functions of a form, one of them replaced."""
+    for other in _functions(form):
+        yield function if other.name == function.name else other
 
 
 @cache

@@ -1,7 +1,7 @@
 /* The double-double arithmetic of torque_free.c, its first lines, on rows {x.hi, x.lo, y.hi, y.lo} to
    rows {hi, lo}; `exact_parts` on rows {a, b, c, d} to rows of 32 parts of (a - b) (c d). */
 
-#include "first_lines.c"
+#include "torque_free_arithmetic.h"
 
 enum { ADD_XX, ADD_XD, SUB_XX, MUL_XX, MUL_XD, DIV_XX, DIV_XD, ROOT, SUM, QUICK_SUM, PRODUCT };
 

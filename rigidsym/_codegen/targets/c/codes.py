@@ -4,7 +4,7 @@ import ast
 from typing import NamedTuple
 
 from rigidsym._codegen.forms import STEP
-from rigidsym._codegen.routines import Number, Type
+from rigidsym._codegen.routines import INT, Enumeration, Number, Type
 
 
 class Code(NamedTuple):
@@ -81,13 +81,16 @@ def names(form: str) -> dict[str, str]:
     return {name: f"{prefix}_{name}" for name in _own(form)}
 
 
-def enumeration(form: str) -> list[str]:
-    """Return the members of the enumeration of codes, with comments."""
-    in_c = names(form)
-    return [
-        f"    {in_c[name]} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
+def enumeration(form: str) -> Enumeration:
+    """Return the codes of a form, with what each says."""
+    summary = "Return codes; 0 is success."
+    if form != STEP:
+        summary += "  A call for one body that fails writes nothing."
+    numbers = (
+        Number(name, INT, ast.Constant(number), f"{x.rule}; {x.remark}" if x.remark else x.rule)
         for number, (name, x) in enumerate(_own(form).items())
-    ]
+    )
+    return Enumeration(summary, tuple(numbers))
 
 
 def texts(form: str) -> list[Number]:
@@ -106,23 +109,3 @@ def texts(form: str) -> list[Number]:
             for name, said in found.items()
         ),
     ]
-
-
-def filled(text: str, form: str) -> str:
-    """Replace the placeholders for codes and messages in the C text of a form."""
-    own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
-    codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
-    texts = {
-        "field": {name: x.field for name, x in codes.items() if x.field},
-        "rule": {name: x.rule for name, x in codes.items()},
-        "message": {n: f"{x.field}: {x.rule}" if x.field else x.rule for n, x in codes.items()},
-    }
-    members = [
-        f"    {prefix}_{name} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
-        for number, (name, x) in enumerate(codes.items())
-    ]
-    text = text.replace("@codes@", "\n".join(members)).replace("@unknown@", UNKNOWN)
-    for what, said in texts.items():
-        cases = [f'    case {prefix}_{name}: return "{words}";' for name, words in said.items()]
-        text = text.replace(f"@{what}s@", "\n".join(cases))
-    return text

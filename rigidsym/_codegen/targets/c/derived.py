@@ -42,18 +42,25 @@ def routines(functions: tuple[Function, ...]) -> Iterator[Routine]:
     """Yield the routines of derived functions in order."""
     extended = pairs(functions)
     for function in functions:
-        name = function.name[1:]
-        if takes_several(function):
-            yield _side_by_side(function, extended)
-        elif name == "discriminant":
-            yield from discriminants(function)
-        elif function.rounds:
-            yield constants_of(function)
-        elif name.endswith(("_angles", "_state")):
-            (constants,) = (f for f in functions if f.name == f"_{branch(function)}_constants")
-            yield _loop(function, {*flat_results(constants)})
-        else:
-            yield plain(function)
+        for one in _of(function, functions, extended):
+            yield replace(one, function=one.function or function)
+
+
+def _of(
+    function: Function, functions: tuple[Function, ...], extended: frozenset[str]
+) -> Iterator[Routine]:
+    name = function.name[1:]
+    if takes_several(function):
+        yield _side_by_side(function, extended)
+    elif name == "discriminant":
+        yield from discriminants(function)
+    elif function.rounds:
+        yield constants_of(function)
+    elif name.endswith(("_angles", "_state")):
+        (constants,) = (f for f in functions if f.name == f"_{branch(function)}_constants")
+        yield _loop(function, {*flat_results(constants)})
+    else:
+        yield plain(function)
 
 
 def discriminants(function: Function) -> Iterator[Routine]:
@@ -83,7 +90,9 @@ def _valued(
     body = assignments(function, fuse(function), number)
     body.append(ast.Return(ast.Name(function.results[0], ast.Load())))
     parameters = _parameters(function, kind)
-    return Routine(name, function.summary, parameters, (kind,), tuple(body), marks)
+    return Routine(
+        name, function.summary, parameters, (kind,), tuple(body), marks, function=function
+    )
 
 
 def _handing_out(function: Function) -> Routine:

@@ -1,19 +1,17 @@
-"""Construction of the generated C module, a header and a source file.
-
-The source has double-doubles, derived functions and runtime.
-"""
+"""Construction of the generated C module: header, source, and the arithmetic that forms share."""
 
 import re
+from collections.abc import Iterator
 from importlib import resources
-from itertools import product
 from pathlib import PurePath
 
 from rigidsym._codegen import header
-from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.lines import Lines, Module, joined, shares
-from rigidsym._codegen.targets.c import codes, emit
+from rigidsym._codegen.lines import Lines, Module, code_lines, joined, shares
+from rigidsym._codegen.routines import Program
+from rigidsym._codegen.targets.c.printer import Printer
+from rigidsym._codegen.targets.c.program import in_arithmetic, program
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h", STEP: "torque_free_step.h"}
 SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c", STEP: "torque_free_step.c"}
@@ -23,11 +21,7 @@ SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c", STEP: "torque_free_st
 _PLAIN = PurePath(HEADERS[THETA]).stem
 # In a compiler's option -D stands before a name.
 _BEGIN = r"(?:\b|(?<=-D))"
-_NAMES = re.compile(rf"{_BEGIN}({_PLAIN}|{_PLAIN.upper()})(?=_(?!pi\b))")
-# From which branch on a grid is computed one time after the other.
-ONE_BY_ONE = {THETA: 2, PI: 1}
-# Of a motion; other structs are what sensitivities are made from.
-BRANCHES = ("circular", "hyperbolic", "steady")
+_NAMES = re.compile(rf"{_BEGIN}({_PLAIN}|{_PLAIN.upper()})(?=_(?!pi\b|arithmetic|FMA))")
 _HEAD = """\
 /* Torque-free motion of rigid bodies in closed form, in C99 with libm alone.
 
@@ -62,6 +56,22 @@ runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math,
 and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
 approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
 every body_init and every call of torque_free_steps and torque_free_integrate."""
+_GUARDED = """\
+#ifndef {guard}
+#define {guard}
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {{
+#endif"""
+_LAST = """\
+#ifdef __cplusplus
+}
+#endif
+
+#endif"""
+ARITHMETIC = "torque_free_arithmetic.h"
 
 
 def build(
@@ -71,24 +81,83 @@ def build(
 
     Input: the functions, and the constants that they name.  Output: the module.
     """
-    whole = joined(
-        [
-            Lines.plain(source_first(form)),
-            *emit.module(functions, constants),
-            Lines.plain(source_last(functions, form)),
-        ]
-    )
-    constants_of = [function for function in functions if function.rounds and form != STEP]
-    structs = "\n\n".join(map(emit.branch_struct, constants_of))
-    head = header_first(form).replace(header.SHARES, shares(whole.kinds(), key("c", form)))
-    source = SOURCES[form]
-    files = {
-        HEADERS[form]: f"{head}{structs}\n{header_last(functions, form)}",
-        source: "\n".join(whole.text) + "\n",
+    made = program(functions, constants, form)
+    files = Files(made, form)
+    source = joined(files.source())
+    arithmetic = joined(files.arithmetic())
+    by_hand = sum(code_lines(text, "c") for text in files.by_hand())
+    printed = sum(code_lines("\n".join(part.text), "c") for part in (source, arithmetic))
+    runtime = printed - len(source.lets) - by_hand
+    counts = shares(source.kinds(), runtime, by_hand)
+    texts = {
+        HEADERS[form]: files.header().replace(header.SHARES, counts),
+        SOURCES[form]: "\n".join(source.text) + "\n",
+        ARITHMETIC: "\n".join(arithmetic.text) + "\n",
     }
-    files = {name: named(text, form) for name, text in files.items()}
-    files, digest = header.sealed(files, key("c", form))
-    return Module(files, {source: whole.lets}, digest)
+    texts = {n: text if n == ARITHMETIC else named(text, form) for n, text in texts.items()}
+    texts, digest = header.sealed(texts, key("c", form))
+    return Module(texts, {SOURCES[form]: source.lets}, digest)
+
+
+class Files:
+    """Files of a C module: interface, source, and the arithmetic that all forms share."""
+
+    def __init__(self, made: Program, form: str) -> None:
+        self.made, self.form = made, form
+        self.printer = Printer(made, f"{_PLAIN}_", made.names)
+
+    def by_hand(self) -> Iterator[str]:
+        """Yield the texts that are written by hand, in the order of the files."""
+        yield _part("preamble.h")
+        yield _part("step_lanes.h" if self.form == STEP else "lanes.h")
+
+    def header(self) -> str:
+        """Return the text of the C header.
+
+        It has placeholders for line counts, digest and errors.
+        """
+        form, made, printer = self.form, self.made, self.printer
+        head = _HEAD.format(text=header.text("c", form), option=option(form))
+        head = head.replace("@notes@", _STEP_NOTES if form == STEP else _NOTES)
+        guard = HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
+        parts = [
+            *map(printer.enumeration, made.enumerations.values()),
+            *(printer.struct(struct) for struct in made.structs.values() if struct.is_public),
+            *(printer.prototype(one) for one in made.routines.values() if one.is_public),
+        ]
+        text = "\n\n".join([_GUARDED.format(guard=guard), *parts, _LAST])
+        for limit in limits(form):
+            text = text.replace(f"@{limit.name}@", str(limit.exponent))
+        return f"{head}\n{text}\n"
+
+    def source(self) -> Iterator[Lines]:
+        """Yield the parts of the C source."""
+        *_, lanes = self.by_hand()
+        first = [f'#include "{HEADERS[self.form]}"', f'#include "{ARITHMETIC}"', "", lanes, ""]
+        yield Lines.plain("\n".join(first))
+        yield from self._definitions(False)
+
+    def arithmetic(self) -> Iterator[Lines]:
+        """Yield the parts of the header that has the arithmetic."""
+        preamble, *_ = self.by_hand()
+        yield Lines.plain(f"{preamble}\n")
+        yield from self._definitions(True)
+        yield Lines.plain("#endif")
+
+    def _definitions(self, of_arithmetic: bool) -> Iterator[Lines]:
+        """Yield numbers, structs and routines, those of the arithmetic or all others."""
+        made = self.made
+        routines = [x for x in made.routines.values() if in_arithmetic(x.name) is of_arithmetic]
+        own = made.numbers_of(routines)
+        shared = made.numbers_of(x for x in made.routines.values() if in_arithmetic(x.name))
+        for number in own:
+            if of_arithmetic or number not in shared:
+                yield Lines.plain(self.printer.number(number))
+        yield Lines.plain("")
+        for struct in made.structs.values():
+            if not (struct.is_public or of_arithmetic):
+                yield Lines.plain(f"{self.printer.struct(struct)}\n")
+        yield from map(self.printer.routine, routines)
 
 
 def named(text: str, form: str) -> str:
@@ -116,102 +185,6 @@ def plain(text: str, form: str) -> str:
     return text
 
 
-def header_first(form: str) -> str:
-    """Return the text of the C header before its structs.
-
-    It has placeholders for line counts, digest and errors.
-    """
-    head = _HEAD.format(text=header.text("c", form), option=option(form))
-    head = head.replace("@notes@", _STEP_NOTES if form == STEP else _NOTES)
-    guard = HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
-    return f"{head}\n{_part('first.h').replace('TORQUE_FREE_H', guard)}\n\n"
-
-
-def header_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the text of the C header after its structs."""
-    parts = {
-        THETA: ("interface.h", "sensitivity.h"),
-        PI: ("interface.h",),
-        STEP: ("step_interface.h", "kick_interface.h"),
-    }
-    text = "\n\n".join(map(_part, parts[form]))
-    return _filled(f"\n{text}\n{_part('last.h')}\n", functions, form)
-
-
-def source_first(form: str) -> str:
-    """Return the text of the C source before its named constants."""
-    preamble = _part("preamble.c").replace("@header@", HEADERS[form])
-    pairs = _part("double_double.c")
-    if form == STEP:
-        pairs = pairs.replace("torque_free.c", SOURCES[STEP])
-        pairs = pairs.replace("torque_free_motion_init", "torque_free_body_init")
-        return "\n".join([f"{preamble}\n\n", f"{_part('step_lanes.c')}\n", pairs, ""])
-    return "\n".join([f"{preamble}\n\n{_part('lanes.c')}\n", pairs, _part("exact.c"), ""])
-
-
-def source_last(functions: tuple[Function, ...], form: str) -> str:
-    """Return the text of the C source after its derived functions."""
-    if form == STEP:
-        text = f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
-    else:
-        parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
-        text = "\n\n".join(map(_part, parts)) + "\n"
-    return _filled(text, functions, form)
-
-
-def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
-    """Replace the placeholders in C text by codes, limits and names from generated functions."""
-    marks = (
-        {"steps": str(BINARY64.doublings), "last": str(BINARY64.last)}
-        if form == STEP
-        else _marks(functions, form)
-    )
-    marks["limits"] = "\n".join(
-        f"static const double {limit.name} = {2.0**limit.exponent!r}; "
-        f"/* 2^{limit.exponent}, {limit.meaning} */"
-        for limit in limits(form)
-    )
-    marks |= {limit.name: str(limit.exponent) for limit in limits(form)}
-    text = codes.filled(text, form)
-    for mark, meaning in marks.items():
-        text = text.replace(f"@{mark}@", meaning)
-    return text
-
-
-def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
-    """Map each placeholder of the motions' C text to its replacement."""
-    by_name = {function.name: function for function in functions}
-
-    def parameters(name: str) -> str:
-        return ", ".join(by_name[name].parameters)
-
-    def rows(name: str, array: str, apart: str = "s") -> str:
-        """Format pointers to the rows of an array, one for each result of a function."""
-        count = len(by_name[name].results)
-        further = [f"{array} + {k} * {apart}" for k in range(2, count)]
-        return ", ".join([array, f"{array} + {apart}", *further])
-
-    marks = {"branches": "\n".join(f"        torque_free_{name} {name};" for name in BRANCHES)}
-    marks["one by one"] = str(ONE_BY_ONE[form])
-    for name, array in product(("circular", "hyperbolic"), ("in", "to")):
-        marks[f"{name} rows of {array}"] = rows(f"_{name}_angles", array)
-    if "_moduli" not in by_name:
-        return marks
-    moduli = by_name["_moduli"].results
-    marks["moduli"], marks["moduli given"] = ", ".join(moduli), parameters("_moduli")
-    marks["moduli out"] = ", ".join(f"&{name}" for name in moduli)
-    marks["turn columns"] = ", ".join(f"by[{k}]" for k in range(18))
-    for name in ("along", "columns", "real", "imaginary"):
-        marks[f"{name} given"] = parameters(f"_{name}_constants")
-    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
-        marks[f"{name} rows of {array}"] = rows(f"_{name}_state", array)
-    for name in ("real", "imaginary"):
-        # Rows of angles lie in a block of their own.
-        marks[f"{name} rows of in"] = rows(f"_{name}_angles", "in", "SENSITIVE")
-    return marks
-
-
 def _part(name: str) -> str:
-    """Read a C file, and insert the files that its placeholders name."""
-    text = resources.files("rigidsym._codegen.targets.c").joinpath(name).read_text("utf-8").strip()
-    return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)
+    """Read a text that is written by hand."""
+    return resources.files("rigidsym._codegen.targets.c").joinpath(name).read_text("utf-8").strip()

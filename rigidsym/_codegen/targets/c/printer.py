@@ -1,7 +1,7 @@
 """Printer of routines as C99 code, by one table of the node classes of `ast`.
 
-Structs and arrays are handed on by reference, numbers and double-doubles by value.  What a routine
-returns beside one value it writes through pointers, the last parameters.
+Structs and arrays are handed on by reference, numbers and double-doubles by value.  Several
+results are written through pointers, as `pointers` says it.
 """
 
 import ast
@@ -11,22 +11,31 @@ from typing import Any
 
 from rigidsym._codegen.ir import Let
 from rigidsym._codegen.lines import Lines, comment
-from rigidsym._codegen.routines import Field, Number, Program, Routine, Scope, Struct, Type, let_of
+from rigidsym._codegen.routines import (
+    Enumeration,
+    Field,
+    Number,
+    Program,
+    Routine,
+    Scope,
+    Struct,
+    Type,
+    let_of,
+)
 
-_TYPES = {
+TYPES = {
     **{"double": "double", "int": "int", "size": "size_t", "bits": "uint64_t", "bool": "int"},
     **{"pair": "double_double", "text": "const char *", "void": "void"},
 }
-_CALLS = {
+CALLS = {
     **{"abs": "fabs", "exponent": "exponent_of", "prefetch": "PREFETCH", "hidden": "hidden"},
-    **{"pair": "dd_pair", "rounded": "dd_rounded"},
 }
-_CASTS = {"double": "double", "int": "int", "size": "size_t", "bits": "uint64_t"}
-_COMPARISONS: dict[type, str] = {
+CASTS = {"double": "double", "int": "int", "size": "size_t", "bits": "uint64_t"}
+COMPARISONS: dict[type, str] = {
     **{ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="},
     **{ast.Is: "==", ast.IsNot: "!="},
 }
-_OPERATIONS: dict[type, tuple[str, int]] = {
+OPERATIONS: dict[type, tuple[str, int]] = {
     **{ast.Mult: ("*", 10), ast.Div: ("/", 10), ast.FloorDiv: ("/", 10), ast.Mod: ("%", 10)},
     **{ast.Add: ("+", 9), ast.Sub: ("-", 9), ast.LShift: ("<<", 8), ast.RShift: (">>", 8)},
     **{ast.BitAnd: ("&", 5), ast.BitXor: ("^", 4), ast.BitOr: ("|", 3)},
@@ -44,7 +53,8 @@ class Printer:
     """
 
     def __init__(self, program: Program, prefix: str, names: Mapping[str, str]) -> None:
-        self.program, self.prefix, self.names = program, prefix, names
+        self.program, self.prefix = program, prefix
+        self.names = {"inf": "HUGE_VAL", "nan": "((double)NAN)", **names}
         self._statements: dict[type, Callable[[Any], Iterator[Any]]] = {
             ast.AnnAssign: self._declaration,
             ast.Assign: self._assignment,
@@ -72,8 +82,6 @@ class Printer:
         self.one = Routine("", "", {}, (), ())
         self.scope = Scope(self.one, program)
         self._set_again: set[str] = set()
-        self._local: dict[str, str] = {}
-        self._new: set[str] = set()
 
     # --- names and types
 
@@ -85,7 +93,7 @@ class Printer:
         """Return the name of a type in C."""
         if name in self.program.structs and self.program.structs[name].is_public:
             return f"{self.prefix}{name}"
-        return _TYPES.get(name, name)
+        return TYPES.get(name, name)
 
     def declared(self, name: str, type_: Type, *, is_parameter: bool = False) -> str:
         """Return the declaration of a name, for example `const double x[3]`."""
@@ -97,7 +105,7 @@ class Printer:
             if type_.shape == ("...",) or type_.may_be_none:
                 return f"const {kind}*{name}"
             return f"{kind}{name}{shape}"
-        by_reference = type_.is_struct or bool(type_.shape)
+        by_reference = type_.is_struct or type_.is_result or bool(type_.shape)
         const = "const " if by_reference and not type_.is_out else ""
         note = " /* or NULL */" if type_.may_be_none else ""
         if type_.shape and type_.shape[0] != "...":
@@ -113,29 +121,16 @@ class Printer:
     def head(self, one: Routine) -> str:
         """Return the head of a routine, from its storage to the closing bracket."""
         self.one = one
-        self._local = {}
         parameters = [
             self.declared(name, type_, is_parameter=True) for name, type_ in one.parameters.items()
         ]
-        kind = "void"
-        if len(one.results) == 1:
-            kind = self.type_name(one.results[0].name)
-        elif one.results:
-            own = self._outputs(one)
-            if one.is_public:
-                kind, own = self.type_name(one.results[0].name), own[1:]
-            parameters += [f"{self.type_name(type_.name)} *{name}" for name, type_ in own]
+        kind = self.type_name(one.results[0].name) if one.results else "void"
         storage = "" if one.is_public else "static "
         storage += "INLINED " if "inline" in one.decorators else ""
         storage += "FLAT " if "flat" in one.decorators else ""
         kind = kind if kind.endswith("*") else f"{kind} "
         begin = f"{storage}{kind}{self.function_name(one.name)}("
         return self._wrapped(begin, parameters or ["void"], ")")
-
-    def _outputs(self, one: Routine) -> list[tuple[str, Type]]:
-        names = one.names or _returned(one)
-        ends = [name if one.is_public else f"{name}_out" for name in names]
-        return list(zip(ends, one.results, strict=True))
 
     @staticmethod
     def _wrapped(begin: str, parts: list[str], end: str) -> str:
@@ -173,6 +168,16 @@ class Printer:
         else:
             yield f"{self.declared(field.name, field.type)};"
 
+    def enumeration(self, one: Enumeration) -> str:
+        """Print an enumeration with its comments."""
+        lines = [*self.note(one.summary), "enum {"]
+        for number in one.numbers:
+            note = f" /* {number.comment} */" if number.comment else ""
+            comma = "" if number is one.numbers[-1] else ","
+            name = self.names.get(number.name, number.name)
+            lines.append(f"    {name} = {self.text(number.value)}{comma}{note}")
+        return "\n".join([*lines, "};"])
+
     def number(self, number: Number) -> str:
         """Print the definition of a named number or array."""
         value = self._initial(number.value)
@@ -207,9 +212,7 @@ class Printer:
         """Print a routine, with the derived assignments behind its lines."""
         head = self.head(one)
         self.scope = Scope(one, self.program)
-        self._set_again = _set_again(one)
-        outputs = {name for name, _ in self._outputs(one)} if len(one.results) > 1 else set()
-        self._local = {name: f"{name}_found" for name in outputs}
+        self._set_again = _set_again(one, self.program)
         notes = [] if one.is_public else list(self.note(one.summary))
         text, lets = [*notes, *head.split("\n"), "{"], {}
         for line, let in self._block(one.body, "    "):
@@ -223,9 +226,7 @@ class Printer:
     def _block(self, body: Sequence[ast.stmt], indent: str) -> Iterator[tuple[str, Let | None]]:
         """Print statements, with the derived assignment behind each line."""
         for statement in body:
-            known = set(self.scope.types)
             self.scope.declare(statement)
-            self._new = {name for name in self.scope.types if name not in known}
             let = let_of(statement)
             if words := getattr(statement, "note", ""):
                 yield from ((f"{indent}{line}", None) for line in self.note(words))
@@ -251,7 +252,7 @@ class Printer:
     def _declaration(self, node: ast.AnnAssign) -> Iterator[str]:
         name = ast.unparse(node.target)
         type_ = self.scope.types[name]
-        declared = self.declared(self._local.get(name, name), type_)
+        declared = self.declared(name, type_)
         if node.value is None:
             yield f"{declared};"
             return
@@ -266,40 +267,27 @@ class Printer:
 
     def _assignment(self, node: ast.Assign) -> Iterator[str]:
         (target,) = node.targets
-        if isinstance(target, ast.Tuple):
-            for part in target.elts:
-                if isinstance(part, ast.Name) and part.id in self._new:
-                    name = self._local.get(part.id, part.id)
-                    yield f"{self.declared(name, self.scope.types[part.id])};"
-            assert isinstance(node.value, ast.Call)
-            places = [f"&{self.text(part)}" for part in target.elts]
-            yield f"{self._called(node.value, places)};"
-            return
         type_ = self.scope.of(target)
         match node.value:
-            case ast.Call(func=ast.Name(id="pair"), args=[hi, lo]):
-                place = self.text(target)
-                yield f"{place}.hi = {self.text(hi)};"
-                yield f"{place}.lo = {self.text(lo)};"
             case value if type_.shape:
                 length = " * ".join(type_.shape)
                 place, size = self.text(target), self._element_size(type_)
                 yield f"memcpy({place}, {self.text(value)}, {length} * {size});"
-            case value if type_.is_struct and not type_.may_be_none:
-                yield f"{self._whole(target)} = {self._whole(value)};"
             case value:
-                yield f"{self.text(target)} = {self.text(value)};"
+                yield f"{self._whole(target)} = {self._whole(value)};"
 
     def _element_size(self, type_: Type) -> str:
         return f"sizeof({self.type_name(type_.name)})"
 
     def _whole(self, node: ast.expr) -> str:
-        """Return a struct itself, where its name is a pointer."""
+        """Return a value itself, where its name is a pointer."""
         text = self.text(node)
-        return f"*{text}" if self._is_pointer(node) else text
+        return (
+            f"*{text}" if self._is_pointer(node) and not self.scope.of(node).may_be_none else text
+        )
 
     def _change(self, node: ast.AugAssign) -> Iterator[str]:
-        symbol = _OPERATIONS[type(node.op)][0]
+        symbol = OPERATIONS[type(node.op)][0]
         yield f"{self.text(node.target)} {symbol}= {self.text(node.value)};"
 
     def _call_alone(self, node: ast.Expr) -> Iterator[str]:
@@ -308,7 +296,7 @@ class Printer:
                 place = self.argument(struct, self.scope.of(struct))
                 yield f"memset({place}, 0, sizeof({self.type_name(self.scope.of(struct).name)}));"
             case ast.Call() as call:
-                yield f"{self._called(call, [])};"
+                yield f"{self._called(call)};"
 
     def _if(self, node: ast.If) -> Iterator[str | list[ast.stmt]]:
         yield f"if ({self.text(node.test)}) {{"
@@ -333,24 +321,7 @@ class Printer:
         yield "}"
 
     def _return(self, node: ast.Return) -> Iterator[str]:
-        match node.value:
-            case None:
-                yield "return;"
-            case ast.Tuple(elts=parts):
-                rows = list(zip(parts, self._outputs(self.one), strict=True))
-                for part, (name, _) in rows[1:] if self.one.is_public else rows:
-                    match part:
-                        case ast.Call(func=ast.Name(id="pair"), args=[hi, lo]):
-                            yield f"{name}->hi = {self.text(hi)};"
-                            yield f"{name}->lo = {self.text(lo)};"
-                        case _:
-                            yield f"*{name} = {self.text(part)};"
-                yield f"return {self.text(parts[0])};" if self.one.is_public else "return;"
-            case ast.Call(func=ast.Name(id="pair")) as value:
-                yield f"const {_TYPES['pair']} result = {self._initial(value)};"
-                yield "return result;"
-            case value:
-                yield f"return {self.text(value)};"
+        yield "return;" if node.value is None else f"return {self.text(node.value)};"
 
     # --- expressions
 
@@ -364,15 +335,16 @@ class Printer:
         match node:
             case ast.Constant(value=None):
                 return "NULL"
-        if type_.is_struct and not self._is_pointer(node):
+        if (type_.is_struct or type_.is_result) and not self._is_pointer(node):
             return f"&{self.text(node, _UNARY)}"
         return self.text(node)
 
     def _is_pointer(self, node: ast.expr) -> bool:
-        """Return True where a struct is a pointer: a parameter, or a member that may be none."""
+        """Return True for a parameter that points to one value, and a member that may be none."""
         match node:
-            case ast.Name(id=name):
-                return name in self.one.parameters and self.one.parameters[name].is_struct
+            case ast.Name(id=name) if name in self.one.parameters:
+                type_ = self.one.parameters[name]
+                return type_.is_struct or type_.is_result
             case ast.Attribute():
                 return self.scope.of(node).may_be_none
         return False
@@ -394,8 +366,7 @@ class Printer:
         return f"{int(value)}.0" if is_whole else repr(value)
 
     def _name(self, node: ast.Name) -> tuple[str, int]:
-        special = {"inf": "HUGE_VAL", "nan": "((double)NAN)", **self._local, **self.names}
-        return special.get(node.id, node.id), _ATOM
+        return self.names.get(node.id, node.id), _ATOM
 
     def _attribute(self, node: ast.Attribute) -> tuple[str, int]:
         arrow = "->" if self._is_pointer(node.value) else "."
@@ -414,7 +385,7 @@ class Printer:
         return f"{self.text(node.value, _ATOM)}{places}", _ATOM
 
     def _operation(self, node: ast.BinOp) -> tuple[str, int]:
-        symbol, bound = _OPERATIONS[type(node.op)]
+        symbol, bound = OPERATIONS[type(node.op)]
         of_bits = bound < 9
         # Compilers, and readers, ask for brackets around what stands among operations on bits.
         left = self._operand(node.left, node.right, _UNARY if of_bits else bound)
@@ -443,7 +414,7 @@ class Printer:
     def _comparison(self, node: ast.Compare) -> tuple[str, int]:
         (right,), (operator,) = node.comparators, node.ops
         return (
-            f"{self.text(node.left, _COMPARED + 1)} {_COMPARISONS[type(operator)]}"
+            f"{self.text(node.left, _COMPARED + 1)} {COMPARISONS[type(operator)]}"
             f" {self.text(right, _COMPARED + 1)}",
             _COMPARED,
         )
@@ -454,13 +425,13 @@ class Printer:
 
     def _call(self, node: ast.Call) -> tuple[str, int]:
         match node:
-            case ast.Call(func=ast.Name(id=cast), args=[value]) if cast in _CASTS:
-                return f"({_CASTS[cast]}){self.text(value, _UNARY)}", _UNARY
+            case ast.Call(func=ast.Name(id=cast), args=[value]) if cast in CASTS:
+                return f"({CASTS[cast]}){self.text(value, _UNARY)}", _UNARY
             case ast.Call(func=ast.Name(id="sizeof"), args=[ast.Name(id=struct)]):
                 return f"sizeof({self.type_name(struct)})", _ATOM
-        return self._called(node, []), _ATOM
+        return self._called(node), _ATOM
 
-    def _called(self, node: ast.Call, places: list[str]) -> str:
+    def _called(self, node: ast.Call) -> str:
         if not isinstance(node.func, ast.Name):
             given = [self.argument(one, self.scope.of(one)) for one in node.args]
             return f"{self.text(node.func)}({', '.join(given)})"
@@ -468,9 +439,9 @@ class Printer:
         if name in self.program.routines:
             types = self.program.routines[name].parameters.values()
             given = [self.argument(*both) for both in zip(node.args, types, strict=True)]
-            return f"{self.function_name(name)}({', '.join(given + places)})"
+            return f"{self.function_name(name)}({', '.join(given)})"
         given = [self.text(one) for one in node.args]
-        return f"{_CALLS.get(name, name)}({', '.join(given)})"
+        return f"{CALLS.get(name, name)}({', '.join(given)})"
 
 
 def _range(node: ast.For) -> tuple[ast.expr | None, ast.expr, ast.expr | None]:
@@ -485,27 +456,19 @@ def _range(node: ast.For) -> tuple[ast.expr | None, ast.expr, ast.expr | None]:
     raise ValueError(f"{ast.unparse(node.iter)}: a loop is over a range")
 
 
-def _returned(one: Routine) -> tuple[str, ...]:
-    """Return names for the values of a routine: those that it returns, or numbers."""
-    names = [f"result_{k}" for k in range(1, len(one.results) + 1)]
-    for statement in one.statements():
-        match statement:
-            case ast.Return(value=ast.Tuple(elts=parts)):
-                for k, part in enumerate(parts):
-                    if isinstance(part, ast.Name) and part.id not in names:
-                        names[k] = part.id
-    return tuple(names)
-
-
-def _set_again(one: Routine) -> set[str]:
+def _set_again(one: Routine, program: Program) -> set[str]:
     """Return the names that are set after their declaration."""
-    found: set[str] = set()
-    for statement in one.statements():
-        match statement:
-            case ast.Assign(targets=[ast.Tuple(elts=parts)]):
-                found |= {part.id for part in parts if isinstance(part, ast.Name)}
+    targets: list[ast.expr] = []
+    for node in (node for part in one.body for node in ast.walk(part)):
+        match node:
             case ast.Assign(targets=[target]) | ast.AugAssign(target=target):
-                while isinstance(target, ast.Subscript | ast.Attribute):
-                    target = target.value
-                found |= {target.id} if isinstance(target, ast.Name) else set()
+                targets.append(target)
+            case ast.Call(func=ast.Name(id=name), args=given) if name in program.routines:
+                types = program.routines[name].parameters.values()
+                targets += (x for x, type_ in zip(given, types, strict=True) if type_.is_result)
+    found: set[str] = set()
+    for target in targets:
+        while isinstance(target, ast.Subscript | ast.Attribute):
+            target = target.value
+        found |= {target.id} if isinstance(target, ast.Name) else set()
     return found

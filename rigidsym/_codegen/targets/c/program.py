@@ -2,19 +2,23 @@
 
 import ast
 from dataclasses import replace
+from functools import cache
 
 from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
+from rigidsym._codegen.header import DIGEST
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.routines import DOUBLE, PAIR, Number, Program, Type, lowered, read
+from rigidsym._codegen.routines import DOUBLE, PAIR, Number, Program, Type, defined, lowered, read
 from rigidsym._codegen.targets.c import codes, derived
+from rigidsym._codegen.targets.c.pointers import with_pointers
 
-_MOTIONS = ("arithmetic", "self_test", "motion_self_test", "exact", "bodies", "decisions", "motion")
+_ARITHMETIC = ("arithmetic", "self_test")
+_MOTIONS = (*_ARITHMETIC, "motion_self_test", "exact", "bodies", "decisions", "motion")
 _RUNTIMES = {
     THETA: (*_MOTIONS, "sensitivity", "messages"),
     PI: (*_MOTIONS, "messages"),
     STEP: (
-        *("arithmetic", "self_test", "step_self_test", "bodies", "step_decisions"),
+        *(*_ARITHMETIC, "step_self_test", "bodies", "step_decisions"),
         *("step", "kick", "messages"),
     ),
 }
@@ -31,8 +35,8 @@ def program(
 ) -> Program:
     """Return all that the C module of a form has, in an order that C can read."""
     made = Program(known={name: Type(kind) for name, kind in _MACROS.items()})
+    made.enumerations["codes"] = codes.enumeration(form)
     made.known |= {name: Type("int") for name in codes.names(form)}
-    made.known["DIGEST"] = Type("text")
     made.structs = {struct.name: struct for struct in derived.structs(functions)}
     made.numbers = named_numbers(constants, form)
     made.routines = {one.name: one for one in derived.routines(functions)}
@@ -40,7 +44,12 @@ def program(
     made = read(
         _RUNTIMES[form],
         made,
-        {**DOUBLINGS, "ONE_BY_ONE": _ONE_BY_ONE[form], "THETA": form == THETA},
+        {
+            **DOUBLINGS,
+            "ONE_BY_ONE": _ONE_BY_ONE[form],
+            "THETA": form == THETA,
+            "DIGEST": DIGEST,
+        },
     )
     made.routines |= {name: lowered(one, made) for name, one in own.items()}
     if form == STEP:
@@ -50,19 +59,33 @@ def program(
             else one
             for name, one in made.routines.items()
         }
-    return made.without_idle().in_order()
+    for enumeration in made.enumerations.values():
+        made.names |= {x.name: f"TORQUE_FREE_{x.name}" for x in enumeration.numbers}
+    made.names |= codes.names(form)
+    return with_pointers(made.without_idle(_arithmetic()).in_order())
+
+
+@cache
+def _arithmetic() -> frozenset[str]:
+    return frozenset(defined(_ARITHMETIC))
+
+
+def in_arithmetic(name: str) -> bool:
+    """Return True for a routine of the arithmetic that all forms share."""
+    return name in _arithmetic()
 
 
 def named_numbers(constants: tuple[Constant, ...], form: str) -> dict[str, Number]:
     """Map the names of a form's constants, limits and messages to their definitions."""
-    found = [_number(constant) for constant in constants]
+    found = [numbered(constant) for constant in constants]
     for limit in limits(form):
         value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
         found.append(Number(limit.name, DOUBLE, value, meaning))
     return {one.name: one for one in (*found, *codes.texts(form))}
 
 
-def _number(constant: Constant) -> Number:
+def numbered(constant: Constant) -> Number:
+    """Return a named number of the derivation as one of a program."""
     if constant.lo is None:
         return Number(constant.name, DOUBLE, ast.Constant(constant.hi), constant.meaning)
     value = ast.parse(f"pair({constant.hi!r}, {constant.lo!r})", mode="eval").body

@@ -11,7 +11,7 @@ from rigidsym._codegen import header
 from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import STEP, THETA, key, limits
 from rigidsym._codegen.ir import Constant, Function, Let, named
-from rigidsym._codegen.lines import comment, flat_results, shares
+from rigidsym._codegen.lines import comment, flat_results, handwritten, shares
 from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym._codegen.seal.text import Between, between
@@ -73,7 +73,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
     own = key("numpy", form)
-    first = module.first(form).replace(header.SHARES, shares(kinds, own))
+    first = module.first(form).replace(header.SHARES, shares(kinds, 0, handwritten(own)))
     return between(file, text, own, first, module.last(form))
 
 

@@ -2,6 +2,7 @@
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
 #endif
+#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
    one where roots that report errors keep loops from being vectorised.  What these call has to be
