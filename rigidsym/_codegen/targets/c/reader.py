@@ -12,15 +12,9 @@ import tree_sitter
 import tree_sitter_c
 from tree_sitter import Node
 
+from rigidsym._codegen.printer import COMPARISONS, OPERATIONS
 from rigidsym._codegen.routines import Routine, Scope, Type, annotation
-from rigidsym._codegen.targets.c.printer import (
-    CALLS,
-    CASTS,
-    COMPARISONS,
-    OPERATIONS,
-    TYPES,
-    Printer,
-)
+from rigidsym._codegen.targets.c.printer import CALLS, CASTS, TYPES, Printer
 from rigidsym.errors import InputError
 
 _COMPARED = {text: kind for kind, text in COMPARISONS.items() if kind not in (ast.Is, ast.IsNot)}
