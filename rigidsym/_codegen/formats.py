@@ -48,6 +48,11 @@ class Format:
     hyperbolic: tuple[int, int, int]
 
     @property
+    def word(self) -> int:
+        """The number of bits of a number, with its sign and exponent."""
+        return self.digits + self.largest.bit_length()
+
+    @property
     def least_exponential(self) -> float:
         """The least x, a whole number, for which e^x is a normal number."""
         return float(ceil((2 - self.largest) * log(2)))
@@ -58,8 +63,11 @@ class Format:
         LEAST and LARGEST are finite numbers, LEAST_EXPONENT and MOST_EXPONENT those of normal
         powers of two.  HALF_ULP times a number reaches the next, rounded up.  ROUNDING: so far,
         relative to the smallest, may the largest moment be beyond the sum of the others.  MODERATE:
-        a power of two from whose inverse to which rates of a step are not scaled.
+        a power of two from whose inverse to which rates of a step are not scaled.  NORMALISES: a
+        state is divided by its length at the end.  The others mix words of bits, from which three
+        random numbers are taken.
         """
+        turn, chance = self.word // 3, (self.word - 2) // 3
         return {
             "STEPS": self.doublings,
             "LAST": self.last,
@@ -70,6 +78,39 @@ class Format:
             "HALF_ULP": ldexp(1.0 + ldexp(1.0, 1 - self.digits), -self.digits),
             "ROUNDING": ldexp(1.0, 3 - self.digits),
             "MODERATE": ldexp(1.0, self.moderate),
+            "NORMALISES": not self.is_wide,
+            **{"TURN": turn, "TURN_BACK": self.word - turn},
+            **{"SECOND_TURN": 2 * turn, "SECOND_BACK": self.word - 2 * turn},
+            "HALF_WORD": self.word // 2,
+            "FACTOR": 0x9E3779B97F4A7C15 >> (64 - self.word) | 1,
+            "SECOND_FACTOR": 0xD6E8FEB86659FD93 >> (64 - self.word) | 1,
+            **{"CHANCE": chance, "SECOND_CHANCE": 2 * chance, "TOP": self.word - chance},
+            "PLACE": self.digits - 1 - chance,
+            "ONE_BITS": (self.largest - 1) << (self.digits - 1),
+        }
+
+    def arithmetic(self) -> dict[str, tuple[float, str]]:
+        """Return the numbers that the arithmetic of pairs has by their names, with meanings."""
+        half, fraction, bias = -(-self.digits // 2), self.digits - 1, self.largest - 1
+        nearest = f"2^{fraction - 1}"
+        return {
+            "splitter": (ldexp(1.0, half) + 1.0, f"2^{half} + 1"),
+            "rounder": (
+                ldexp(1.5, fraction),
+                f"3 {nearest}; in n + 3 {nearest} the last bits are those of the whole number n,"
+                f" |n| < {nearest}",
+            ),
+            "least_whole": (
+                ldexp(1.0, fraction),
+                f"2^{fraction}: from here on numbers are whole",
+            ),
+            "exponent_bias": (float(bias), "what the exponent among the bits of 1 is"),
+            "sign_place": (self.word - 1, "the place of the sign among the bits"),
+            "exponent_place": (fraction, "the place of the exponent among the bits"),
+            "one_bits": (bias << fraction, "the bits of 1"),
+            "half_bits": (bias - 1 << fraction, "the bits of 1/2"),
+            "least_whole_bits": (bias + fraction << fraction, f"the bits of 2^{fraction}"),
+            "fraction_bits": ((1 << fraction) - 1, "all bits below the exponent"),
         }
 
     def rounded(self, value: float | Fraction | mpf) -> float:

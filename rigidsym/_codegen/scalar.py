@@ -4,9 +4,11 @@ Derived functions are routines with plain arguments and tuples as results.  Thos
 time read its constants from a struct, and `_<branch>_constants` writes these.
 """
 
+import ast
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import PI, STEP, THETA
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import flat_results
@@ -24,7 +26,7 @@ from rigidsym._codegen.routines import (
     statement,
 )
 from rigidsym._codegen.targets.c import codes, derived
-from rigidsym._codegen.targets.c.program import DOUBLINGS, named_numbers
+from rigidsym._codegen.targets.c.program import named_numbers
 
 _MOTIONS = ("arithmetic", "exact", "bodies", "decisions", "one_by_one", "messages")
 _RUNTIMES = {
@@ -37,14 +39,20 @@ _KNOWN = {"ALLOW_NONPHYSICAL": Type("bool"), "DIGEST": Type("text")}
 
 
 def program(
-    functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str = THETA
+    functions: tuple[Function, ...],
+    constants: tuple[Constant, ...],
+    form: str = THETA,
+    binary: Format = BINARY64,
 ) -> Program:
     """Return all that a module without lanes and blocks has, in an order of use."""
     own = {one.name: one for one in routines(functions)}
     made = Program(known=_KNOWN | {name: Type("int") for name in codes.names(form)})
-    made.numbers = named_numbers(constants, form)
+    made.numbers = named_numbers(constants, form, binary)
     made.structs = {one.name: one for one in derived.structs(functions)}
-    made = read(_RUNTIMES[form], replace(made, routines=own), DOUBLINGS)
+    made = read(_RUNTIMES[form], replace(made, routines=own), binary.numbers())
+    for name, (value, meaning) in binary.arithmetic().items():
+        number = made.numbers[name]
+        made.numbers[name] = replace(number, value=ast.Constant(value), comment=meaning)
     used = own.keys() & made.without_idle().routines.keys()
     branches = {one.name.removesuffix("_constants") for name, one in own.items() if name in used}
     made.routines = {

@@ -264,10 +264,10 @@ def motion_init_double_doubles(
     return code
 
 
-def state_after(motion: motion, t: double, q: out[double[4]], omega: out[double[3]]):
-    """Write the state at an inner time."""
+def state_after(motion: motion, t: double, t_lo: double, q: out[double[4]], omega: out[double[3]]):
+    """Write the state at the inner time t + t_lo."""
     if motion.branch == 0:
-        steady_turn = steady_angles(motion.of.steady, t, 0.0)
+        steady_turn = steady_angles(motion.of.steady, t, t_lo)
         q[0], q[1], q[2], q[3] = steady_state(motion.of.steady, *steady_turn)
         omega = motion.omega0
         return
@@ -275,7 +275,7 @@ def state_after(motion: motion, t: double, q: out[double[4]], omega: out[double[
     second: int = motion.axis[1]
     third: int = motion.axis[2]
     if motion.branch == 1:
-        circular_turn = circular_angles(motion.of.circular, t, 0.0)
+        circular_turn = circular_angles(motion.of.circular, t, t_lo)
         (
             q[0],
             q[1 + first],
@@ -286,7 +286,7 @@ def state_after(motion: motion, t: double, q: out[double[4]], omega: out[double[
             omega[third],
         ) = circular_state(motion.of.circular, *circular_turn)
     else:
-        hyperbolic_turn = hyperbolic_angles(motion.of.hyperbolic, t, 0.0)
+        hyperbolic_turn = hyperbolic_angles(motion.of.hyperbolic, t, t_lo)
         (
             q[0],
             q[1 + first],
@@ -296,6 +296,10 @@ def state_after(motion: motion, t: double, q: out[double[4]], omega: out[double[
             omega[second],
             omega[third],
         ) = hyperbolic_state(motion.of.hyperbolic, *hyperbolic_turn)
+    if NORMALISES:
+        rest: double = 0.5 * (1.0 - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]))
+        for k in range(4):
+            q[k] += q[k] * rest
 
 
 def is_late(motion: motion, t: double) -> bool:
@@ -326,15 +330,29 @@ def state_at(motion: motion, t: double, q: out[double[4]], omega: out[double[3]]
     body rates in rad/s.  The code is OK, NOT_FINITE, TIME, SEPARATRIX or, as in all functions
     below, UNPREPARED.
     """
+    return state_at_sum(motion, t, 0.0, q, omega)
+
+
+@public
+def state_at_sum(
+    motion: motion, t: double, t_lo: double, q: out[double[4]], omega: out[double[3]]
+) -> int:
+    """Compute the state at the time t + t_lo (s); return a code as state_at does.
+
+    The time is the exact sum of two numbers, and t_lo is at most half a unit in the last place of
+    t: so times far from 0 are as near to each other as times about 0.
+    """
     if motion.prepared != PREPARED:
         return UNPREPARED
     if is_late(motion, t):
-        return refusal(motion, isfinite(t))
-    if is_zero(t):
+        return refusal(motion, isfinite(t) and isfinite(t_lo))
+    if not isfinite(t_lo):
+        return NOT_FINITE
+    if is_zero(t) and is_zero(t_lo):
         q = motion.q0
         omega = motion.omega0
     else:
-        state_after(motion, motion.unit * t, q, omega)
+        state_after(motion, motion.unit * t, motion.unit * t_lo, q, omega)
     return OK
 
 

@@ -193,13 +193,13 @@ def stochastic(
     one: bits = bits_of(q_0)
     two: bits = bits_of(q_a)
     three: bits = bits_of(q_b)
-    turned: bits = (two << 21 | two >> 43) ^ (three << 42 | three >> 22)
-    mixed: bits = (one ^ turned) * 0x9E3779B97F4A7C15
-    mixed = (mixed ^ mixed >> 32) * 0xD6E8FEB86659FD93
-    mixed ^= mixed >> 32
-    for_a: double = from_bits(0x3FF0000000000000 | mixed >> 44 << 32) - 1.5
-    for_b: double = from_bits(0x3FF0000000000000 | mixed << 20 >> 44 << 32) - 1.5
-    for_d: double = from_bits(0x3FF0000000000000 | mixed << 40 >> 44 << 32) - 1.5
+    turned: bits = (two << TURN | two >> TURN_BACK) ^ (three << SECOND_TURN | three >> SECOND_BACK)
+    mixed: bits = (one ^ turned) * FACTOR
+    mixed = (mixed ^ mixed >> HALF_WORD) * SECOND_FACTOR
+    mixed ^= mixed >> HALF_WORD
+    for_a: double = from_bits(ONE_BITS | mixed >> TOP << PLACE) - 1.5
+    for_b: double = from_bits(ONE_BITS | mixed << CHANCE >> TOP << PLACE) - 1.5
+    for_d: double = from_bits(ONE_BITS | mixed << SECOND_CHANCE >> TOP << PLACE) - 1.5
     return dithered(a, for_a), dithered(b, for_b), dithered(d, for_d)
 
 

@@ -4,7 +4,7 @@ import ast
 from dataclasses import replace
 from functools import cache
 
-from rigidsym._codegen.formats import BINARY64
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
 from rigidsym._codegen.header import DIGEST
 from rigidsym._codegen.ir import Constant, Function
@@ -75,10 +75,12 @@ def in_arithmetic(name: str) -> bool:
     return name in _arithmetic()
 
 
-def named_numbers(constants: tuple[Constant, ...], form: str) -> dict[str, Number]:
+def named_numbers(
+    constants: tuple[Constant, ...], form: str, binary: Format = BINARY64
+) -> dict[str, Number]:
     """Map the names of a form's constants, limits and messages to their definitions."""
     found = [numbered(constant) for constant in constants]
-    for limit in limits(form):
+    for limit in limits(form, binary):
         value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
         found.append(Number(limit.name, DOUBLE, value, meaning))
     return {one.name: one for one in (*found, *codes.texts(form))}
