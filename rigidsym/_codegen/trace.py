@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from rigidsym._codegen.forms import split
 from rigidsym._codegen.lines import Place, code_lines, shares, texts_by_hand
+from rigidsym._codegen.targets.numpy.module import decisions
 from rigidsym.errors import InputError
 
 
@@ -58,8 +59,11 @@ def told(place: str) -> list[str]:
     kinds = [place["kind"] for place in known[name].places.values()]
     target, text = known[name].target, "\n".join(known[name].lines)
     by_hand = sum(code_lines(part, target) for part in texts_by_hand(target) if part in text)
-    language, _ = split(target)
-    runtime = 0 if language == "numpy" else code_lines(text, target) - len(kinds) - by_hand
+    language, form = split(target)
+    if language == "numpy":
+        runtime = code_lines("\n".join(decisions(form)), target)
+    else:
+        runtime = code_lines(text, target) - len(kinds) - by_hand
     return shares(kinds, runtime, by_hand).splitlines()
 
 

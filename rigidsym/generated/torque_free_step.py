@@ -18,11 +18,11 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  26 %  follow facts of the ledger, each named on its line
-     77  14 %  follow classical formulas, each with its reference
+    144  23 %  follow facts of the ledger, each named on its line
+     77  12 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-      0   0 %  are the runtime, printed from its one representation
-    328  59 %  are written by hand
+    100  16 %  are the runtime, printed from its one representation
+    297  48 %  are written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 0b1d588b6cedeb51b0f9d91ee617c4bbee972aea340f098a5ee1f93595db57a6
+digest 95fb7024f7e560fa52f0cf2e71ccdd709254ab9b427c04a6e3704859858eaeee
 """
 
 # ruff: noqa
@@ -577,6 +577,146 @@ MIN_MOMENT_RATIO = 2.0**-200  # ratio of two principal moments
 MAX_STEP = 2.0**3  # |omega dt|, rad
 STEPS = 5  # doublings of the time
 LAST = 2  # of them extended
+
+
+def _largest_of(x, y, z):
+    """Return the largest size of three numbers."""
+    larger = _where(abs(y) >= abs(z), abs(y), abs(z))
+    return _where(abs(x) >= larger, abs(x), larger)
+
+
+def _size_of(q):
+    """Return the largest size of a quaternion's components."""
+    larger = _largest_of(q[1], q[2], q[3])
+    return _where(abs(q[0]) >= larger, abs(q[0]), larger)
+
+
+def _scale(largest):
+    """Return the exponent to scale by, 0 for moderate numbers and for what is not finite.
+
+    The highest powers of moderate rates, for binary64 the 22nd, do not overflow.
+    """
+    is_moderate = (largest >= 1.0 / 1099511627776.0) & (largest <= 1099511627776.0)
+    return _where(is_moderate | (abs(largest) < math.inf) ^ True, 0, _power(largest))
+
+
+def _times_power(x, power):
+    """Return x 2^power, and x itself where the power is 0."""
+    return _where(power != 0, _ldexp(x, power), x)
+
+
+def _order_of(inertia):
+    """Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed.
+
+    Of equal moments, that of the axis next in turn is first.
+    """
+    above = _where(inertia[0] >= inertia[2], 0, 2)
+    below = _where(inertia[1] >= inertia[2], 1, 2)
+    first = _where(inertia[0] >= inertia[1], above, below)
+    one = (first + 1) % 3
+    other = (first + 2) % 3
+    is_turned = _taken(inertia, one) < _taken(inertia, other)
+    second = _where(is_turned, other, one)
+    third = _where(is_turned, one, other)
+    epsilon = _where(is_turned, -1.0, 1.0)
+    return first, second, third, epsilon
+
+
+def _scaled_time(omega, dt):
+    """Return the exponent that scales rates, whether nothing turns, and the scaled time."""
+    largest = _largest_of(omega[0], omega[1], omega[2])
+    power = _scale(largest)
+    is_still = (largest > 0.0) & (abs(dt) > 0.0) ^ True
+    t = _where(is_still, 0.0, _times_power(dt, power))
+    return power, is_still, t
+
+
+def _scaled_rates(axis, omega, power):
+    """Return the scaled rates in the order of axes, for a body at rest those of a spin.
+
+    At rest the momentum has no direction to divide by.
+    """
+    is_turning = _largest_of(omega[0], omega[1], omega[2]) > 0.0
+    a = _where(is_turning, _times_power(_taken(omega, axis[0]), -power), 1.0)
+    b = _times_power(_taken(omega, axis[1]), -power)
+    d = _times_power(_taken(omega, axis[2]), -power)
+    return a, b, d
+
+
+def _scaled_attitude(q):
+    """Return a quaternion times a power of two, so that squares neither overflow nor vanish."""
+    power = -_scale(_size_of(q))
+    return _times_power(q[0], power), _times_power(q[1], power), _times_power(q[2], power), _times_power(q[3], power)
+
+
+def _is_short(a, b, d, t):
+    """Return True where a step turns by no more than the largest angle."""
+    return _sqrt(a * a + b * b + d * d) * abs(t) <= MAX_STEP
+
+
+def _is_under(l_a, l_d, a, d):
+    """Return True where the momentum circulates about the axis of smallest moment.
+
+    That is where K^2 < 2 H c_b.
+    """
+    return l_a * a * a < l_d * d * d
+
+
+def _divided(x, over, more):
+    """Return x over the root of a square, with little more error than one rounding."""
+    y = x * over
+    return y + (_product_error(x, over, y) + x * more)
+
+
+def _unit(q_0, q_a, q_b, q_d):
+    """Normalise a quaternion."""
+    first = _two_product(q_0, q_0) + _two_product(q_a, q_a)
+    square = first + (_two_product(q_b, q_b) + _two_product(q_d, q_d))
+    over = 1.0 / _sqrt(square.hi)
+    rest = 1.0 - square * _two_product(over, over)
+    more = over * (rest.hi + rest.lo) / 2.0
+    return _divided(q_0, over, more), _divided(q_a, over, more), _divided(q_b, over, more), _divided(q_d, over, more)
+
+
+def _dithered(x, chance):
+    """Round a pair up or down, to the nearer double more often; chance is between -1/2 and 1/2."""
+    size = abs(x.hi)
+    next = size + size * 1.1102230246251568e-16
+    return x.hi + (x.lo + chance * (next - size))
+
+
+def _stochastic(q_0, q_a, q_b, a, b, d):
+    """Round rates up or down at random, by the attitude's last digits.
+
+    Rounded to nearest, a slow motion's rates would err one way for long.
+    """
+    one = _bits_of(q_0)
+    two = _bits_of(q_a)
+    three = _bits_of(q_b)
+    turned = (two << 21 & _MASK | two >> 43) ^ (three << 42 & _MASK | three >> 22)
+    mixed = (one ^ turned) * 11400714819323198485 & _MASK
+    mixed = (mixed ^ mixed >> 32) * 15485907386658061715 & _MASK
+    mixed = mixed ^ mixed >> 32
+    for_a = _from_bits(4607182418800017408 | mixed >> 44 << 32 & _MASK) - 1.5
+    for_b = _from_bits(4607182418800017408 | (mixed << 20 & _MASK) >> 44 << 32 & _MASK) - 1.5
+    for_d = _from_bits(4607182418800017408 | (mixed << 40 & _MASK) >> 44 << 32 & _MASK) - 1.5
+    return _dithered(a, for_a), _dithered(b, for_b), _dithered(d, for_d)
+
+
+def _is_finite_state(q_0, q_a, q_b, q_d, a, b, d):
+    """Return True where a state is finite.
+
+    Nonphysical bodies can turn much faster than at the start.
+    """
+    return abs(q_0 + q_a + q_b + q_d + a + b + d) < math.inf
+
+
+def _places(axis, is_turned):
+    """Return the place of each axis in the order of axes, whose ends are swapped if `is_turned`."""
+    first = _where(is_turned, axis[2], axis[0])
+    return _where(first == 0, 0, _where(axis[1] == 0, 1, 2)), _where(first == 1, 0, _where(axis[1] == 1, 1, 2)), _where(first == 2, 0, _where(axis[1] == 2, 1, 2))
+
+
 # Bodies at a time: what is computed of them fits the cache.
 _BLOCK = 4096
 _MASK = 2**64 - 1
@@ -606,23 +746,17 @@ def prepare(inertia):
     moments that are not positive and finite, or of too different size.
     """
     inertia = np.asarray(inertia, float)
-    if inertia.ndim == 1:
-        moments = inertia.tolist()
-        axes = sorted(range(3), key=lambda k: -moments[k])
-        c, turned = [moments[k] for k in axes], (axes[1] - axes[0]) % 3 == 1
-    else:
-        order = np.argsort(-inertia, axis=-1, kind="stable")
-        c, axes = ([*x.T.copy()] for x in (np.take_along_axis(inertia, order, -1), order))
-        turned = (axes[1] - axes[0]) % 3 == 1
+    columns = inertia.tolist() if inertia.ndim == 1 else [*inertia.T.copy()]
+    *axes, epsilon = _order_of(columns)
+    c = [_taken(columns, axis) for axis in axes]
     rule = "principal moments must be positive"
     _refuse("inertia", rule, (c[0] < math.inf) & (c[1] > 0) & (c[2] > 0))
     rule = "principal moments differ by more than binary64 can follow"
     _refuse("inertia", rule, c[2] / c[0] >= MIN_MOMENT_RATIO)
-    exponent = -_power(c[0])
-    c = [_ldexp(x, exponent) for x in c]
+    power = -_scale(c[0])
+    c = [_times_power(x, power) for x in c]
     pairs = [_DoubleDouble(x, 0 * x) for x in c]
     apart = [_DoubleDouble(*_two_sum(c[x], -c[y])) for x, y in ((0, 1), (0, 2), (1, 2))]
-    epsilon = _where(turned, 1.0, -1.0)
     values = _paired(_step_body(*pairs, *apart, epsilon))
     return {
         "moments": pairs,
@@ -673,11 +807,7 @@ def step_one(body, q, omega, dt):
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
         raise _RefusedError("q", "every number must be finite, and one not zero", 0)
-    found, rates, axes = _stepped(body, q, omega, dt)
-    q, omega = [*found], [*rates]
-    for k, axis in enumerate(axes):
-        q[1 + axis], omega[axis] = found[1 + k], rates[k]
-    return q, omega
+    return _stepped(body, q, omega, dt)
 
 
 def _of(bodies, some):
@@ -690,76 +820,53 @@ def _of(bodies, some):
 
 @np.errstate(all="ignore")
 def _some(bodies, q, omega, dt, out):
-    found, rates, axes = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
-    axes = np.broadcast_to(np.stack(axes, -1), omega.shape)
-    out[0][:, 0] = found[0]
-    np.put_along_axis(out[0][:, 1:], axes, np.stack(found[1:], -1), -1)
-    np.put_along_axis(out[1], axes, np.stack(rates, -1), -1)
+    found = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
+    for array, columns in zip(out, found, strict=True):
+        for k, column in enumerate(columns):
+            array[:, k] = column
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return attitudes and rates after dt in the order of axes a, b, d; and the axes.
+    """Return attitudes and rates after dt.
 
-    All are lists of columns: arrays (B,), or the floats of one body.
+    Both are lists of columns: arrays (B,), or the floats of one body.
     """
-    size = _largest(omega)
-    exponent, rest = _power(size), size == 0
-    rates = [_ldexp(_taken(omega, axis), -exponent) for axis in bodies["axes"]]
-    t = _ldexp(dt, exponent)
-    over, middle, under = (x * x for x in rates)
-    angle = _sqrt(over + middle + under) * abs(t)
-    rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
-    _refuse("dt", rule, angle <= MAX_STEP)
-    # a is the axis of largest moment, or of smallest where K^2 < 2 H c_b.
-    turned = bodies["squares"][0].hi * over < bodies["squares"][2].hi * under
+    power, still, t = _scaled_time(omega, dt)
+    rates = _scaled_rates(bodies["axes"], omega, power)
+    _refuse("dt", f"|omega dt| must be at most {MAX_STEP:.0f} rad", _is_short(*rates, t))
+    squares = bodies["squares"]
+    turned = _is_under(squares[0].hi, squares[2].hi, rates[0], rates[2])
     columns = (*(bodies[name] for name in _COLUMNS), rates)
     *body, axes, start = (_reversed(turned, x) for x in columns)
     epsilon = _where(turned, -1.0, 1.0) * bodies["epsilon"]
-    # Quaternions of any size: a power of two off.
-    less = -_power(_largest(q))
-    parts = [_ldexp(x, less) for x in (q[0], *(_taken(q[1:], axis) for axis in axes))]
-    # Constant rates have no direction of the momentum to divide by at rest.
-    moving = [_where(rest, 1.0, start[0]), *start[1:]]
-    found, after = _moved(*body, epsilon, moving, parts, _where(rest, 0.0, t))
-    total = found[0] + found[1] + found[2] + found[3]
-    _refuse("dt", "the body turns too fast for one step", abs(total) < math.inf)
+    given, *vector = _scaled_attitude(q)
+    parts = [given, *(_taken(vector, axis) for axis in axes)]
+    found, after = _moved(*body, epsilon, start, parts, t)
+    fast = _is_finite_state(*found, *(x.hi for x in after))
+    _refuse("dt", "the body turns too fast for one step", fast)
     # What does not turn keeps its attitude to the last bit, once that is of length one.
-    still = rest | (t == 0)
-    found = _unit([_where(still, *both) for both in zip(parts, found, strict=True)])
-    after = _rounded_rates(after, found)
-    rates = [_where(still, *both) for both in zip(start, after, strict=True)]
-    return found, [_ldexp(x, exponent) for x in rates], axes
+    scalar, *vector = _unit(*(_where(still, *both) for both in zip(parts, found, strict=True)))
+    after = _stochastic(scalar, *vector[:2], *after)
+    places = _places(bodies["axes"], turned)
+    rates = (_times_power(_taken(after, place), power) for place in places)
+    omega = [_where(still, *both) for both in zip(omega, rates, strict=True)]
+    return [scalar, *(_taken(vector, place) for place in places)], omega
 
 
-def _unit(parts):
-    """Normalise a quaternion, with little more error than one rounding in each component."""
-    squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
-    square = sum(squares, _DoubleDouble(0.0))
-    over = 1 / _sqrt(square.hi)
-    rest = 1 - square * over * over
-    more = over * (rest.hi + rest.lo) / 2
-    return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
+def _two_product(a, b):
+    """Return a b exactly."""
+    p = a * b
+    return _DoubleDouble(p, _product_error(a, b, p))
 
 
-def _rounded_rates(rates, parts):
-    """Round rates up or down at random, to the nearer double more often (stochastic rounding).
+def _bits_of(x):
+    bits = np.asarray(x).view(np.uint64)
+    return bits if bits.ndim else bits.item()
 
-    Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
-    one way for long.  The attitude's last digits are as good as chance.
-    """
-    bits = np.array(parts[:3]).view(np.uint64)
-    one, two, three = bits.tolist() if bits.ndim == 1 else bits
-    turned = [(x << n & _MASK) | x >> 64 - n for x, n in ((two, 21), (three, 42))]
-    mixed = (one ^ turned[0] ^ turned[1]) * 0x9E3779B97F4A7C15 & _MASK
-    mixed = (mixed ^ mixed >> 32) * 0xD6E8FEB86659FD93 & _MASK
-    mixed ^= mixed >> 32
-    found = []
-    for number, rate in enumerate(rates):
-        some = (mixed << 20 * number & _MASK) >> 44
-        size = abs(rate.hi)
-        ulp = (size + size * 1.1102230246251568e-16) - size
-        found.append(rate.hi + (rate.lo + (some * 2.0**-20 - 0.5) * ulp))
-    return found
+
+def _from_bits(bits):
+    x = np.asarray(bits, np.uint64).view(float)
+    return x if x.ndim else x.item()
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):

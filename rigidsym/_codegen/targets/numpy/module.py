@@ -3,14 +3,20 @@
 It has double-doubles, derived functions and runtime.
 """
 
+import re
+from collections.abc import Iterable
+from functools import cache
 from importlib import resources
 
 from rigidsym._codegen import header
 from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.lines import Lines, Module, handwritten, joined, shares
-from rigidsym._codegen.targets.numpy import emit
+from rigidsym._codegen.lines import Lines, Module, code_lines, handwritten, joined, shares
+from rigidsym._codegen.routines import Program, Type, read
+from rigidsym._codegen.targets.c.codes import names
+from rigidsym._codegen.targets.c.program import named_numbers
+from rigidsym._codegen.targets.numpy import emit, printer
 
 FILES = {THETA: "torque_free.py", PI: "torque_free_pi.py", STEP: "torque_free_step.py"}
 _RUNTIMES = {THETA: "runtime.py", PI: "runtime.py", STEP: "step.py"}
@@ -46,12 +52,18 @@ def build(
         Lines.plain(last(form)),
     ]
     whole = joined(pieces)
-    counts, file = shares(whole.kinds(), 0, handwritten(key("numpy", form))), FILES[form]
+    counts, file = counted(whole.kinds(), form), FILES[form]
     source = "\n".join(whole.text).replace(header.SHARES, counts) + "\n"
     files, digest = header.sealed({file: source}, key("numpy", form))
     grown = files[file].count("\n") - len(whole.text)
     lets = {number + grown: let for number, let in whole.lets.items()}
     return Module(files, {file: lets}, digest)
+
+
+def counted(kinds: Iterable[str], form: str) -> str:
+    """Format the table of the module's lines by kind, from the kinds of its derived lines."""
+    own = key("numpy", form)
+    return shares(kinds, code_lines("\n".join(decisions(form)), own), handwritten(own))
 
 
 def first(form: str) -> str:
@@ -68,8 +80,29 @@ def last(form: str) -> str:
 
     Only the theta form has sensitivities.
     """
-    names = [_RUNTIMES[form], *(["sensitivity.py"] if form == THETA else [])]
-    return "\n\n\n".join(_part(name, "# --- runtime ---") for name in names) + "\n"
+    own = decisions(form)
+    text = "\n\n\n".join([*own, *_by_hand(form)])
+    return f"\n\n{text}\n" if own else f"{text}\n"
+
+
+def _by_hand(form: str) -> list[str]:
+    files = [_RUNTIMES[form], *(["sensitivity.py"] if form == THETA else [])]
+    return [_part(name, "# --- runtime ---") for name in files]
+
+
+@cache
+def decisions(form: str) -> tuple[str, ...]:
+    """Return the text of the decisions that the runtime calls."""
+    if form != STEP:
+        return ()
+    made = Program(known={name: Type("int") for name in names(form)})
+    made.numbers = named_numbers((), form)
+    # Bodies that cannot exist are refused before, unless they are allowed.
+    known = {**BINARY64.numbers(), "ALLOW_NONPHYSICAL": True}
+    made = read(("arithmetic", "bodies", "step_decisions"), made, known)
+    (runtime,) = _by_hand(form)
+    called = {name for name in made.routines if re.search(rf"\b(?<!def )_{name}\b", runtime)}
+    return tuple(printer.decisions(made, called))
 
 
 def _limits(form: str) -> list[str]:

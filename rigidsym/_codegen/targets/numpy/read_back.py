@@ -11,7 +11,7 @@ from rigidsym._codegen import header
 from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import STEP, THETA, key, limits
 from rigidsym._codegen.ir import Constant, Function, Let, named
-from rigidsym._codegen.lines import comment, flat_results, handwritten, shares
+from rigidsym._codegen.lines import comment, flat_results
 from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym._codegen.seal.text import Between, between
@@ -72,9 +72,8 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """Return the generated text between the hand-written parts of the module."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
-    own = key("numpy", form)
-    first = module.first(form).replace(header.SHARES, shares(kinds, 0, handwritten(own)))
-    return between(file, text, own, first, module.last(form))
+    first = module.first(form).replace(header.SHARES, module.counted(kinds, form))
+    return between(file, text, key("numpy", form), first, module.last(form))
 
 
 def _statements(derived: Between) -> list[ast.stmt]:

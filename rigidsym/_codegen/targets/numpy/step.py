@@ -1,6 +1,6 @@
-"""Hand-written runtime of the NumPy module of steps: order of axes, scaling and shapes.
+"""Hand-written runtime of the NumPy module of steps: checks and shapes.
 
-Its text is printed into the generated module, after the derived functions.
+Its text is printed into the generated module, after the derived functions and the decisions.
 """
 
 import math
@@ -9,12 +9,8 @@ import numpy as np
 
 from rigidsym._codegen.targets.numpy.double_double import (
     _DoubleDouble,
-    _largest,
-    _ldexp,
-    _power,
     _product_error,
     _reversed,
-    _sqrt,
     _taken,
     _two_sum,
     _where,
@@ -24,6 +20,15 @@ from rigidsym._codegen.targets.numpy.stubs import (
     MAX_STEP,
     MIN_MOMENT_RATIO,
     STEPS,
+    _is_finite_state,
+    _is_short,
+    _is_under,
+    _order_of,
+    _places,
+    _scale,
+    _scaled_attitude,
+    _scaled_rates,
+    _scaled_time,
     _step_attitude,
     _step_body,
     _step_doubled,
@@ -38,6 +43,9 @@ from rigidsym._codegen.targets.numpy.stubs import (
     _step_shortest,
     _step_shortest_before,
     _step_start,
+    _stochastic,
+    _times_power,
+    _unit,
 )
 
 # --- runtime ---
@@ -70,23 +78,17 @@ def prepare(inertia):
     moments that are not positive and finite, or of too different size.
     """
     inertia = np.asarray(inertia, float)
-    if inertia.ndim == 1:
-        moments = inertia.tolist()
-        axes = sorted(range(3), key=lambda k: -moments[k])
-        c, turned = [moments[k] for k in axes], (axes[1] - axes[0]) % 3 == 1
-    else:
-        order = np.argsort(-inertia, axis=-1, kind="stable")
-        c, axes = ([*x.T.copy()] for x in (np.take_along_axis(inertia, order, -1), order))
-        turned = (axes[1] - axes[0]) % 3 == 1
+    columns = inertia.tolist() if inertia.ndim == 1 else [*inertia.T.copy()]
+    *axes, epsilon = _order_of(columns)
+    c = [_taken(columns, axis) for axis in axes]
     rule = "principal moments must be positive"
     _refuse("inertia", rule, (c[0] < math.inf) & (c[1] > 0) & (c[2] > 0))
     rule = "principal moments differ by more than binary64 can follow"
     _refuse("inertia", rule, c[2] / c[0] >= MIN_MOMENT_RATIO)
-    exponent = -_power(c[0])
-    c = [_ldexp(x, exponent) for x in c]
+    power = -_scale(c[0])
+    c = [_times_power(x, power) for x in c]
     pairs = [_DoubleDouble(x, 0 * x) for x in c]
     apart = [_DoubleDouble(*_two_sum(c[x], -c[y])) for x, y in ((0, 1), (0, 2), (1, 2))]
-    epsilon = _where(turned, 1.0, -1.0)
     values = _paired(_step_body(*pairs, *apart, epsilon))
     return {
         "moments": pairs,
@@ -137,11 +139,7 @@ def step_one(body, q, omega, dt):
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
         raise _RefusedError("q", "every number must be finite, and one not zero", 0)
-    found, rates, axes = _stepped(body, q, omega, dt)
-    q, omega = [*found], [*rates]
-    for k, axis in enumerate(axes):
-        q[1 + axis], omega[axis] = found[1 + k], rates[k]
-    return q, omega
+    return _stepped(body, q, omega, dt)
 
 
 def _of(bodies, some):
@@ -154,76 +152,53 @@ def _of(bodies, some):
 
 @np.errstate(all="ignore")
 def _some(bodies, q, omega, dt, out):
-    found, rates, axes = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
-    axes = np.broadcast_to(np.stack(axes, -1), omega.shape)
-    out[0][:, 0] = found[0]
-    np.put_along_axis(out[0][:, 1:], axes, np.stack(found[1:], -1), -1)
-    np.put_along_axis(out[1], axes, np.stack(rates, -1), -1)
+    found = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
+    for array, columns in zip(out, found, strict=True):
+        for k, column in enumerate(columns):
+            array[:, k] = column
 
 
 def _stepped(bodies, q, omega, dt):
-    """Return attitudes and rates after dt in the order of axes a, b, d; and the axes.
+    """Return attitudes and rates after dt.
 
-    All are lists of columns: arrays (B,), or the floats of one body.
+    Both are lists of columns: arrays (B,), or the floats of one body.
     """
-    size = _largest(omega)
-    exponent, rest = _power(size), size == 0
-    rates = [_ldexp(_taken(omega, axis), -exponent) for axis in bodies["axes"]]
-    t = _ldexp(dt, exponent)
-    over, middle, under = (x * x for x in rates)
-    angle = _sqrt(over + middle + under) * abs(t)
-    rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
-    _refuse("dt", rule, angle <= MAX_STEP)
-    # a is the axis of largest moment, or of smallest where K^2 < 2 H c_b.
-    turned = bodies["squares"][0].hi * over < bodies["squares"][2].hi * under
+    power, still, t = _scaled_time(omega, dt)
+    rates = _scaled_rates(bodies["axes"], omega, power)
+    _refuse("dt", f"|omega dt| must be at most {MAX_STEP:.0f} rad", _is_short(*rates, t))
+    squares = bodies["squares"]
+    turned = _is_under(squares[0].hi, squares[2].hi, rates[0], rates[2])
     columns = (*(bodies[name] for name in _COLUMNS), rates)
     *body, axes, start = (_reversed(turned, x) for x in columns)
     epsilon = _where(turned, -1.0, 1.0) * bodies["epsilon"]
-    # Quaternions of any size: a power of two off.
-    less = -_power(_largest(q))
-    parts = [_ldexp(x, less) for x in (q[0], *(_taken(q[1:], axis) for axis in axes))]
-    # Constant rates have no direction of the momentum to divide by at rest.
-    moving = [_where(rest, 1.0, start[0]), *start[1:]]
-    found, after = _moved(*body, epsilon, moving, parts, _where(rest, 0.0, t))
-    total = found[0] + found[1] + found[2] + found[3]
-    _refuse("dt", "the body turns too fast for one step", abs(total) < math.inf)
+    given, *vector = _scaled_attitude(q)
+    parts = [given, *(_taken(vector, axis) for axis in axes)]
+    found, after = _moved(*body, epsilon, start, parts, t)
+    fast = _is_finite_state(*found, *(x.hi for x in after))
+    _refuse("dt", "the body turns too fast for one step", fast)
     # What does not turn keeps its attitude to the last bit, once that is of length one.
-    still = rest | (t == 0)
-    found = _unit([_where(still, *both) for both in zip(parts, found, strict=True)])
-    after = _rounded_rates(after, found)
-    rates = [_where(still, *both) for both in zip(start, after, strict=True)]
-    return found, [_ldexp(x, exponent) for x in rates], axes
+    scalar, *vector = _unit(*(_where(still, *both) for both in zip(parts, found, strict=True)))
+    after = _stochastic(scalar, *vector[:2], *after)
+    places = _places(bodies["axes"], turned)
+    rates = (_times_power(_taken(after, place), power) for place in places)
+    omega = [_where(still, *both) for both in zip(omega, rates, strict=True)]
+    return [scalar, *(_taken(vector, place) for place in places)], omega
 
 
-def _unit(parts):
-    """Normalise a quaternion, with little more error than one rounding in each component."""
-    squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
-    square = sum(squares, _DoubleDouble(0.0))
-    over = 1 / _sqrt(square.hi)
-    rest = 1 - square * over * over
-    more = over * (rest.hi + rest.lo) / 2
-    return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
+def _two_product(a, b):
+    """Return a b exactly."""
+    p = a * b
+    return _DoubleDouble(p, _product_error(a, b, p))
 
 
-def _rounded_rates(rates, parts):
-    """Round rates up or down at random, to the nearer double more often (stochastic rounding).
+def _bits_of(x):
+    bits = np.asarray(x).view(np.uint64)
+    return bits if bits.ndim else bits.item()
 
-    Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
-    one way for long.  The attitude's last digits are as good as chance.
-    """
-    bits = np.array(parts[:3]).view(np.uint64)
-    one, two, three = bits.tolist() if bits.ndim == 1 else bits
-    turned = [(x << n & _MASK) | x >> 64 - n for x, n in ((two, 21), (three, 42))]
-    mixed = (one ^ turned[0] ^ turned[1]) * 0x9E3779B97F4A7C15 & _MASK
-    mixed = (mixed ^ mixed >> 32) * 0xD6E8FEB86659FD93 & _MASK
-    mixed ^= mixed >> 32
-    found = []
-    for number, rate in enumerate(rates):
-        some = (mixed << 20 * number & _MASK) >> 44
-        size = abs(rate.hi)
-        ulp = (size + size * 1.1102230246251568e-16) - size
-        found.append(rate.hi + (rate.lo + (some * 2.0**-20 - 0.5) * ulp))
-    return found
+
+def _from_bits(bits):
+    x = np.asarray(bits, np.uint64).view(float)
+    return x if x.ndim else x.item()
 
 
 def _moved(moments, alphas, squares, epsilon, start, q, t):
