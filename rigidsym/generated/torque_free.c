@@ -91,9 +91,9 @@ static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
 enum { CODES = 12 };
 static const char *const UNKNOWN = "no such code";
-static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"};
+static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^46 rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"};
 static const char *const FIELDS[CODES] = {"", "", "inertia", "inertia", "attitude0", "t", "t", "omega0", "arithmetic", "t", "inertia", "motion"};
-static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"};
+static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^46 rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"};
 enum { TIMES = 8 }; /* times that `angles_hold` computes */
 static const double difference_cases[5] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007, 0.03588181116623288}; /* three moments and two rates */
 static const double known_cosines[6] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5}; /* those of multiples of sixty degrees */
@@ -4271,17 +4271,19 @@ static void plain_sensitivity(const torque_free_motion *motion, double t, uint64
     double *restrict attitude, double *restrict rates)
 {
     const double q_0 = motion->q0[0];
+    /* gcc fuses the products of sums and differences in turn, whatever options say. */
+    const double less_0 = hidden(-q_0);
     const double q_1 = motion->q0[1];
     const double q_2 = motion->q0[2];
     const double q_3 = motion->q0[3];
     double start[3][3];
     start[0][0] = 1.0 - 2.0 * (q_2 * q_2 + q_3 * q_3);
-    start[0][1] = 2.0 * (q_1 * q_2 - q_0 * q_3);
+    start[0][1] = 2.0 * (q_1 * q_2 + less_0 * q_3);
     start[0][2] = 2.0 * (q_1 * q_3 + q_0 * q_2);
     start[1][0] = 2.0 * (q_1 * q_2 + q_0 * q_3);
     start[1][1] = 1.0 - 2.0 * (q_1 * q_1 + q_3 * q_3);
-    start[1][2] = 2.0 * (q_2 * q_3 - q_0 * q_1);
-    start[2][0] = 2.0 * (q_1 * q_3 - q_0 * q_2);
+    start[1][2] = 2.0 * (q_2 * q_3 + less_0 * q_1);
+    start[2][0] = 2.0 * (q_1 * q_3 + less_0 * q_2);
     start[2][1] = 2.0 * (q_2 * q_3 + q_0 * q_1);
     start[2][2] = 1.0 - 2.0 * (q_1 * q_1 + q_2 * q_2);
     size_t place = 0;
@@ -4469,6 +4471,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "656a5b9d22aab3bd47fbfc230a9396de6e2dd01169f0b14de17f7685471c8876";
+    return "9a50d330ff9447fd64ae06e698fbf5a2b61475908477d8db19e6fee42c387775";
 }
 

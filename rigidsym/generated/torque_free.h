@@ -22,7 +22,7 @@ Lines of code:
     476  11 %  follow facts of the ledger, each named on its line
     595  13 %  follow classical formulas, each with its reference
     102   2 %  are arithmetic: sums, products, quotients, roots, reductions
-   3210  71 %  are the runtime, printed from its one representation
+   3211  71 %  are the runtime, printed from its one representation
     112   2 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 656a5b9d22aab3bd47fbfc230a9396de6e2dd01169f0b14de17f7685471c8876
+digest 9a50d330ff9447fd64ae06e698fbf5a2b61475908477d8db19e6fee42c387775
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -701,11 +701,11 @@ static double largest_of(double x, double y, double z)
     return fabs(x) >= larger ? fabs(x) : larger;
 }
 
-/* Return the exponent to scale by, 0 from 2^-40 to 2^40 and for what is not finite. There the
-   highest powers of rates, the 22nd, do not overflow. */
+/* Return the exponent to scale by, 0 for moderate numbers and for what is not finite. The highest
+   powers of moderate rates, for binary64 the 22nd, do not overflow. */
 static int scale(double largest)
 {
-    const int is_moderate = largest >= 9.094947017729282e-13 && largest <= 1099511627776.0;
+    const int is_moderate = largest >= 1.0 / 1099511627776.0 && largest <= 1099511627776.0;
     return is_moderate || !isfinite(largest) ? 0 : exponent_of(largest);
 }
 
@@ -1521,6 +1521,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "9cad327779d005880610b94daae7b3772e9c9aa073992f1752cbe4b177562729";
+    return "4bc8b6fa293b4b27c894061e40ee106f3463304a8e71e7736e1d5464d070e4f3";
 }
 

@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 9cad327779d005880610b94daae7b3772e9c9aa073992f1752cbe4b177562729
+digest 4bc8b6fa293b4b27c894061e40ee106f3463304a8e71e7736e1d5464d070e4f3
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
+from itertools import chain
 from pathlib import Path
 
 import numpy as np
@@ -23,8 +24,11 @@ import pytest
 
 from rigidsym import generate
 from rigidsym._codegen import forms
+from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.targets.c import module
+from rigidsym._codegen.targets.c.program import program
 from rigidsym._engines import library
+from rigidsym.solution import sealed
 
 SOURCES = Path(__file__).parent / "c"
 STRICT = (
@@ -125,11 +129,21 @@ def _included(path: Path) -> str:
 
 
 def written(here: Path) -> None:
-    """Write the C sources of all forms, their arithmetic alone, and those of tests to a folder."""
+    """Write the C sources of all forms, their exact numbers alone, and those of tests."""
     for form in forms.FORMS:
         generate("c", form=form).write(here)
+    (here / "exact_numbers.c").write_text(_exact_numbers(), "utf-8")
     for source in SOURCES.iterdir():
         shutil.copy(source, here)
+
+
+def _exact_numbers() -> str:
+    form = forms.THETA
+    made = program(functions(sealed(), form), constants(), form)
+    printer = module.Files(made, form).printer
+    names = ("grown", "exact_of", "exact_sub_xx", "exact_mul_xx")
+    routines = (printer.routine(made.routines[name]).text for name in names)
+    return "\n".join([printer.struct(made.structs["exact"]), "", *chain.from_iterable(routines)])
 
 
 class Library:

@@ -1,7 +1,9 @@
-/* The double-double arithmetic of torque_free.c, its first lines, on rows {x.hi, x.lo, y.hi, y.lo} to
-   rows {hi, lo}; `exact_parts` on rows {a, b, c, d} to rows of 32 parts of (a - b) (c d). */
+/* The double-double arithmetic that all forms share, on rows {x.hi, x.lo, y.hi, y.lo} to rows
+   {hi, lo}; `exact_parts` on rows {a, b, c, d} to rows of 32 parts of (a - b) (c d). */
 
 #include "torque_free_arithmetic.h"
+
+#include "exact_numbers.c"
 
 enum { ADD_XX, ADD_XD, SUB_XX, MUL_XX, MUL_XD, DIV_XX, DIV_XD, ROOT, SUM, QUICK_SUM, PRODUCT };
 
@@ -50,6 +52,6 @@ void exact_parts(size_t n, const double *in, double *out)
         const exact first = exact_sub_xx(exact_of(x[0]), exact_of(x[1]));
         const exact whole = exact_mul_xx(first, exact_mul_xx(exact_of(x[2]), exact_of(x[3])));
         for (int k = 0; k < 32; k++)
-            out[32 * i + (size_t)k] = k < whole.size ? whole.part[k] : 0.0;
+            out[32 * i + (size_t)k] = k < (int)whole.count ? whole.part[k] : 0.0;
     }
 }

@@ -3,7 +3,7 @@
 import ast
 from typing import NamedTuple
 
-from rigidsym._codegen.forms import STEP
+from rigidsym._codegen.forms import STEP, limits
 from rigidsym._codegen.routines import INT, Enumeration, Number, Type
 
 
@@ -72,7 +72,17 @@ _STEPS = (
 def _own(form: str) -> dict[str, Code]:
     """Return the codes of a form by their names, in the order of their numbers."""
     known = _CODES | (_OF_STEPS if form == STEP else {})
-    return {name: known[name] for name in (_STEPS if form == STEP else _MOTIONS)}
+    return {
+        name: Code(*(_with_limits(text, form) for text in known[name]))
+        for name in (_STEPS if form == STEP else _MOTIONS)
+    }
+
+
+def _with_limits(text: str, form: str) -> str:
+    """Replace the names of limits in a text by their exponents."""
+    for limit in limits(form):
+        text = text.replace(f"@{limit.name}@", str(limit.exponent))
+    return text
 
 
 def names(form: str) -> dict[str, str]:

@@ -62,17 +62,13 @@ def program(
     for enumeration in made.enumerations.values():
         made.names |= {x.name: f"TORQUE_FREE_{x.name}" for x in enumeration.numbers}
     made.names |= codes.names(form)
-    return with_pointers(made.without_idle(_arithmetic()).in_order())
+    return with_pointers(made.without_idle(arithmetic()).in_order())
 
 
 @cache
-def _arithmetic() -> frozenset[str]:
-    return frozenset(defined(_ARITHMETIC))
-
-
-def in_arithmetic(name: str) -> bool:
-    """Return True for a routine of the arithmetic that all forms share."""
-    return name in _arithmetic()
+def arithmetic() -> tuple[str, ...]:
+    """Return the names of the routines of the arithmetic that all forms share, in their order."""
+    return tuple(defined(_ARITHMETIC))
 
 
 def named_numbers(
