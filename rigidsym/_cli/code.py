@@ -24,6 +24,9 @@ def codegen(options: Namespace) -> int:
     if not (options.output or options.in_place or options.check or options.stdout):
         rule = "give -o DIR (. for here), --stdout, --check, or --in-place for the package itself"
         raise InputError("output", "missing", rule)
+    if options.single_file and not (options.output or options.stdout):
+        rule = "is for copies: give -o DIR or --stdout; the package has the arithmetic once"
+        raise InputError("single-file", "the package itself", rule)
     with replayed_beside():
         # Imported now, so that the other process has begun.
         import rigidsym.generated
@@ -36,6 +39,8 @@ def codegen(options: Namespace) -> int:
         modules = [generate(target, form=form) for target, form in chosen]
         for module in modules:
             seal_text(module, sealed())
+        if options.single_file:
+            modules = [module.single_file() for module in modules]
     if options.stdout:
         for module in modules:
             print("".join(module.files.values()), end="")

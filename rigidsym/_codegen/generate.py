@@ -2,9 +2,10 @@
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePath
 from typing import TypedDict
 
 from rigidsym._codegen.forms import THETA, checked, key
@@ -13,6 +14,8 @@ from rigidsym._codegen.lines import Place
 from rigidsym._codegen.targets import builder
 from rigidsym.io._files import write_all
 from rigidsym.solution import Solution, sealed
+
+_INCLUDE = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 
 
 class Manifest(TypedDict):
@@ -46,6 +49,29 @@ class Generated:
         """Write all files to a directory, and return their paths."""
         return write_all(Path(directory), self.texts())
 
+    def single_file(self) -> "Generated":
+        """Return the module with the header that forms share written into its C source.
+
+        The module is then one header and one source.  Modules without such a header are unchanged.
+        """
+        files, places = {**self.files}, {**self.map}
+        for name, text in self.files.items():
+            for found in _INCLUDE.finditer(text):
+                if found[1] not in files or PurePath(found[1]).stem == PurePath(name).stem:
+                    continue
+                included = files.pop(found[1]).strip()
+                files[name] = text.replace(found[0], included)
+                place, more = text.count("\n", 0, found.end()), included.count("\n")
+                places[name] = [
+                    {**one, "line": one["line"] + more if one["line"] > place else one["line"]}
+                    for one in places[name]
+                ]
+        return Generated(files, places, {**self.manifest, "sha256": _digests(files)})
+
+
+def _digests(files: Mapping[str, str]) -> dict[str, str]:
+    return {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
+
 
 def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
     """Generate the numeric module of a target, for example "c".
@@ -56,6 +82,9 @@ def generate(target: str, solution: Solution | None = None, form: str = THETA) -
     """
     build = builder(target)
     module = build(functions(solution or sealed(), checked(form)), constants(), form)
-    digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
-    manifest: Manifest = {"target": key(target, form), "digest": module.digest, "sha256": digests}
+    manifest: Manifest = {
+        "target": key(target, form),
+        "digest": module.digest,
+        "sha256": _digests(module.files),
+    }
     return Generated(module.files, module.places(), manifest)

@@ -229,6 +229,24 @@ def test_codegen_writes_checks_and_shows_a_difference(target, file, starts, tmp_
 
 
 @pytest.mark.usefixtures("replayed_once", "sealed_once")
+def test_codegen_writes_c_in_a_single_file_and_checks_it(tmp_path, run):
+    command = ("codegen c --form step --single-file -o", tmp_path)
+    run(*command)
+    names = {"torque_free_step.h", "torque_free_step.c", "c-step.map.json"}
+    assert {path.name for path in tmp_path.iterdir()} == names
+    run(*command, "--check")
+    assert "differs" in run("codegen c --form step -o", tmp_path, "--check", status=1).err
+    printed = run("codegen c --form step --single-file --stdout").out
+    assert printed == "".join((tmp_path / f"torque_free_step.{end}").read_text() for end in "hc")
+
+
+@pytest.mark.parametrize("options", ["--in-place", "--check"])
+def test_the_package_itself_is_not_written_in_single_files(options, refused):
+    said = refused("codegen c --single-file", options)
+    assert "single-file = the package itself: is for copies: give -o DIR or --stdout" in said
+
+
+@pytest.mark.usefixtures("replayed_once", "sealed_once")
 def test_check_without_a_target_checks_all_modules(tmp_path, run):
     assert run("codegen --check").err == "current\n"
     home = Path(rigidsym.__path__[0]) / "generated"
@@ -236,7 +254,7 @@ def test_check_without_a_target_checks_all_modules(tmp_path, run):
     for name in names:
         (tmp_path / name).write_text((home / name).read_text() + "\n")
     said = run("codegen --check -o", tmp_path, status=1).out
-    assert len(names) == 15
+    assert len(names) == 16
     assert all(f"--- {tmp_path / name}\n" in said for name in names)
 
 
