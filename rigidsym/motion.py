@@ -57,7 +57,7 @@ class TorqueFreeMotion:
         Attitude quaternion at t = 0, scalar first, body to inertial; it is normalised.
     engine : {"numpy", "c"}
         `c` is the generated C source, compiled once on this machine; without a compiler NumPy
-        computes, with a warning.
+        computes, with a warning.  `c-portable` is C with the same bits on every processor.
     allow_nonphysical : bool
         Accept moments that no body has.
     degrees : bool

@@ -2,7 +2,9 @@
 
 import fcntl
 import os
+import platform
 import shlex
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -11,6 +13,7 @@ from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 
@@ -108,6 +111,41 @@ def reproduced(once):
         (folder / "stdout").write_text(found.stdout)
 
     return once("reproduced", run)
+
+
+# Other processors: how C is compiled for them, and what NumPy, OpenBLAS and libm may use there.
+PROCESSORS = {
+    "without AVX and FMA": ("-march=x86-64", (), "Nehalem", "-AVX,-AVX2,-FMA,-FMA4,-AVX512F"),
+    "with AVX2 and FMA": ("-march=haswell", ("X86_V3",), "Haswell", "-AVX512F"),
+}
+
+
+@pytest.fixture(params=PROCESSORS)
+def another_processor(request, once, monkeypatch):
+    """Let processes compute as on another processor; what they compile is kept for this run."""
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if platform.machine() != "x86_64" or compiler is None:
+        pytest.skip("needs x86-64 and a C compiler")
+    architecture, kept, cores, without = PROCESSORS[request.param]
+    found = np.show_config(mode="dicts")["SIMD Extensions"]["found"]
+    if not {*kept} <= {*found}:
+        pytest.skip("this processor has no AVX2")
+
+    def make(folder):
+        # Its flags come last, and so count.
+        options = f"{architecture} -mtune=generic -mprefer-vector-width=none"
+        (folder / "cc").write_text(f'#!/bin/sh\nexec {compiler} "$@" {options}\n')
+        (folder / "cc").chmod(0o755)
+
+    folder = once(request.param.replace(" ", "-"), make)
+    for name, value in {
+        "CC": str(folder / "cc"),
+        "RIGIDSYM_CACHE": str(folder / "cache"),
+        "NPY_DISABLE_CPU_FEATURES": " ".join(x for x in found if x not in kept),
+        "OPENBLAS_CORETYPE": cores,
+        "GLIBC_TUNABLES": f"glibc.cpu.hwcaps={without}",
+    }.items():
+        monkeypatch.setenv(name, value)
 
 
 @pytest.fixture

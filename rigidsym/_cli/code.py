@@ -3,7 +3,7 @@
 import signal
 import sys
 from argparse import Namespace
-from collections.abc import Generator
+from collections.abc import Generator, Iterable
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from itertools import product
@@ -47,7 +47,9 @@ def codegen(options: Namespace) -> int:
         return 0
     directory = options.output or Path(rigidsym.generated.__path__[0])
     if options.check:
-        return _differences({k: x for one in modules for k, x in one.texts().items()}, directory)
+        # Modules may share a file: each is compared.
+        texts = dict.fromkeys(text for one in modules for text in one.texts().items())
+        return _differences(texts, directory)
     for module in modules:
         say_written(module.write(directory))
     return 0
@@ -86,15 +88,15 @@ def replayed_beside() -> Generator[None]:
         checking.result()
 
 
-def _differences(texts: dict[str, str], directory: Path) -> int:
-    """Print the differences between generated texts and the files in a directory.
+def _differences(texts: Iterable[tuple[str, str]], directory: Path) -> int:
+    """Print the differences between generated texts and the files of these names in a directory.
 
     Returns 1 if there are any.
     """
     from difflib import unified_diff
 
     status = 0
-    for name, text in texts.items():
+    for name, text in texts:
         path = directory / name
         there = path.read_text("utf-8", errors="replace") if path.is_file() else ""
         if there != text:

@@ -2,6 +2,7 @@
 
 import sys
 from argparse import Namespace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.commands import MESSAGE, STATE_FORMATS
@@ -86,11 +87,15 @@ def _message(case: "Case", heading: dict[str, Any]) -> bytes:
 
 
 def _case(options: Namespace) -> "Case":
+    """Read the case, whose states then have the same bits on every processor."""
+    from rigidsym._engines import PORTABLE
     from rigidsym.io.cases import load_case, paper_case
 
     if options.case == "paper":
-        return paper_case()
-    return load_case(options.case, options.allow_nonphysical)
+        found = paper_case()
+    else:
+        found = load_case(options.case, options.allow_nonphysical)
+    return replace(found, motion=found.motion.replace(engine=PORTABLE))
 
 
 def _states(case: "Case", options: Namespace) -> "Table":

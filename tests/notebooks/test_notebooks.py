@@ -1,13 +1,11 @@
 """Every notebook: its text is in step, it shows what it computes, and follows its setting."""
 
 import importlib.util
-import platform
 import re
 import shutil
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[2]
@@ -54,41 +52,6 @@ def gives_the_committed_notebook(name):
 )
 def test_a_fresh_execution_gives_the_committed_notebook(name):
     gives_the_committed_notebook(name)
-
-
-# Other processors: how C is compiled for them, and what NumPy, OpenBLAS and libm may use there.
-PROCESSORS = {
-    "without AVX and FMA": ("-march=x86-64", (), "Nehalem", "-AVX,-AVX2,-FMA,-FMA4,-AVX512F"),
-    "with AVX2 and FMA": ("-march=haswell", ("X86_V3",), "Haswell", "-AVX512F"),
-}
-
-
-@pytest.fixture(params=PROCESSORS)
-def another_processor(request, once, monkeypatch):
-    """Let kernels compute as on another processor; what they compile is kept for this run."""
-    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
-    if platform.machine() != "x86_64" or compiler is None:
-        pytest.skip("needs x86-64 and a C compiler")
-    architecture, kept, cores, without = PROCESSORS[request.param]
-    found = np.show_config(mode="dicts")["SIMD Extensions"]["found"]
-    if not {*kept} <= {*found}:
-        pytest.skip("this processor has no AVX2")
-
-    def make(folder):
-        # Its flags come last, and so count.
-        options = f"{architecture} -mtune=generic -mprefer-vector-width=none"
-        (folder / "cc").write_text(f'#!/bin/sh\nexec {compiler} "$@" {options}\n')
-        (folder / "cc").chmod(0o755)
-
-    folder = once(request.param.replace(" ", "-"), make)
-    for name, value in {
-        "CC": str(folder / "cc"),
-        "RIGIDSYM_CACHE": str(folder / "cache"),
-        "NPY_DISABLE_CPU_FEATURES": " ".join(x for x in found if x not in kept),
-        "OPENBLAS_CORETYPE": cores,
-        "GLIBC_TUNABLES": f"glibc.cpu.hwcaps={without}",
-    }.items():
-        monkeypatch.setenv(name, value)
 
 
 @pytest.mark.slow
