@@ -248,11 +248,12 @@ def audit(options: Namespace) -> int:
     """Print the assumptions that each theorem rests on."""
     from dataclasses import asdict
 
-    from rigidsym._codegen.lines import RUNTIMES, handwritten
+    from rigidsym._codegen import TARGETS
+    from rigidsym._codegen.lines import beside
     from rigidsym.proof._audit import audit, totals
 
     audits = audit(stored.specification_text(), stored.ledger_data(replayed()))
-    counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
+    counts, lines = totals(audits), {target: beside(target) for target in TARGETS}
     if options.json:
         theorems = [asdict(one) for one in audits]
         data = {

@@ -5,8 +5,10 @@
 * `passes`.  Input: lets.  Output: lets, selected, renamed, without powers, shared.
 * `special_functions`.  Input: a number of terms.  Output: lets of nome, thetas and angles, with the
   proved bound of what they leave out.
-* `targets`.  Input: functions and named numbers.  Output: a module's files, and the let behind each
-  line; one folder for each language.
+* `routines`.  Input: texts of `runtime`, which has checks, decisions and loops once for all
+  targets.  Output: functions with statements.
+* `targets`.  Input: functions, routines and named numbers.  Output: a module's files, and the let
+  behind each line; one folder for each language.
 * `generate`.  Input: the name of a target.  Output: files, map from lines to equations, and
   manifest, as values; writing them is separate.
 * `seal`.  Input: lets, and files read back.  Output: the number of statements for which the

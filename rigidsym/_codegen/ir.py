@@ -38,7 +38,7 @@ CALLS = {
 # References for operations on doubles that leave nothing out.
 EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
 _EXACT = {EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE}
-# The kinds of derived lines; all others are runtime, written by hand.
+# The kinds of derived lines; all others are the runtime.
 KINDS = ("fact", "classical", "arithmetic")
 
 

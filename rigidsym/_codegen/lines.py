@@ -150,11 +150,21 @@ def texts_by_hand(module: str) -> list[str]:
     """Return the texts in a module that are written by hand."""
     target, form = split(module)
     files = RUNTIMES.get(module if form == STEP else target, ())
-    home = resources.files("rigidsym._codegen.targets")
-    own = (file for file in files if form != PI or "sensitivity" not in file)
-    texts = (home.joinpath(file).read_text("utf-8") for file in own)
+    return [_printed(file) for file in files if form != PI or "sensitivity" not in file]
+
+
+def _printed(file: str) -> str:
+    """Return what is printed of a file written by hand."""
+    text = resources.files("rigidsym._codegen.targets").joinpath(file).read_text("utf-8")
     # What stands above such a mark makes the file a module, and is not printed.
-    return [re.split(r"# --- [a-z-]+ ---\n", text)[-1].strip() for text in texts]
+    return re.split(r"# --- [a-z-]+ ---\n", text)[-1].strip()
+
+
+def beside(target: str) -> int:
+    """Count the hand-written lines of all modules of a target, without blank lines and comments."""
+    own = (files for module, files in RUNTIMES.items() if split(module)[0] == target)
+    files = dict.fromkeys(file for each in own for file in each)
+    return sum(code_lines(_printed(file), target) for file in files)
 
 
 def code_lines(text: str, module: str) -> int:

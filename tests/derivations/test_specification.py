@@ -8,7 +8,7 @@ from attacks import Attacker, changes, definitions
 from document_texts import rows, words
 from ledgers import LEDGER, TEXT, require_again, written
 
-from rigidsym._codegen.lines import handwritten
+from rigidsym._codegen.lines import beside
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, read, require, sequences, theorems
@@ -276,7 +276,7 @@ def test_what_is_trusted_does_not_grow():
     assert [one.theorem for one in audits] == [*theorems(SPECIFICATION)]
     said = {row[0]: int(row[1]) for row in rows("trust.md") if len(row) == 2 and row[1].isdigit()}
     found = {f"{kind}:": count for kind, count in totals(audits).items()}
-    found |= {"generated NumPy": handwritten("numpy"), "generated C": handwritten("c")}
+    found |= {"generated NumPy": beside("numpy"), "generated C": beside("c")}
     for label, count in found.items():
         (told,) = (number for text, number in said.items() if label in text)
         assert count <= told, label

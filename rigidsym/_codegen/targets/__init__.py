@@ -8,7 +8,7 @@ The folder of a target `x` has
     read_back.py   check(files, functions, constants, form).  Input: the files as printed, and what
                    they print.  Output: how many lines read back as their lets.
 
-and whatever these use: an emitter, a runtime written by hand.  TARGETS lists it.
+and whatever these use: a printer, and text written by hand.  TARGETS lists it.
 """
 
 from collections.abc import Callable, Mapping
