@@ -90,10 +90,10 @@ static const double max_real = 0.5; /* 2^-1, m for thetas of real elapsed time; 
 static const double max_angle = 70368744177664.0; /* 2^46, |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, a rate, rad/s; exact products with it do not overflow */
 enum { CODES = 12 };
-static const char *const UNKNOWN = "no such code";
-static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^46 rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"};
-static const char *const FIELDS[CODES] = {"", "", "inertia", "inertia", "attitude0", "t", "t", "omega0", "arithmetic", "t", "inertia", "motion"};
-static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^46 rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"};
+static const char UNKNOWN[13] = "no such code";
+static const char MESSAGES[CODES][112] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^46 rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"};
+static const char FIELDS[CODES][11] = {"", "", "inertia", "inertia", "attitude0", "t", "t", "omega0", "arithmetic", "t", "inertia", "motion"};
+static const char RULES[CODES][103] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^46 rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"};
 enum { TIMES = 8 }; /* times that `angles_hold` computes */
 static const double difference_cases[5] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007, 0.03588181116623288}; /* three moments and two rates */
 static const double known_cosines[6] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5}; /* those of multiples of sixty degrees */
@@ -3648,8 +3648,9 @@ static void scaled_times(const torque_free_motion *motion, size_t n, const doubl
 {
     const double unit = motion->unit;
     const double last = motion->max_angle;
-    int late = 0;
-    int zeros = 0;
+    /* Counts as wide as a double: vectors of comparisons need not be narrowed then. */
+    size_t late = 0;
+    size_t zeros = 0;
     for (size_t i = 0; i < n; i++) {
         inner[i] = unit * t[i];
         late += fabs(inner[i]) <= last ? 0 : 1;
@@ -4358,7 +4359,7 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
     }
     sensitive_init(motion, &made);
     for (size_t i = 0; i < n; i += SENSITIVE) {
-        const size_t count = n - i <= SENSITIVE ? n - i : SENSITIVE;
+        const size_t count = n - i <= (size_t)SENSITIVE ? n - i : (size_t)SENSITIVE;
         int near;
         int has_zero;
         scaled_times(motion, count, t + i, inner, &near, &has_zero);
@@ -4471,6 +4472,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "9a50d330ff9447fd64ae06e698fbf5a2b61475908477d8db19e6fee42c387775";
+    return "08d997dd73224925846e9643eeb9fa404b36fa4ea58a399e45ed3d1136e508e0";
 }
 

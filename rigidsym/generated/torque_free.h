@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 9a50d330ff9447fd64ae06e698fbf5a2b61475908477d8db19e6fee42c387775
+digest 08d997dd73224925846e9643eeb9fa404b36fa4ea58a399e45ed3d1136e508e0
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 504a7d818e60e97a4ef5a8d5f7291577730fe5b1e83aed682ad7e5cbce3ef946
+digest f0a89be4bb3656984b2900350a64a1dde9475e513e1e7e29d6e1e6b8d5d49470
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a

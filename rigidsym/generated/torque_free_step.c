@@ -28,10 +28,10 @@ static const double cosine_7 = 4.1457287175433435e-06; /* cos(pi f), z^8 */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, ratio of two principal moments */
 static const double max_step = 8.0; /* 2^3, |omega dt|, rad */
 enum { CODES = 9 };
-static const char *const UNKNOWN = "no such code";
-static const char *const MESSAGES[CODES] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "q: a zero quaternion is no attitude", "dt: |omega dt| must be at most 8 rad", "arithmetic: sums are reordered or not rounded to nearest", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "body: torque_free_body_init has not made it"};
-static const char *const FIELDS[CODES] = {"", "", "inertia", "inertia", "q", "dt", "arithmetic", "inertia", "body"};
-static const char *const RULES[CODES] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "|omega dt| must be at most 8 rad", "sums are reordered or not rounded to nearest", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_body_init has not made it"};
+static const char UNKNOWN[13] = "no such code";
+static const char MESSAGES[CODES][112] = {"success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "q: a zero quaternion is no attitude", "dt: |omega dt| must be at most 8 rad", "arithmetic: sums are reordered or not rounded to nearest", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "body: torque_free_body_init has not made it"};
+static const char FIELDS[CODES][11] = {"", "", "inertia", "inertia", "q", "dt", "arithmetic", "inertia", "body"};
+static const char RULES[CODES][103] = {"success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "|omega dt| must be at most 8 rad", "sums are reordered or not rounded to nearest", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_body_init has not made it"};
 static const double lane_cases[4] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007}; /* three moments, which also serve as elapsed functions, and a constant */
 enum { PREPARED = 2135587861 }; /* the mark of a prepared body: a number that memory hardly has by chance */
 
@@ -1521,6 +1521,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "4bc8b6fa293b4b27c894061e40ee106f3463304a8e71e7736e1d5464d070e4f3";
+    return "279578309ac4a5ea6ed52e48246e96c7d4bae786774851a006ab3e7d65baa10f";
 }
 

@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 4bc8b6fa293b4b27c894061e40ee106f3463304a8e71e7736e1d5464d070e4f3
+digest 279578309ac4a5ea6ed52e48246e96c7d4bae786774851a006ab3e7d65baa10f
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

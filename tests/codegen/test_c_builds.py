@@ -267,7 +267,7 @@ class Outcome:
 
     def is_refused(self) -> bool:
         # By the compiler: what a linker misses has no line and column.
-        said = re.search(r"torque_free\.c:\d+:\d+: ", self.refusal)
+        said = re.search(r"torque_free(_arithmetic\.h|\.c):\d+:\d+: ", self.refusal)
         return said is not None or self.codes == {ARITHMETIC}
 
 

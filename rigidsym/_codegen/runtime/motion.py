@@ -379,8 +379,9 @@ def scaled_times(
     """
     unit: double = motion.unit
     last: double = motion.max_angle
-    late: int = 0
-    zeros: int = 0
+    # Counts as wide as a double: vectors of comparisons need not be narrowed then.
+    late: size = 0
+    zeros: size = 0
     for i in range(n):
         inner[i] = unit * t[i]
         late += 0 if abs(inner[i]) <= last else 1

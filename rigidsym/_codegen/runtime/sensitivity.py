@@ -379,7 +379,7 @@ def sensitivities_at(
         return code
     sensitive_init(motion, made)
     for i in range(0, n, SENSITIVE):
-        count: size = min(n - i, SENSITIVE)
+        count: size = min(n - i, size(SENSITIVE))
         near, has_zero = scaled_times(motion, count, t[i:], inner)
         if not near:
             for k in range(count):

@@ -118,8 +118,9 @@ class Printer(printer.Printer):
         value = self._initial(number.value)
         note = f" /* {number.comment} */" if number.comment else ""
         if number.type.name == "text":
-            shape = "".join(f"[{x}]" for x in number.type.shape)
-            return f"static const char *const {number.name}{shape} = {value};{note}"
+            # No array of pointers: a shared library would have to write them when it is loaded.
+            shape = "".join(f"[{x}]" for x in (*number.type.shape, _room(number.value)))
+            return f"static const char {number.name}{shape} = {value};{note}"
         if number.type.name in ("int", "size") and not number.type.shape:
             return f"enum {{ {number.name} = {value} }};{note}"
         return f"static const {self.declared(number.name, number.type)} = {value};{note}"
@@ -233,3 +234,9 @@ class Printer(printer.Printer):
             case ast.Call(func=ast.Name(id="sizeof"), args=[ast.Name(id=struct)]):
                 return f"sizeof({self.type_name(struct)})", ATOM
         return super()._call(node)
+
+
+def _room(texts: ast.expr) -> int:
+    """Return the number of characters that the longest of some texts takes, with its end."""
+    words = (node.value for node in ast.walk(texts) if isinstance(node, ast.Constant))
+    return max(len(str(word).encode()) for word in words) + 1
