@@ -26,14 +26,14 @@ from pathlib import Path
 import rigidsym
 
 with tempfile.TemporaryDirectory() as folder:
-    written = rigidsym.generate("c").write(folder)
+    written = rigidsym.generate("c").single_file().write(folder)
     print(*sorted(path.name for path in written), sep="\n")
     header = (Path(folder) / "torque_free.h").read_text()
 
 # %% [markdown]
-# In a shell, use `rigidsym codegen c -o src/attitude`. Before it writes, the kernel decides that the
-# printed text is what was derived. `c.map.json` lists the equations and facts of each line; it is for
-# reviewers, not for the compiler.
+# In a shell, use `rigidsym codegen c --single-file -o src/attitude`. Before it writes, the kernel
+# decides that the printed text is what was derived. `c.map.json` lists the equations and facts of each
+# line; it is for reviewers, not for the compiler.
 #
 # ## The interface
 #
@@ -92,7 +92,7 @@ if compiler is None:
     print("no C compiler here: nothing to try")
 else:
     with tempfile.TemporaryDirectory() as folder:
-        rigidsym.generate("c").write(folder)
+        rigidsym.generate("c").single_file().write(folder)
         (Path(folder) / "main.c").write_text(PROGRAM)
         command = [compiler, *FLAGS, *STRICT, "main.c", "torque_free.c", "-lm", "-o", "main"]
         subprocess.run(command, cwd=folder, check=True)
@@ -106,7 +106,7 @@ else:
 #
 # * The file's head states the domain, the bounds of every series and the worst errors measured.
 # * `rigidsym validate c` measures it again on your machine, with your compiler (`CC=…`).
-# * `rigidsym codegen c -o src/attitude --check` in your CI exits 1 if the files were edited.
+# * `rigidsym codegen c --single-file -o src/attitude --check` in your CI exits 1 if the files were edited.
 # * `rigidsym trace torque_free.c:900` shows a reviewer the equations and facts of a line.
 
 # %% tags=["hide-cell"]
