@@ -29,7 +29,7 @@ NUMBERS = ("double", "int", "size", "bits", "bool")
 _VALUES = {
     **dict.fromkeys(("isfinite", "isnan"), "bool"),
     **dict.fromkeys(("double", "from_bits"), "double"),
-    **dict.fromkeys(("size", "sizeof"), "size"),
+    **dict.fromkeys(("size", "sizeof", "shuffled", "shuffled4"), "size"),
     **dict.fromkeys(("int", "exponent"), "int"),
     **dict.fromkeys(("pair", "two_sum", "two_product", "quick_sum", "mantissa"), "pair"),
     **dict.fromkeys(("bits", "bits_of"), "bits"),
@@ -51,7 +51,7 @@ PRIMITIVES = (
         "size",
         "bits",
     ),
-    *("rounded", "mantissa", "cleared"),
+    *("rounded", "mantissa", "cleared", "shuffled", "shuffled4"),
 )
 _SYMBOLS = {"+": ast.Add, "-": ast.Sub, "*": ast.Mult, "/": ast.Div}
 _VERBS: dict[type, str] = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div"}

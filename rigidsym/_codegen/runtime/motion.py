@@ -392,8 +392,9 @@ def scaled_times(
 
 
 def interleaved(n: size, a: double[...], b: double[...], c: double[...], rows: out[double[...]]):
-    """Write three columns as n rows."""
-    for i in range(n):
+    """Write three columns as n rows, the first ones by shuffles where a target has these."""
+    done: size = shuffled(n, a, b, c, rows)
+    for i in range(done, n):
         rows[3 * i] = a[i]
         rows[3 * i + 1] = b[i]
         rows[3 * i + 2] = c[i]
@@ -402,8 +403,9 @@ def interleaved(n: size, a: double[...], b: double[...], c: double[...], rows: o
 def interleaved4(
     n: size, a: double[...], b: double[...], c: double[...], d: double[...], rows: out[double[...]]
 ):
-    """Write four columns as n rows."""
-    for i in range(n):
+    """Write four columns as n rows, the first ones by shuffles where a target has these."""
+    done: size = shuffled4(n, a, b, c, d, rows)
+    for i in range(done, n):
         rows[4 * i] = a[i]
         rows[4 * i + 1] = b[i]
         rows[4 * i + 2] = c[i]
