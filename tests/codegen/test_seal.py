@@ -1,5 +1,6 @@
 """The seal decides every formula of the generated code, and refuses code that is not derived."""
 
+import ast
 from dataclasses import replace
 from functools import cache, partial
 from itertools import count
@@ -7,14 +8,16 @@ from itertools import count
 import pytest
 
 from rigidsym import InputError, generate
+from rigidsym._codegen import routines
 from rigidsym._codegen.functions import assembly, common, pi, theta
 from rigidsym._codegen.ir import Let
 from rigidsym._codegen.passes import expand, share
 from rigidsym._codegen.seal import is_equal, seal, seal_text, structure, text
 from rigidsym._codegen.seal.states import claims as of_states
 from rigidsym._codegen.special_functions import landen
-from rigidsym._codegen.targets.c import emit as c_emit
+from rigidsym._codegen.targets.c import derived
 from rigidsym._codegen.targets.c import read_back as c_text
+from rigidsym._codegen.targets.c.printer import Printer
 from rigidsym._codegen.targets.numpy import emit as numpy_emit
 from rigidsym.language._expression import Call, Number, names, parse
 from rigidsym.solution import sealed
@@ -288,10 +291,8 @@ def numpy_zero(printed, expression):
     return "0" if expression == parse("theta4_v*watson") else printed(expression)
 
 
-def c_zero(lowered, expression, extended, number):
-    if expression == parse("theta4_v*watson"):
-        return Call("dd_of", (Number(0),))
-    return lowered(expression, extended, number)
+def c_zero(syntax, expression):
+    return syntax(Number(0) if expression == parse("theta4_v*watson") else expression)
 
 
 def less(fuse, function):
@@ -313,40 +314,63 @@ def blurred(constant_text, constant):
     return constant_text(replace(constant, hi=constant.hi * (1 + 2**-50)))
 
 
-def moved(function_lines, function, number, signature, ends):
-    """Exchange the two results of a function."""
-    ends = [line.replace("= s5;", "= c5;") for line in ends]
-    return function_lines(function, number, signature, ends)
+def changing(old, new):
+    """Change a piece of the text of each routine."""
+
+    def changed(routine, printer, one):
+        lines = routine(printer, one)
+        return replace(lines, text=tuple(line.replace(old, new) for line in lines.text))
+
+    return changed
 
 
-def longer(function_lines, function, number, signature, ends):
-    extra = "    const double again = 1.0;"
-    return function_lines(function, number, [*signature, extra], ends)
+def blurred_in_c(number, printer, one):
+    value = one.value
+    if isinstance(value, ast.Constant) and isinstance(value.value, float):
+        one = replace(one, value=ast.Constant(value.value * (1 + 2**-50)))
+    return number(printer, one)
+
+
+def longer(routine, printer, one):
+    lines = routine(printer, one)
+    return replace(lines, text=(*lines.text[:-2], "    const double again = 1.0;", "}", ""))
 
 
 EMITTERS = [
     ("numpy", numpy_emit, "printed", numpy_zero),
     ("numpy", numpy_emit, "_results", reversed_results),
     ("numpy", numpy_emit, "constant_text", blurred),
-    ("c", c_emit, "lowered", c_zero),
-    ("c", c_emit, "fuse", less),
-    ("c", c_emit, "constant_text", blurred),
-    ("c", c_emit, "function_lines", moved),
-    ("c", c_emit, "function_lines", longer),
+    ("c", routines, "syntax", c_zero),
+    ("c", derived, "fuse", less),
+    ("c", Printer, "number", blurred_in_c),
+    ("c", Printer, "routine", longer),
+    *(
+        ("c", Printer, "routine", changing(*pair))
+        for pair in (
+            ("*s_out = s;", "*s_out = c;"),
+            ("motion->v_hi = v.hi;", "motion->v_hi = v.lo;"),
+            ("k < 3;", "k < 2;"),
+            ("break;", "continue;"),
+            ("dd_add_xx", "dd_sub_xx"),
+            ("const double *restrict t,", "double *restrict t,"),
+            ("double s, double c", "double c, double s"),
+        )
+    ),
 ]
 
 
 @pytest.mark.parametrize(("target", "emitter", "name", "how"), EMITTERS)
 def test_what_an_emitter_spoils_is_refused(monkeypatch, target, emitter, name, how):
     assert decided(target) > 500
-    monkeypatch.setattr(emitter, name, partial(how, getattr(emitter, name)))
+    whole = getattr(emitter, name)
+    monkeypatch.setattr(emitter, name, lambda *given: how(whole, *given))
     seal(sealed())
     with pytest.raises(InputError):
         seal_text(generate(target), sealed())
 
 
 def test_what_fusing_spoils_is_refused(monkeypatch):
-    for module in (c_emit, c_text):
+    for module in (derived, c_text):
         monkeypatch.setattr(module, "fuse", partial(less, module.fuse))
     with pytest.raises(InputError, match="not what was fused"):
         seal_text(generate("c"), sealed())

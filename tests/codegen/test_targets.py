@@ -21,10 +21,13 @@ from rigidsym._codegen import TARGETS, forms, targets
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.ir import Function, let
 from rigidsym._codegen.passes import products
+from rigidsym._codegen.routines import DOUBLE, PAIR, SIZE, Program, Routine, Type, lowered
 from rigidsym._codegen.seal import seal_text
-from rigidsym._codegen.targets.c import emit as c
 from rigidsym._codegen.targets.c import module as c_module
-from rigidsym._codegen.targets.c.read_back import Reader
+from rigidsym._codegen.targets.c.derived import plain
+from rigidsym._codegen.targets.c.printer import Printer
+from rigidsym._codegen.targets.c.reader import Reader, parsed
+from rigidsym._codegen.targets.c.reader import functions as functions_in
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym._codegen.targets.numpy import module as numpy_module
 from rigidsym._codegen.trace import lines_of_equation
@@ -168,27 +171,64 @@ def test_an_unsupported_node_fails_at_generation(text):
     odd = Function("_odd", "", ("b", "c"), (let(text),), ("a",))
     with pytest.raises(ValueError, match=r"gamma|whole power"):
         [numpy.printed(one.expression) for one in products(odd.lets)]
-    with pytest.raises(ValueError, match=r"gamma|cannot say"):
-        c.lowered(odd.lets[0].expression, set(), "pair")
+    with pytest.raises(ValueError, match=r"gamma|cannot be printed"):
+        lowered(routine(odd), Program())
 
 
-def test_reading_back_undoes_what_only_c_needs():
-    read = Reader("f", "dd", {"a"}, {}).read
-    assert read("dd_mul_dx(2.0, dd_add_xx(a, dd_of(3.0)))") == (parse("2*(a + 3)"), True)
-    assert read("fused(b, -c, fabs(d)) / 2.0") == (parse("fma(b, -c, size(d))/2"), False)
+def routine(function):
+    """Return a function of doubles as a C routine."""
+    return replace(plain(function), function=None)
+
+
+def read(text):
+    """Read the C text of a function of a double-double a, doubles b and c, and times t[]."""
+    types = {"a": PAIR, "b": DOUBLE, "c": DOUBLE, "t": Type("double", ("...",)), "k": SIZE}
+    one = Routine("f", "", types, (), ())
+    program = Program(routines={"f": one})
+    text = f"static void f(double_double a, double b, double c, const double *t, size_t k)\n{{\n{text}\n}}"
+    ((_, node),) = functions_in("f.c", parsed(text))
+    read = Reader("f.c", one, Printer(program, "", {})).block(node.child_by_field_name("body"))
+    return "\n".join(map(ast.unparse, read))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("const double_double x = {b, 0.0};", "x: pair = pair(b, 0.0)"),
+        ("x = fused(b, -c, fabs(b)) / 2.0;", "x = fused(b, -c, abs(b)) / 2.0"),
+        (
+            "x[k] = b <= c && !(c < b) ? 1.0 : -1.0;",
+            "x[k] = 1.0 if b <= c and (not c < b) else -1.0",
+        ),
+        ("f(a, b, c, t + 2 * k, k);", "f(a, b, c, t[2 * k:], k)"),
+        (
+            "if (b < c) {\nx += 1.0;\n} else {\nreturn;\n}",
+            "if b < c:\n    x += 1.0\nelse:\n    return",
+        ),
+        ("for (size_t i = 1; i < k; i += 2) {\nbreak;\n}", "for i in range(1, k, 2):\n    break"),
+        ("y = (double)k * (b - (c - b));", "y = double(k) * (b - (c - b))"),
+    ],
+)
+def test_c_reads_back_as_the_statements_of_a_routine(text, said):
+    assert read(text) == said
 
 
 @pytest.mark.parametrize(
     "text",
     [
-        *["b / 2", "2.0f*b", "02.0*b", "1e5", "b ** 2.0", "b if c else d", "(b, c)", "b +"],
-        *["fma(b, c, d)", "exp(b)", "size(b)", "neg(b)", "ladder(b)", "dd_turn(a)", "exact_neg(a)"],
-        *["a + b", "-a", "dd_add_xx(a, b)", "dd_add_dd(b, c)", "dd_of(a)", "fabs(a)", "dd_neg(b)"],
+        *["goto f;", "while (b < c) {\n}", "do {\n} while (0);", "b++;", "b, c;", "{\nb = c;\n}"],
+        *[
+            "if (b < c) b = c;",
+            "for (int i = 0; i < 3; i++) {\n}",
+            "switch (k) {\n}",
+            "long x = 1;",
+        ],
+        *["b = c = 1.0;", "b = 1.0f;", "b = c ^ 1.0 ++;", "b = sizeof c;", "int x, y;", "*b = +c;"],
     ],
 )
-def test_what_c_does_not_say_so_is_no_expression(text):
-    with pytest.raises(InputError, match=r"^f = "):
-        Reader("f", "dd", {"a"}, {}).read(text)
+def test_what_no_routine_has_is_refused(text):
+    with pytest.raises((InputError, KeyError, ValueError)):
+        read(text)
 
 
 # --- the Pi form, and other targets

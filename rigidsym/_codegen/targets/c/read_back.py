@@ -5,6 +5,7 @@ statement; a derived statement is the one of its assignment in the representatio
 """
 
 import ast
+import re
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
@@ -15,9 +16,18 @@ from rigidsym._codegen.forms import THETA, key
 from rigidsym._codegen.ir import Constant, Function, Let, is_extended
 from rigidsym._codegen.lines import comment
 from rigidsym._codegen.passes import fuse, unfused
-from rigidsym._codegen.routines import KINDS, Routine, annotation, let_of, syntax
+from rigidsym._codegen.routines import (
+    KINDS,
+    NUMBERS,
+    Program,
+    Routine,
+    annotation,
+    let_of,
+    syntax,
+)
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym._codegen.targets.c import module, reader
+from rigidsym._codegen.targets.c.printer import Printer
 from rigidsym._codegen.targets.c.program import program
 from rigidsym.errors import InputError
 from rigidsym.language._expression import Call, Expression, children, rebuild
@@ -54,12 +64,16 @@ def check(
             digest, of = header.digest_in(file, text), key("c", form)
             plain = module.plain(header.unsealed(text, of, digest), form)
             expected = module.plain(header.unsealed(expected, of, wanted.digest), form)
-        found = dict(reader.functions(file, plain))
+        root = reader.parsed(plain)
+        found = dict(reader.functions(file, root))
+        _check_numbers(file, reader.numbers(root), printer.program, constants)
+        _check_structs(file, reader.structs(root), printer)
         _check_outside(file, plain, expected)
         for name, node in found.items():
             body = node.child_by_field_name("body")
             if name in names and body is not None:
                 one = routines[names[name]]
+                _check_head(file, one, *reader.head(node))
                 lines = _Lines(file, plain.split("\n"), reader.Reader(file, one, printer), one)
                 decided += lines.check(lines.reader.block(body), one.body)
     for function in functions:
@@ -77,6 +91,66 @@ def _check_function(function: Function, printed: list[Routine]) -> None:
         for let, changed in zip(function.lets, fused, strict=True):
             if not is_equal(unfused(changed.expression), let.expression):
                 raise InputError(function.name, changed, f"{let}: not what was fused")
+
+
+def _check_numbers(
+    file: str, read: Mapping[str, str], of: Program, constants: tuple[Constant, ...]
+) -> None:
+    """Raise InputError for a named number with another value than it has.
+
+    Those of the derivation are compared with the derivation's own.
+    """
+    known = {constant.name: constant for constant in constants}
+    for name, value in read.items():
+        if name in known:
+            hi, lo = known[name].hi, known[name].lo
+            wanted = repr(hi) if lo is None else f"{{{hi!r}, {lo!r}}}"
+        elif name in of.numbers:
+            wanted = _initial(of.numbers[name].value)
+        else:
+            continue
+        if value != wanted:
+            raise InputError(file, f"{name} = {value[:80]}", f"is not {wanted[:80]}")
+
+
+def _initial(node: ast.expr) -> str:
+    """Return a value as C's initialisers have it."""
+    match node:
+        case ast.List(elts=parts) | ast.Call(func=ast.Name(id="pair"), args=parts):
+            return f"{{{', '.join(map(_initial, parts))}}}"
+        case ast.Constant(value=str(text)):
+            return '"' + text.replace('"', '\\"') + '"'
+    return ast.unparse(node)
+
+
+def _check_structs(
+    file: str, read: Mapping[str, Sequence[tuple[str, str]]], printer: Printer
+) -> None:
+    """Raise InputError for a struct with other members than it has."""
+    known = {printer.type_name(name): one for name, one in printer.program.structs.items()}
+    for name in read.keys() & known.keys():
+        wanted = [
+            (printer.type_name(x.type.name), x.name + "".join(f"[{k}]" for k in x.type.shape))
+            for x in known[name].fields
+            if x.type.name in (*NUMBERS, "pair") and x.type.shape != ("...",)
+        ]
+        members = [one for one in read[name] if one in wanted]
+        if members != wanted:
+            raise InputError(file, name, "has other members, or in another order")
+
+
+def _check_head(file: str, one: Routine, kind: str, parameters: Sequence[str]) -> None:
+    """Raise InputError for a function with other parameters, or another value, than its routine."""
+    wanted = [
+        (name, not (x.is_out or x.is_number or (x.name in ("pair", "exact") and not x.shape)))
+        for name, x in one.parameters.items()
+    ]
+    read = [
+        (re.split(r"[ *(]", re.sub(r"\)?\[.*", "", text))[-1], text.startswith("const "))
+        for text in parameters
+    ]
+    if read != wanted or (kind == "void") != (not one.results):
+        raise InputError(file, f"{one.name}({', '.join(parameters)})"[:120], "has another head")
 
 
 def _check_outside(file: str, text: str, wanted: str) -> None:

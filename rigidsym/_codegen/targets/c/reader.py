@@ -30,16 +30,18 @@ def _parser() -> tree_sitter.Parser:
     return tree_sitter.Parser(tree_sitter.Language(tree_sitter_c.language()))
 
 
-def functions(file: str, text: str) -> Iterator[tuple[str, Node]]:
+def parsed(text: str) -> Node:
+    """Parse a C text; lines keep their numbers, without the macros before a function's type."""
+    for macro in ("INLINED", "FLAT"):
+        text = text.replace(f" {macro} ", " " * (len(macro) + 2))
+    return _parser().parse(text.encode()).root_node
+
+
+def functions(file: str, root: Node) -> Iterator[tuple[str, Node]]:
     """Yield the name and the node of each function that a C text defines.
 
     Raises InputError where the text is no C.
     """
-    # Macros before a function's type; lines keep their numbers, and characters their places.
-    bare = text
-    for macro in ("INLINED", "FLAT"):
-        bare = bare.replace(f" {macro} ", " " * (len(macro) + 2))
-    root = _parser().parse(bare.encode()).root_node
     for node in _all(root, "function_definition"):
         if node.has_error:
             raise InputError(f"{file}:{node.start_point.row + 1}", _text(node)[:60], "is no C")
@@ -53,18 +55,59 @@ def functions(file: str, text: str) -> Iterator[tuple[str, Node]]:
 def without_bodies(file: str, text: str) -> list[tuple[int, str]]:
     """Return the lines of a C text outside the bodies of functions, with their numbers."""
     lines = dict(enumerate(text.split("\n"), 1))
-    for _, node in functions(file, text):
+    for _, node in functions(file, parsed(text)):
         if (body := node.child_by_field_name("body")) is not None:
             for number in range(body.start_point.row + 1, body.end_point.row + 2):
                 del lines[number]
     return list(lines.items())
 
 
+def numbers(root: Node) -> dict[str, str]:
+    """Return the value of each named number, as text with single spaces."""
+    found = {}
+    for node in _all(root, "declaration"):
+        for place in node.children_by_field_name("declarator"):
+            if place.type == "init_declarator":
+                name = _text(_child(place, "declarator")).strip("* const").partition("[")[0]
+                found[name] = " ".join(_text(_child(place, "value")).split())
+    return found
+
+
+def structs(root: Node) -> dict[str, list[tuple[str, str]]]:
+    """Return the members of each struct: type and declarator."""
+    found = {}
+    for node in _all(root, "type_definition"):
+        body = _child(node, "type").child_by_field_name("body")
+        fields = body.named_children if body is not None else []
+        found[_text(_child(node, "declarator"))] = [
+            (_text(_child(field, "type")), _text(_child(field, "declarator")))
+            for field in fields
+            if field.type == "field_declaration"
+        ]
+    return found
+
+
+def head(node: Node) -> tuple[str, list[str]]:
+    """Return the type of a function's value, and its parameters, each with single spaces."""
+    declarator, kind = _child(node, "declarator"), _text(_child(node, "type"))
+    while declarator.type == "pointer_declarator":
+        declarator, kind = _child(declarator, "declarator"), f"{kind} *"
+    given = _child(declarator, "parameters").named_children
+    words = (" ".join(_text(x).split()) for x in given if x.type != "comment")
+    return kind, [word for word in words if word != "void"]
+
+
 def _all(node: Node, kind: str) -> Iterator[Node]:
+    """Yield the nodes of a kind outside of functions."""
     for child in node.children:
         if child.type == kind:
             yield child
-        elif child.type in ("linkage_specification", "declaration_list", "preproc_ifdef"):
+        elif child.type in (
+            "linkage_specification",
+            "declaration_list",
+            "preproc_ifdef",
+            "preproc_if",
+        ):
             yield from _all(child, kind)
 
 
