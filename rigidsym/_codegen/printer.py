@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from rigidsym._codegen.ir import Let
 from rigidsym._codegen.lines import Lines, comment
-from rigidsym._codegen.routines import Program, Routine, Scope, Type, let_of
+from rigidsym._codegen.routines import Program, Routine, Scope, Type, let_of, parts
 
 ATOM, UNARY, COMPARED, AND, OR, CHOICE = 12, 11, 7, 2, 1, 0
 WIDTH = 100
@@ -330,10 +330,10 @@ def _range(node: ast.For) -> tuple[ast.expr | None, ast.expr, ast.expr | None]:
 def set_again(one: Routine, program: Program) -> set[str]:
     """Return the names that are set after their declaration."""
     targets: list[ast.expr] = []
-    for node in (node for part in one.body for node in ast.walk(part)):
+    for node in parts(one.body):
         match node:
-            case ast.Assign(targets=[ast.Tuple(elts=parts)]):
-                targets += parts
+            case ast.Assign(targets=[ast.Tuple(elts=places)]):
+                targets += places
             case ast.Assign(targets=[target]) | ast.AugAssign(target=target):
                 targets.append(target)
             case ast.Call(func=ast.Name(id=name), args=given) if name in program.routines:

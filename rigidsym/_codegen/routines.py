@@ -12,11 +12,11 @@ overlaps nothing else.  A class whose members have values is an enumeration, oth
 
 import ast
 from collections.abc import Iterable, Iterator, Mapping
-from copy import deepcopy
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import resources
-from typing import Any
+from typing import Any, TypeVar
 
 from rigidsym._codegen.ir import Function, Let, is_extended
 from rigidsym.language._expression import Call, Expression, Name, Operation, to_text
@@ -187,8 +187,7 @@ class Routine:
         """Return the names of the functions that it calls."""
         found = {
             node.func.id
-            for statement in self.body
-            for node in ast.walk(statement)
+            for node in parts(self.body)
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)
         }
         return found | {_BEHIND[name] for name in found & _BEHIND.keys()}
@@ -199,9 +198,13 @@ class Routine:
         return {target.id for target in declared if isinstance(target, ast.Name)}
 
     def statements(self) -> Iterator[ast.stmt]:
-        """Yield all statements, those within others after these."""
-        for statement in self.body:
-            yield from (node for node in ast.walk(statement) if isinstance(node, ast.stmt))
+        """Yield all statements in their order, those within others after these."""
+        queue = list(reversed(self.body))
+        while queue:
+            statement = queue.pop()
+            yield statement
+            if isinstance(statement, ast.If | ast.For):
+                queue += reversed([*statement.body, *statement.orelse])
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,14 +244,11 @@ class Program:
         """Return the named numbers that routines use, and those that these are made from."""
         used: set[str] = set()
         for one in routines:
-            found = {
-                node.id for part in one.body for node in ast.walk(part) if type(node) is ast.Name
-            }
-            used |= found - one.locals()
+            used |= {node.id for node in parts(one.body) if type(node) is ast.Name} - one.locals()
         for number in reversed(self.numbers.values()):
             if number.name in used:
-                parts = (*ast.walk(number.value), *map(annotation, number.type.shape))
-                used |= {node.id for node in parts if isinstance(node, ast.Name)}
+                own = parts([number.value, *map(annotation, number.type.shape)])
+                used |= {node.id for node in own if isinstance(node, ast.Name)}
         return [number for name, number in self.numbers.items() if name in used]
 
     def in_order(self) -> "Program":
@@ -275,6 +275,50 @@ class Program:
         routines = {name: one for name, one in self.routines.items() if name in wanted}
         numbers = {number.name: number for number in self.numbers_of(routines.values())}
         return replace(self, routines=routines, numbers=numbers)
+
+
+def parts(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """Yield all nodes of some trees, in any order; as `ast.walk`, in a third of the time."""
+    queue = list(nodes)
+    while queue:
+        node = queue.pop()
+        yield node
+        for value in vars(node).values():
+            if isinstance(value, ast.AST):
+                queue.append(value)
+            elif type(value) is list:
+                queue += (part for part in value if isinstance(part, ast.AST))
+
+
+Tree = TypeVar("Tree", bound=ast.AST)
+
+
+def copied(node: Tree) -> Tree:
+    """Copy a tree with all that was noted at its nodes."""
+    found = copy(node)
+    for name, value in vars(node).items():
+        if isinstance(value, ast.AST):
+            setattr(found, name, copied(value))
+        elif type(value) is list:
+            setattr(found, name, [copied(x) if isinstance(x, ast.AST) else x for x in value])
+    return found
+
+
+def is_same(one: Any, other: Any) -> bool:
+    """Return True if two trees, or parts of them, say the same, wherever they stand.
+
+    Truth values are 1 and 0, and their type is that of whole numbers, as in C.
+    """
+    if isinstance(one, list):
+        return isinstance(other, list) and len(one) == len(other) and all(map(is_same, one, other))
+    if not isinstance(one, ast.AST):
+        return one == other and (type(one) is type(other) or isinstance(one, bool | int))
+    if type(one) is not type(other):
+        return False
+    if isinstance(one, ast.Name):
+        return one.id == other.id or {one.id, other.id} == {"int", "bool"}
+    fields = (name for name in one._fields if name not in ("ctx", "kind", "type_comment"))
+    return all(is_same(getattr(one, x, None), getattr(other, x, None)) for x in fields)
 
 
 def _after(uses: Mapping[str, set[str]]) -> Iterator[str]:
@@ -357,7 +401,7 @@ def read(names: Iterable[str], program: Program, constants: Mapping[str, Any]) -
                 case _:
                     raise ValueError(f"{name}.py:{node.lineno}: {ast.unparse(node)}")
     for node in raw:
-        expanded = _Expansion(made, constants, node.name).visit(deepcopy(node))
+        expanded = _Expansion(made, constants, node.name).visit(copied(node))
         made.routines[node.name] = lowered(routine(expanded), made)
     return made
 
@@ -418,7 +462,10 @@ class _Expansion(ast.NodeTransformer):
     def visit_Name(self, node: ast.Name) -> ast.expr:
         """Replace a known constant by its value."""
         if isinstance(node.ctx, ast.Load) and node.id in self.constants:
-            return ast.Constant(self.constants[node.id])
+            value = self.constants[node.id]
+            if isinstance(value, int | float) and value < 0:
+                return ast.UnaryOp(ast.USub(), ast.Constant(-value))
+            return ast.Constant(value)
         return node
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
@@ -465,7 +512,7 @@ class _Expansion(ast.NodeTransformer):
                 found: list[ast.stmt] = []
                 for member in self.program.structs[struct].types():
                     for statement in node.body:
-                        changed = _Renamed(variable, member).visit(deepcopy(statement))
+                        changed = _Renamed(variable, member).visit(copied(statement))
                         found += self._all([changed])
                 return found
         node.iter = self.visit(node.iter)
@@ -576,7 +623,7 @@ class _Renamed(ast.NodeTransformer):
 
 def _value(node: ast.expr) -> Any:
     """Return the value of a condition of constants, or None."""
-    if any(isinstance(part, ast.Name | ast.Call) for part in ast.walk(node)):
+    if any(isinstance(part, ast.Name | ast.Call) for part in parts([node])):
         return None
     try:
         return bool(eval(compile(ast.Expression(ast.fix_missing_locations(node)), "", "eval")))
@@ -688,7 +735,7 @@ def lowered(one: Routine, program: Program) -> Routine:
     """Replace operations on double-doubles by calls of the functions for them."""
     scope = Scope(one, program)
     body = [_Lowering(scope, one).visit(statement) for statement in one.body]
-    return replace(one, body=tuple(ast.fix_missing_locations(part) for part in body))
+    return replace(one, body=tuple(body))
 
 
 class _Lowering(ast.NodeTransformer):
@@ -905,6 +952,7 @@ def declaration(name: str, kind: str, value: ast.expr | str | None) -> ast.AnnAs
     return ast.AnnAssign(ast.Name(name, ast.Store()), annotation(kind), value, simple=1)
 
 
+@cache
 def annotation(text: str) -> ast.expr:
     """Parse the annotation of a type."""
     return ast.parse(text, mode="eval").body

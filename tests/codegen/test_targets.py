@@ -31,7 +31,6 @@ from rigidsym._codegen.targets.c.reader import functions as functions_in
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym._codegen.targets.numpy import module as numpy_module
 from rigidsym._codegen.trace import lines_of_equation
-from rigidsym.language._expression import parse
 from rigidsym.solution import sealed
 
 HOME = Path(rigidsym.__path__[0]) / "generated"
@@ -185,7 +184,8 @@ def read(text):
     types = {"a": PAIR, "b": DOUBLE, "c": DOUBLE, "t": Type("double", ("...",)), "k": SIZE}
     one = Routine("f", "", types, (), ())
     program = Program(routines={"f": one})
-    text = f"static void f(double_double a, double b, double c, const double *t, size_t k)\n{{\n{text}\n}}"
+    head = "static void f(double_double a, double b, double c, const double *t, size_t k)"
+    text = f"{head}\n{{\n{text}\n}}"
     ((_, node),) = functions_in("f.c", parsed(text))
     read = Reader("f.c", one, Printer(program, "", {})).block(node.child_by_field_name("body"))
     return "\n".join(map(ast.unparse, read))

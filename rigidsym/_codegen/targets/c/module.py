@@ -93,6 +93,13 @@ def build(
     Input: the functions, and the constants that they name.  Output: the module.
     """
     made = program(functions, constants, form)
+    texts, source = printed(made, form)
+    texts, digest = header.sealed(texts, key("c", form))
+    return Module(texts, {SOURCES[form]: source.lets}, digest)
+
+
+def printed(made: Program, form: str) -> tuple[dict[str, str], Lines]:
+    """Print the files of a program, with placeholders for digest and errors, and its source."""
     files = Files(made, form)
     source = joined(files.source())
     arithmetic = joined(files.arithmetic())
@@ -105,9 +112,7 @@ def build(
         SOURCES[form]: "\n".join(source.text) + "\n",
         ARITHMETIC: "\n".join(arithmetic.text) + "\n",
     }
-    texts = {n: text if n == ARITHMETIC else named(text, form) for n, text in texts.items()}
-    texts, digest = header.sealed(texts, key("c", form))
-    return Module(texts, {SOURCES[form]: source.lets}, digest)
+    return {n: text if n == ARITHMETIC else named(text, form) for n, text in texts.items()}, source
 
 
 class Files:

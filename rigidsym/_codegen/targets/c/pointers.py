@@ -71,7 +71,7 @@ class _Body:
                 found.pop()
         if self.taken:
             found = [_Apart(self.taken).visit(part) for part in found]
-        return [ast.fix_missing_locations(part) for part in found]
+        return found
 
     def _block(self, body: Sequence[ast.stmt], known: set[str]) -> Iterator[ast.stmt]:
         known = set(known)

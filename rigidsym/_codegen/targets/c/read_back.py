@@ -7,7 +7,6 @@ statement; a derived statement is the one of its assignment in the representatio
 import ast
 import re
 from collections.abc import Mapping, Sequence
-from copy import deepcopy
 from dataclasses import dataclass
 from itertools import zip_longest
 
@@ -21,7 +20,8 @@ from rigidsym._codegen.routines import (
     NUMBERS,
     Program,
     Routine,
-    annotation,
+    copied,
+    is_same,
     let_of,
     syntax,
 )
@@ -52,18 +52,18 @@ def check(
 
     Raises InputError for a statement that differs, and for other text that does.
     """
-    wanted, decided = module.build(functions, constants, form), 0
-    printer = module.Files(program(functions, constants, form), form).printer
-    routines = printer.program.routines
+    made, decided = program(functions, constants, form), 0
+    wanted, _ = module.printed(made, form)
+    printer, routines = module.Files(made, form).printer, made.routines
     names = {printer.function_name(one): one for one in routines}
-    if files.keys() != wanted.files.keys():
-        raise InputError("files", ", ".join(files), f"are not {', '.join(wanted.files)}")
+    if files.keys() != wanted.keys():
+        raise InputError("files", ", ".join(files), f"are not {', '.join(wanted)}")
     for file, text in files.items():
-        plain, expected = text, wanted.files[file]
+        plain, expected = text, wanted[file]
         if file != module.ARITHMETIC:
-            digest, of = header.digest_in(file, text), key("c", form)
-            plain = module.plain(header.unsealed(text, of, digest), form)
-            expected = module.plain(header.unsealed(expected, of, wanted.digest), form)
+            digest = header.digest_in(file, text)
+            plain = header.unsealed(text, key("c", form), digest)
+            plain, expected = _plain(file, plain, form), module.plain(expected, form)
         root = reader.parsed(plain)
         found = dict(reader.functions(file, root))
         _check_numbers(file, reader.numbers(root), printer.program, constants)
@@ -74,11 +74,23 @@ def check(
             if name in names and body is not None:
                 one = routines[names[name]]
                 _check_head(file, one, *reader.head(node))
-                lines = _Lines(file, plain.split("\n"), reader.Reader(file, one, printer), one)
+                extended = one.function.all_extended() if one.function else frozenset()
+                reads = reader.Reader(file, one, printer)
+                lines = _Lines(file, plain.split("\n"), reads, one, extended)
                 decided += lines.check(lines.reader.block(body), one.body)
     for function in functions:
         _check_function(function, [one for one in routines.values() if one.prints(function)])
     return decided
+
+
+def _plain(file: str, text: str, form: str) -> str:
+    """Replace a form's prefix of names by the default; raise InputError for another form's."""
+    found = module.plain(text, form)
+    own_names = module.named(found, form).split("\n")
+    for number, (line, own) in enumerate(zip(text.split("\n"), own_names, strict=True), 1):
+        if line != own:
+            raise InputError(f"{file}:{number}", line.strip(), "has another form's name")
+    return found
 
 
 def _check_function(function: Function, printed: list[Routine]) -> None:
@@ -170,6 +182,7 @@ class _Lines:
     text: list[str]
     reader: reader.Reader
     one: Routine
+    extended: frozenset[str]
 
     def check(self, read: Sequence[ast.stmt], wanted: Sequence[ast.stmt]) -> int:
         """Compare statements, and return the number of derived ones.
@@ -182,24 +195,24 @@ class _Lines:
             if one is None or other is None or type(one) is not type(other):
                 raise InputError(place, _said(one), f"is not {_said(other)}")
             if isinstance(one, ast.If | ast.For) and isinstance(other, ast.If | ast.For):
-                self._check_same(place, *map(_head, (one, other)))
+                for name in ("test",) if isinstance(one, ast.If) else ("target", "iter"):
+                    self._check_same(place, getattr(one, name), getattr(other, name, None))
                 decided += self.check(one.body, other.body)
                 decided += self.check(one.orelse, other.orelse)
                 continue
-            self._check_same(place, _said(one), _said(other))
+            self._check_same(place, one, other)
             if let := let_of(other):
                 self._check_derived(place, one, let)
                 decided += 1
         return decided
 
-    def _check_same(self, place: str, read: str, wanted: str) -> None:
-        if read != wanted:
-            raise InputError(place, read[:160], f"is not {wanted[:160]}: {DIFFERS}")
+    def _check_same(self, place: str, read: ast.AST, wanted: ast.AST | None) -> None:
+        if not is_same(read, wanted):
+            raise InputError(place, _said(read), f"is not {_said(wanted)}: {DIFFERS}")
 
     def _check_derived(self, place: str, read: ast.stmt, let: Let) -> None:
         """Raise InputError unless a statement, and its comment, are those of an assignment."""
-        assert self.one.function is not None
-        wanted = syntax(_without_rounding(let.expression, self.one.function.all_extended()))
+        wanted = syntax(_without_rounding(let.expression, self.extended))
         match read:
             case ast.AnnAssign(target=target, value=ast.expr() as value):
                 targets: list[ast.expr] = [target]
@@ -208,8 +221,9 @@ class _Lines:
                 targets, value = given[count:], ast.Call(called, given[:count], [])
             case _:
                 raise InputError(place, _said(read), f"sets no name: {let}")
-        found = tuple(map(ast.unparse, targets)), ast.unparse(_Raised().visit(deepcopy(value)))
-        if found != (let.targets, ast.unparse(wanted)):
+        names = tuple(target.id for target in targets if isinstance(target, ast.Name))
+        # The statement was compared as it is before.
+        if names != let.targets or not is_same(_Raised().visit(value), wanted):
             raise InputError(place, _said(read), f"{let}: {DIFFERS}")
         _, _, note = self.text[read.lineno - 1].partition("; /* ")
         if note.removesuffix(" */") != comment(let):
@@ -246,29 +260,8 @@ class _Raised(ast.NodeTransformer):
         return ast.Call(ast.Name(_OF_PAIRS[verb], ast.Load()), node.args, [])
 
 
-def _head(node: ast.stmt) -> str:
-    """Return the text of a condition, or of a loop's variable and range."""
-    if isinstance(node, ast.If):
-        return ast.unparse(_Plain().visit(deepcopy(node.test)))
-    assert isinstance(node, ast.For)
-    return f"{ast.unparse(node.target)} in {ast.unparse(_Plain().visit(deepcopy(node.iter)))}"
-
-
-def _said(node: ast.stmt | None) -> str:
-    """Return the text of a statement, with types as C has them."""
-    return ast.unparse(_Plain().visit(deepcopy(node))) if node else "the end"
-
-
-class _Plain(ast.NodeTransformer):
-    """Truth values as the whole numbers that they are in C."""
-
-    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
-        """Replace True and False by 1 and 0."""
-        return ast.Constant(int(node.value)) if isinstance(node.value, bool) else node
-
-    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AnnAssign:
-        """Replace the type of truth values."""
-        self.generic_visit(node)
-        text = ast.unparse(node.annotation)
-        node.annotation = annotation("int" + text[4:] if text.startswith("bool") else text)
-        return node
+def _said(node: ast.AST | None) -> str:
+    """Return the text of a statement or an expression, in one line."""
+    if node is None:
+        return "the end"
+    return " ".join(ast.unparse(ast.fix_missing_locations(copied(node))).split())[:160]

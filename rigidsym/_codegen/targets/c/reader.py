@@ -298,7 +298,9 @@ class Reader:
     def _number(self, node: Node) -> ast.expr:
         text = _text(node)
         try:
-            return ast.Constant(int(text, 0) if text.lstrip("-").isalnum() else float(text))
+            size = text.removeprefix("-")
+            number = ast.Constant(int(size, 0) if size.isalnum() else float(size))
+            return ast.UnaryOp(ast.USub(), number) if size != text else number
         except ValueError:
             raise self._refuse(node) from None
 
