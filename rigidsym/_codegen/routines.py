@@ -940,7 +940,7 @@ def syntax(expression: Expression) -> ast.expr:
         case Call(function, arguments):
             name = _PRINTED.get(function, function.removeprefix("_"))
             return _call(name, *map(syntax, arguments))
-        case Operation(symbol, left, right):
+        case Operation(symbol, left, right) if symbol in _SYMBOLS:
             return ast.BinOp(syntax(left), _SYMBOLS[symbol](), syntax(right))
     raise ValueError(f"{to_text(expression)}: cannot be printed")
 

@@ -347,13 +347,13 @@ EMITTERS = [
     *(
         ("c", Printer, "routine", changing(*pair))
         for pair in (
-            ("*s_out = s;", "*s_out = c;"),
-            ("motion->v_hi = v.hi;", "motion->v_hi = v.lo;"),
+            ("*s5_out = s5;", "*s5_out = c5;"),
+            ("motion->v_hi[i] = v.hi;", "motion->v_hi[i] = v.lo;"),
             ("k < 3;", "k < 2;"),
-            ("break;", "continue;"),
+            (" && ", " || "),
             ("dd_add_xx", "dd_sub_xx"),
             ("const double *restrict t,", "double *restrict t,"),
-            ("double s, double c", "double c, double s"),
+            ("double_double k, double_double kc", "double_double kc, double_double k"),
         )
     ),
 ]

@@ -372,7 +372,9 @@ class Reader:
 
     def _sizeof(self, node: Node) -> ast.expr:
         kind = _text(node.named_children[0]).strip("()")
-        return _call("sizeof", ast.Name(self.kinds.get(kind, kind), ast.Load()))
+        if kind not in self.kinds:
+            raise self._refuse(node)
+        return _call("sizeof", ast.Name(self.kinds[kind], ast.Load()))
 
 
 def _child(node: Node, name: str) -> Node:
