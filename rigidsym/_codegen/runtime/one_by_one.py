@@ -74,11 +74,13 @@ def branch_init(
     """Compute the constants of a motion whose rates change; return True if binary64 holds them."""
     begun = initial_state(*named())
     fits: bool = is_held(unit, A_a.hi, A_b.hi, A_d.hi)
+    # Zero times what is no number, or infinite, is no number.
+    nothing: double = 0.0
     if k_1.hi * k_1.hi <= max_circular:
         motion.branch = 1
         circular_constants(*named(), motion.of.circular)
         for x in members(circular):
-            fits = fits and isfinite(motion.of.circular.x)
+            nothing += 0.0 * motion.of.circular.x
         motion.max_angle = limit(
             motion.max_angle, motion.of.circular.v_rate_hi, motion.of.circular.Lambda_rate_hi
         )
@@ -86,11 +88,11 @@ def branch_init(
         motion.branch = 2
         hyperbolic_constants(*named(), motion.of.hyperbolic)
         for x in members(hyperbolic):
-            fits = fits and isfinite(motion.of.hyperbolic.x)
+            nothing += 0.0 * motion.of.hyperbolic.x
         motion.max_angle = limit(
             motion.max_angle, motion.of.hyperbolic.y_rate_hi, motion.of.hyperbolic.Lambda_rate_hi
         )
-    return fits
+    return fits and isfinite(nothing)
 
 
 def begun_motion(
