@@ -44,6 +44,8 @@ ALLOWED = {
     "rigidsym.codegen.targets": f"{FOUNDATION} codegen",
     # The one exception: the kernel decides that what is printed is what was derived.
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
+    # Reference vectors of the flight profile are precise states in the strata of validation.
+    "rigidsym.codegen.flight": f"{NUMBERS} codegen io.files io.ledger validate.strata",
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",

@@ -20,6 +20,8 @@ def codegen(options: Namespace) -> int:
 
     With --check, returns 1 if one differs from the files on disk.
     """
+    if options.profile is not None:
+        return _profile(options)
     chosen = _modules(options)
     if not (options.output or options.in_place or options.check or options.stdout):
         rule = "give -o DIR (. for here), --stdout, --check, or --in-place for the package itself"
@@ -52,6 +54,41 @@ def codegen(options: Namespace) -> int:
         return _differences(texts, directory)
     for module in modules:
         say_written(module.write(directory))
+    return 0
+
+
+def _profile(options: Namespace) -> int:
+    """Write the files of a profile, or compare them with a directory.
+
+    With --check, returns 1 if they differ.  Raises InputError for an unknown profile, and for
+    options that it does not have.
+    """
+    from rigidsym._codegen.forms import STEP, THETA
+    from rigidsym._codegen.targets import PROFILES, known
+
+    if options.profile not in PROFILES:
+        raise InputError("profile", options.profile, f"must be one of: {', '.join(PROFILES)}")
+    command = "rigidsym codegen c --profile flight -o DIR"
+    if options.target is None or known(options.target) != "c":
+        raise InputError("profile", options.profile, f"is one of C alone: {command}")
+    if options.form is not None:
+        raise InputError("form", options.form, f"the profile has motions and steps: {command}")
+    if options.single_file:
+        raise InputError("single-file", "given", f"a profile has one source already: {command}")
+    if options.in_place or options.stdout or not options.output:
+        raise InputError("output", "no directory", f"a profile is several files: {command}")
+    with replayed_beside():
+        from rigidsym._codegen.flight.profile import files
+        from rigidsym._codegen.seal import seal
+        from rigidsym.io._files import write_all
+        from rigidsym.solution import sealed
+
+        for form in (THETA, STEP):
+            seal(sealed(), form)
+        texts = files(sealed())
+    if options.check:
+        return _differences(texts.items(), Path(options.output))
+    say_written(write_all(Path(options.output), texts))
     return 0
 
 

@@ -22,6 +22,8 @@ Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
 Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
 
 TARGETS = ["numpy", "c"]
+# Sets of files for C that are more than modules: code, unit tests, checks and records.
+PROFILES = ("flight",)
 
 
 def known(target: str) -> str:

@@ -1,0 +1,229 @@
+"""Unit tests, bits, shape, records and checks of the flight profile."""
+
+import ast
+import ctypes
+import json
+import math
+import re
+import shutil
+import subprocess
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+
+from rigidsym import generate
+from rigidsym._codegen.flight import records, report
+from rigidsym._codegen.flight.module import HEADER, SOURCE
+from rigidsym._codegen.flight.printer import FlightPrinter
+from rigidsym._codegen.flight.profile import files
+from rigidsym._codegen.flight.program import MOST_LINES, PREFIX, lines, names, program
+from rigidsym._codegen.flight.trace import facts, rows
+from rigidsym._codegen.flight.vectors import of_motions, of_steps, vectors
+from rigidsym.precise import PreciseMotion
+from rigidsym.solution import sealed
+
+BITS = ("-std=c99", "-O1", "-ffp-contract=off")
+needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
+
+
+@pytest.fixture(scope="module")
+def made():
+    return program(sealed())
+
+
+@pytest.fixture(scope="module")
+def folder(once):
+    """Return a folder with the files of the profile."""
+
+    def write(here):
+        for name, text in files().items():
+            (here / name).write_text(text, "utf-8")
+
+    return once("flight", write)
+
+
+def built(folder, *more):
+    """Build the unit tests of a folder, run them, and return what they print."""
+    sources = (folder / SOURCE, folder / "test_torque_free.c")
+    subprocess.run(["gcc", *BITS, *sources, "-o", folder / "tests", "-lm"], check=True)
+    return subprocess.run([folder / "tests", *more], capture_output=True, text=True, check=False)
+
+
+@needs_gcc
+def test_the_unit_tests_pass(folder):
+    done = built(folder)
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert int(re.search(r"tests (\d+), failures 0", done.stdout)[1]) > 2000
+
+
+FAULTS = {
+    "a coefficient": (
+        r"static const double cosine_2 = (\S+);",
+        "static const double cosine_2 = 0.0;",
+    ),
+    "an axis": (r"const int third = .*;", "const int third = b;"),
+    "a limit": (r"static const double max_step = \S+;", "static const double max_step = 100.0;"),
+    "a check": (r"if \(motion->prepared != PREPARED\)", "if (false)"),
+    "the separatrix": (
+        r"static const double tolerated = \S+;",
+        "static const double tolerated = 1.0;",
+    ),
+    "an assertion": (r"if \(!holds\) \{", "if (false) {"),
+}
+
+
+@needs_gcc
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_unit_tests_see_faults(fault, folder, tmp_path):
+    pattern, replacement = FAULTS[fault]
+    for name in (SOURCE, HEADER, "test_torque_free.c"):
+        shutil.copy(folder / name, tmp_path)
+    text = (folder / SOURCE).read_text("utf-8")
+    changed, count = re.subn(pattern, replacement, text, count=1)
+    assert count == 1
+    (tmp_path / SOURCE).write_text(changed, "utf-8")
+    assert built(tmp_path).returncode != 0
+
+
+class Functions:
+    """Functions for motions and steps in a shared library, by ctypes."""
+
+    def __init__(self, path):
+        self.found = ctypes.CDLL(str(path))
+        self.room = ctypes.create_string_buffer(8192)
+
+    def __call__(self, name, *given):
+        kinds = {float: ctypes.c_double, np.ndarray: lambda x: x.ctypes.data_as(ctypes.c_void_p)}
+        return getattr(self.found, PREFIX + name)(
+            *(kinds.get(type(x), lambda x: x)(x) for x in given)
+        )
+
+    def state(self, vector):
+        q, omega = np.zeros(4), np.zeros(3)
+        code = self("motion_init", self.room, *map(np.array, vector.given))
+        return code or self("state_at", self.room, vector.time, q, omega), *q, *omega
+
+    def step(self, vector):
+        inertia, omega, q = map(np.array, vector.given)
+        code = self("body_init", self.room, inertia)
+        return code or self("step", self.room, q, omega, vector.time), *q, *omega
+
+
+@needs_gcc
+def test_states_and_steps_have_the_bits_of_the_library_without_fused_products(folder, tmp_path):
+    stub = tmp_path / "stub.c"
+    stub.write_text(
+        "#include <stdint.h>\nvoid torque_free_assertion_failed(int32_t x) { (void)x; }\n"
+    )
+    paths = []
+    for form in ("theta", "step"):
+        paths += generate("c", form=form).write(tmp_path)
+    sources = [path for path in paths if path.suffix == ".c"]
+    for name, own in {"flight": [folder / SOURCE, stub], "library": sources}.items():
+        line = ["gcc", *BITS, "-DTORQUE_FREE_FMA=0", "-shared", "-fPIC", *own]
+        subprocess.run([*line, "-o", tmp_path / f"{name}.so", "-lm"], check=True)
+    flight, library = Functions(tmp_path / "flight.so"), Functions(tmp_path / "library.so")
+    for vector in of_motions():
+        np.testing.assert_array_equal(flight.state(vector), library.state(vector), vector.name)
+    for vector in of_steps():
+        np.testing.assert_array_equal(flight.step(vector), library.step(vector), vector.name)
+
+
+def test_vectors_are_the_nearest_doubles():
+    for vector in list(of_motions(cases=1, times=2))[::5]:
+        motion = PreciseMotion(*(tuple(map(Fraction, x)) for x in vector.given))
+        ((q, omega),) = motion.states([Fraction(vector.time) + Fraction(vector.more)], 60)
+        with mpmath.workdps(80):
+            apart = [
+                abs(mpmath.mpf(x) - y) for x, y in zip(vector.state, (*q, *omega), strict=True)
+            ]
+        halves = [mpmath.mpf(math.ulp(x)) / 2 for x in vector.state]
+        assert all(x <= y for x, y in zip(apart, halves, strict=True)), vector.name
+
+
+# --- the shape of the code
+
+
+def test_functions_are_short_and_call_nothing_in_a_circle(made):
+    assert max(lines(one, made) for one in made.routines.values()) <= MOST_LINES
+    known = set()
+    for name, one in made.routines.items():
+        assert one.calls() & made.routines.keys() <= known, name
+        known.add(name)
+
+
+def test_every_loop_has_a_bound(made):
+    loops = [
+        node
+        for one in made.routines.values()
+        for part in one.body
+        for node in ast.walk(part)
+        if isinstance(node, ast.For | ast.While)
+    ]
+    assert loops
+    assert all(ast.unparse(loop.iter).startswith("range(") for loop in loops)
+
+
+def test_pointers_and_indices_are_asserted(made):
+    printer = FlightPrinter(made, PREFIX, names())
+    for one in made.routines.values():
+        text = "\n".join(printer.routine(one).text)
+        if one.is_public:
+            pointers = [x for x, t in one.parameters.items() if t.is_struct or t.shape]
+            assert all(f"require({x} != NULL, __LINE__);" in text for x in pointers)
+    text = "\n".join(printer.routine(made.routines["difference"]).text)
+    assert "require((uint32_t)j < 3u, __LINE__);" in text
+
+
+# --- records
+
+
+def test_records_are_of_lines_that_there_are(folder):
+    text = (folder / SOURCE).read_text("utf-8")
+    assert [x for x in records.UNREACHED if not re.search(x, text)] == []
+    said = (folder / "DEVIATIONS.md").read_text("utf-8")
+    assert all(f"| {rule} |" in said for rule in records.DEVIATIONS)
+    assert not records.DEVIATIONS.keys() & report.ADVISORY
+
+
+def test_every_requirement_has_functions_and_tests(made):
+    found = list(rows(sealed(), made, vectors()))
+    assert [row.name for row in found if not row.functions or row.tests.startswith("0 ")] == []
+    assert len({row.name for row in found}) == len(found)
+    derived = {one.name for one in made.routines.values() if facts(one)}
+    assert derived == {name for row in found if row.theorems for name in row.functions} & derived
+    public = {PREFIX + one.name for one in made.routines.values() if one.is_public}
+    assert public <= {name for row in found for name in row.functions}
+
+
+# --- the checks
+
+
+@needs_gcc
+@pytest.mark.slow
+def test_the_report_meets_all_goals(folder):
+    for tool in ("gcov", "valgrind", "cppcheck"):
+        if shutil.which(tool) is None:
+            pytest.skip(f"no {tool} here")
+    assert report.main(folder) == 0
+    text = (folder / "REPORT.md").read_text("utf-8")
+    assert "**no**" not in text
+    assert "**not" not in text
+    assert text.count("| yes |") == 12
+
+
+def test_checks_without_their_tool_are_left_out(folder, monkeypatch):
+    monkeypatch.setattr(report.shutil, "which", lambda name: None)
+    found = list(report.checks(report.Folder(folder)))
+    assert [check.title for check in found if not check.title.startswith("Left out: no ")] == []
+    assert not any(check.goals for check in found)
+
+
+def test_goals_that_are_missed_are_the_status(folder, monkeypatch, capsys):
+    missed = report.Check("One", ["text"], [report.Goal("a goal", "nothing", False)])
+    monkeypatch.setattr(report, "CHECKS", (lambda folder: missed,))
+    assert report.main(folder) == 1
+    assert "MISSED a goal: nothing" in capsys.readouterr().out
+    assert json.loads((folder / "profile.json").read_text("utf-8"))["public"]
