@@ -4511,6 +4511,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "8ed8d0de9ca4fb51fc7aea82f9c32b209667271a22743c9c689787cae48e789f";
+    return "16afb5ca7119a6763ab7c2500ed1d834730c7eee58efef9aef40a118df7bb7ef";
 }
 

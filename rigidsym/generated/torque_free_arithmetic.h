@@ -49,6 +49,10 @@ typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
    faster one is chosen. */
 #if defined(TORQUE_FREE_FMA)
 #define BITS_ARE_CHOSEN 1
+#if defined(__GNUC__) && !defined(__clang__)
+/* GCC 12 fuses products in vectors of straight lines, even where it is told not to. */
+#pragma GCC optimize("no-tree-slp-vectorize")
+#endif
 #else
 #define BITS_ARE_CHOSEN 0
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)

@@ -2967,6 +2967,6 @@ const char *torque_free_pi_rule(int code)
 
 const char *torque_free_pi_digest(void)
 {
-    return "fb4424d86566135932f35715a5d9a7e07cdbe53e2140df9212d60eedc5fc4b47";
+    return "8e9641c217cb62e362305fd7cbd587c53cc626941a7ce84373d38bd08c58207f";
 }
 

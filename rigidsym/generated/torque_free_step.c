@@ -1521,6 +1521,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "279578309ac4a5ea6ed52e48246e96c7d4bae786774851a006ab3e7d65baa10f";
+    return "fe450b7240e5d3ab22e93569c0549fcdb58c1231adf269887fd97ad07a3fff72";
 }
 

@@ -109,17 +109,10 @@ def test_bits_do_not_depend_on_the_compiler(reference, build, option, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.skipif(not X86, reason="only there does GCC fuse so")
-@pytest.mark.parametrize(
-    "more",
-    [
-        pytest.param((), marks=pytest.mark.xfail(reason="GCC 12 fuses products in SLP vectors")),
-        ("-fno-tree-slp-vectorize",),
-    ],
-)
-def test_bits_do_not_depend_on_vectors_of_straight_lines(reference, more, tmp_path):
+def test_bits_do_not_depend_on_vectors_of_straight_lines(reference, tmp_path):
     """GCC 12 makes vfmaddsub of products and sums, whatever -ffp-contract says."""
     fast = ("-std=c99", "-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
-    found = run(tmp_path, [installed("gcc"), *fast, *more, WITHOUT])
+    found = run(tmp_path, [installed("gcc"), *fast, WITHOUT])
     assert found == (0, reference(WITHOUT))
 
 
