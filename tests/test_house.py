@@ -46,7 +46,8 @@ ALLOWED = {
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
     # Reference vectors of the flight profile are precise states in the strata of validation.
     "rigidsym.codegen.flight": f"{NUMBERS} codegen io.files io.ledger validate.strata",
-    "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
+    "rigidsym.engines": f"{FOUNDATION} codegen.forms codegen.targets generated inputs io.files "
+    "solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
     "rigidsym.validate.torques": "errors quaternions splitting validate",

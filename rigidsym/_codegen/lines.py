@@ -4,13 +4,14 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from importlib import resources
 from typing import TypedDict
 
-from rigidsym._codegen.forms import PI, STEP, split
+from rigidsym._codegen.forms import split
 from rigidsym._codegen.ir import KINDS, Function, Let
 
-_COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
+_COMMENTS = {True: r"#[^\n]*", False: r"/\*.*?\*/|//[^\n]*"}
 MEANINGS = {
     "fact": "follow facts of the ledger, each named on its line",
     "classical": "follow classical formulas, each with its reference",
@@ -116,15 +117,6 @@ def flat_results(function: Function) -> list[str]:
     ]
 
 
-# Files written by hand that run with what is generated; the Pi form has no sensitivities.
-RUNTIMES = {
-    "numpy": ("numpy/runtime.py", "numpy/sensitivity.py", "numpy/double_double.py"),
-    "numpy-step": ("numpy/step.py", "numpy/double_double.py"),
-    "c": ("c/preamble.h", "c/lanes.h"),
-    "c-step": ("c/preamble.h", "c/step_lanes.h"),
-}
-
-
 def shares(kinds: Iterable[str], runtime: int, by_hand: int) -> str:
     """Format a table with the number and share of each kind of lines in a module.
 
@@ -141,34 +133,29 @@ def shares(kinds: Iterable[str], runtime: int, by_hand: int) -> str:
     return "\n".join(["Lines of code:", *rows])
 
 
-def handwritten(module: str) -> int:
-    """Count the hand-written lines of a module, without blank lines and comments."""
-    return sum(code_lines(text, module) for text in texts_by_hand(module))
-
-
-def texts_by_hand(module: str) -> list[str]:
-    """Return the texts in a module that are written by hand."""
-    target, form = split(module)
-    files = RUNTIMES.get(module if form == STEP else target, ())
-    return [_printed(file) for file in files if form != PI or "sensitivity" not in file]
-
-
-def _printed(file: str) -> str:
-    """Return what is printed of a file written by hand."""
-    text = resources.files("rigidsym._codegen.targets").joinpath(file).read_text("utf-8")
-    # What stands above such a mark makes the file a module, and is not printed.
-    return re.split(r"# --- [a-z-]+ ---\n", text)[-1].strip()
+def handwritten(text: str, target: str) -> int:
+    """Count the hand-written lines in a module's text, without blank lines and comments."""
+    return sum(code_lines(part, target) for part in texts_by_hand(target) if part in text)
 
 
 def beside(target: str) -> int:
-    """Count the hand-written lines of all modules of a target, without blank lines and comments."""
-    own = (files for module, files in RUNTIMES.items() if split(module)[0] == target)
-    files = dict.fromkeys(file for each in own for file in each)
-    return sum(code_lines(_printed(file), target) for file in files)
+    """Count the hand-written lines beside what is generated, without blank lines and comments."""
+    return sum(code_lines(text, target) for text in texts_by_hand(target))
+
+
+@cache
+def texts_by_hand(target: str) -> tuple[str, ...]:
+    """Return all texts in the folder of a target that are written by hand, for its modules."""
+    home = resources.files("rigidsym._codegen.targets").joinpath(target)
+    files = sorted((x for x in home.iterdir() if x.is_file()), key=lambda x: x.name)
+    # What stands above such a mark makes the file a module of Python, and is not printed.
+    parts = (re.split(r"# --- [a-z-]+ ---\n", file.read_text("utf-8")) for file in files)
+    named = ((file.name.endswith(".py"), part) for file, part in zip(files, parts, strict=True))
+    return tuple(part[-1].strip() for is_module, part in named if len(part) > is_module)
 
 
 def code_lines(text: str, module: str) -> int:
     """Count the lines of a text without blank lines and comments."""
     target, _ = split(module)
-    bare = re.sub(_COMMENT[target], "", text, flags=re.DOTALL)
+    bare = re.sub(_COMMENTS[target == "numpy"], "", text, flags=re.DOTALL)
     return sum(bool(line.strip()) for line in bare.splitlines())

@@ -64,12 +64,13 @@ class Printer(ABC):
             ast.Compare: self._comparison,
             ast.IfExp: self._choice,
             ast.Call: self._call,
+            ast.Tuple: self._several,
+            ast.List: self._several,
+            ast.Dict: self._members,
         }
         self.one = Routine("", "", {}, (), ())
         self.scope = Scope(self.one, program)
         self.set_again: set[str] = set()
-        # The names that are known before the statement to be printed.
-        self.known: set[str] = set()
 
     # --- what a language says in its own way
 
@@ -96,6 +97,14 @@ class Printer(ABC):
     @abstractmethod
     def _slice(self, array: ast.expr, first: ast.expr) -> tuple[str, int]:
         """Print an array from an element on."""
+
+    def _several(self, node: ast.Tuple | ast.List) -> tuple[str, int]:
+        """Print several values together, where the language can."""
+        raise ValueError(f"{ast.unparse(node)}: several values are no expression")
+
+    def _members(self, node: ast.Dict) -> tuple[str, int]:
+        """Print a struct with its members, where the language can."""
+        raise ValueError(f"{ast.unparse(node)}: a struct is no expression")
 
     @abstractmethod
     def argument(self, node: ast.expr, type_: Type) -> str:
@@ -150,7 +159,6 @@ class Printer(ABC):
     def _block(self, body: Sequence[ast.stmt], indent: str) -> Iterator[tuple[str, Let | None]]:
         """Print statements, with the derived assignment behind each line."""
         for statement in body:
-            self.known = set(self.scope.types)
             self.scope.declare(statement)
             let = let_of(statement)
             if words := getattr(statement, "note", ""):

@@ -96,6 +96,11 @@ class Type:
         return not (self.shape or self.name in ("pair", "exact", "void", "text", "raw", *NUMBERS))
 
     @property
+    def is_object(self) -> bool:
+        """Return True for a single struct or exact number, which is more than one number."""
+        return self.is_struct or (self.name == "exact" and not self.shape)
+
+    @property
     def is_result(self) -> bool:
         """Return True for a single number or pair that is written to."""
         return self.is_out and not (self.shape or self.is_struct)

@@ -5,11 +5,12 @@ time read its constants from a struct, and `_<branch>_constants` writes these.
 """
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import PI, STEP, THETA
+from rigidsym._codegen.header import DIGEST
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import flat_results
 from rigidsym._codegen.passes import fuse
@@ -34,8 +35,6 @@ _RUNTIMES = {
     PI: _MOTIONS,
     STEP: ("arithmetic", "bodies", "step_decisions", "steps_one_by_one", "messages"),
 }
-# What a target defines itself.
-_KNOWN = {"ALLOW_NONPHYSICAL": Type("bool"), "DIGEST": Type("text")}
 
 
 def program(
@@ -43,13 +42,20 @@ def program(
     constants: tuple[Constant, ...],
     form: str = THETA,
     binary: Format = BINARY64,
+    brought: Collection[str] = (),
 ) -> Program:
-    """Return all that a module without lanes and blocks has, in an order of use."""
+    """Return all that a module without lanes and blocks has, in an order of use.
+
+    brought: names of routines that the target's own text has.  It defines ALLOW_NONPHYSICAL, too.
+    """
     own = {one.name: one for one in routines(functions)}
-    made = Program(known=_KNOWN | {name: Type("int") for name in codes.names(form)})
+    made = Program(enumerations={"codes": codes.enumeration(form)})
+    made.known = {name: Type("int") for name in codes.names(form)}
+    made.known["ALLOW_NONPHYSICAL"] = Type("bool")
     made.numbers = named_numbers(constants, form, binary)
     made.structs = {one.name: one for one in derived.structs(functions)}
-    made = read(_RUNTIMES[form], replace(made, routines=own), binary.numbers())
+    known = {**binary.numbers(), "DIGEST": DIGEST}
+    made = read(_RUNTIMES[form], replace(made, routines=own), known)
     for name, (value, meaning) in binary.arithmetic().items():
         number = made.numbers[name]
         made.numbers[name] = replace(number, value=ast.Constant(value), comment=meaning)
@@ -58,7 +64,7 @@ def program(
     made.routines = {
         name: lowered(one, made) if name in own else one
         for name, one in made.routines.items()
-        if name in used or name not in own
+        if (name in used or name not in own) and name not in brought
     }
     from_functions = {one.name for one in derived.structs(functions)}
     made.structs = {
@@ -72,20 +78,25 @@ def program(
 def routines(functions: tuple[Function, ...]) -> Iterator[Routine]:
     """Yield the routines of derived functions in order."""
     for function in functions:
-        name = function.name[1:]
-        if name == "discriminant":
-            yield from derived.discriminants(function)
-        elif derived.has_struct(function) and function.rounds:
-            yield derived.constants_of(function)
-        elif name.endswith(("_angles", "_state")) and name != "initial_state":
-            (constants,) = (
-                one for one in functions if one.name == f"_{derived.branch(function)}_constants"
-            )
-            yield _at_a_time(function, {*flat_results(constants)})
-        elif function.rounds:
-            yield _rounding(function)
-        else:
-            yield derived.plain(function)
+        for one in _of(function, functions):
+            yield replace(one, function=one.function or function)
+
+
+def _of(function: Function, functions: tuple[Function, ...]) -> Iterator[Routine]:
+    name = function.name[1:]
+    if name == "discriminant":
+        yield from derived.discriminants(function)
+    elif derived.has_struct(function) and function.rounds:
+        yield derived.constants_of(function)
+    elif name.endswith(("_angles", "_state")) and name != "initial_state":
+        (constants,) = (
+            one for one in functions if one.name == f"_{derived.branch(function)}_constants"
+        )
+        yield _at_a_time(function, {*flat_results(constants)})
+    elif function.rounds:
+        yield _rounding(function)
+    else:
+        yield derived.plain(function)
 
 
 def _at_a_time(function: Function, members: set[str]) -> Routine:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rigidsym._codegen.forms import split
-from rigidsym._codegen.lines import Place, code_lines, shares, texts_by_hand
+from rigidsym._codegen.lines import Place, code_lines, handwritten, shares
 from rigidsym._codegen.targets.numpy.module import decisions
 from rigidsym.errors import InputError
 
@@ -58,8 +58,8 @@ def told(place: str) -> list[str]:
         return _of_line(known[name], int(number))
     kinds = [place["kind"] for place in known[name].places.values()]
     target, text = known[name].target, "\n".join(known[name].lines)
-    by_hand = sum(code_lines(part, target) for part in texts_by_hand(target) if part in text)
     language, form = split(target)
+    by_hand = handwritten(text, language)
     if language == "numpy":
         runtime = code_lines("\n".join(decisions(form)), target)
     else:

@@ -1,4 +1,4 @@
-"""Engines that compute states, by NumPy or by C code compiled on this machine.
+"""Engines that compute states: by NumPy, by C compiled on this machine, or by another process.
 
 Their states at the same times agree within the errors they are measured to have.  A warning about
 an engine is given once in a process.
@@ -7,6 +7,7 @@ an engine is given once in a process.
 import threading
 import warnings
 from functools import cache
+from importlib import resources
 from typing import Any
 
 from rigidsym._engines.arrays import Outputs, States, columns, is_lenient
@@ -38,13 +39,20 @@ __all__ = [
 ]
 
 ENGINES = ("numpy", "c")
-# These and the engines on modules in the paper's own form, which are never a default.
-EVERY = (*ENGINES, "numpy-pi", "c-pi")
+_INSTALLED = sorted(
+    path.name.removesuffix(".map.json")
+    for path in resources.files("rigidsym.generated").iterdir()
+    if path.name.endswith(".map.json")
+)
+_OTHERS = [name for name in _INSTALLED if name.partition("-")[0] not in ENGINES]
+# These, the engines on modules in the paper's own form, and those of other targets, which are never
+# a default.
+EVERY = (*ENGINES, "numpy-pi", "c-pi", *(x for x in _OTHERS if not x.endswith("-step")))
 # C without fused multiply-add, which has the same bits on every processor: that of files.
 PORTABLE = "c-portable"
 _STEPPERS = {"c": "c-step", PORTABLE: "c-step-portable"}
 # Engines of steps, by the names of their modules.
-STEPPERS = ("numpy-step", "c-step")
+STEPPERS = ("numpy-step", "c-step", *(x for x in _OTHERS if x.endswith("-step")))
 _LOCK = threading.Lock()
 _NUMPY, _NUMPY_STEPS = NumpyEngine(), NumpyStepper()
 # C's engines, or why there is none, once the user has been warned.
@@ -57,14 +65,16 @@ def engine(name: str) -> Engine:
     Names are those in EVERY, and PORTABLE.  Warns if there is no C compiler.  The first call for
     C's may compile, for a second or two.  Raises InputError for other names.
     """
-    found = _compiled_or_reason(name) if checked(name).startswith("c") else ""
+    if checked(name) in _OTHERS:
+        return _piped(name)
+    found = _compiled_or_reason(name) if name.startswith("c") else ""
     return _numpy(name) if isinstance(found, str) else found
 
 
 def exactly(name: str) -> Engine:
     """Return the engine with a given name, or raise InputError if it is unavailable.
 
-    An engine is unavailable if it needs a C compiler that is missing.
+    An engine is unavailable if what it needs, such as a C compiler, is missing.
     """
     return _exactly(checked(name))
 
@@ -82,7 +92,7 @@ def stepper(name: str) -> Stepper:
 def exact_stepper(name: str) -> Stepper:
     """Return the stepper with a given name, or raise InputError if it is unavailable.
 
-    Names are those in STEPPERS.  A stepper is unavailable if it needs a C compiler that is missing.
+    Names are those in STEPPERS.  A stepper is unavailable if what it needs is missing.
     """
     return _exactly(checked(name, STEPPERS))
 
@@ -113,10 +123,21 @@ def forget() -> None:
 
 
 def _exactly(name: str) -> Any:
+    if name in _OTHERS:
+        return _piped(name)
     found = _obtained(name)[0] if name.startswith("c") else _numpy(name)
     if isinstance(found, str):
         raise InputError("engine", name, found)
     return found
+
+
+@cache
+def _piped(name: str) -> Any:
+    """Return the engine or stepper that asks a process of another target."""
+    # Here, because NumPy's engine needs nothing of it.
+    from rigidsym._engines.piped import PipedEngine, PipedStepper
+
+    return PipedStepper(name) if name in STEPPERS else PipedEngine(name)
 
 
 def _numpy(name: str) -> Any:

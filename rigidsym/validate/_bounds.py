@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from rigidsym._codegen.forms import PI, STEP, split
+
 ULP = 2.0**-53
 # The documented bound on angle (rad) and rates (relative), of bodies that can exist, at all times.
 BOUND = 2e-15
@@ -57,7 +59,7 @@ HEADS = tuple(one.head for one in _TABLE.values())
 CONDITIONED = tuple(name for name, one in _TABLE.items() if one.conditioned)
 # Bounds of other modules over these: psi of the Pi form is a sum of more terms, and a step goes one
 # turn at most.
-_TIMES = {"numpy-pi": 1.5, "c-pi": 1.5, "numpy-step": 0.5, "c-step": 0.5}
+_TIMES = {PI: 1.5, STEP: 0.5}
 
 
 def bounds_of(implementation: str) -> dict[str, float]:
@@ -66,7 +68,7 @@ def bounds_of(implementation: str) -> dict[str, float]:
     >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
     (1e-15, 2e-15)
     """
-    times = _TIMES.get(implementation, 1.0)
+    times = _TIMES.get(split(implementation)[1], 1.0)
     return {
         name: bound * (max(times, 1.0) if _TABLE[name].of_length else times)
         for name, bound in BOUNDS.items()

@@ -101,7 +101,9 @@ def test_every_command_explains_itself(command, run):
 def test_reproduce_leaves_what_is_sealed_and_committed(reproduced):
     """The main job derives and generates the same bytes as other runs."""
     files, package = reproduced / "files", Path(rigidsym.__path__[0])
-    generated = ["c.map.json", "numpy.map.json", *(f"torque_free.{x}" for x in ("c", "h", "py"))]
+    ends = ("c", "h", "py", "mjs", "d.mts")
+    generated = ["torque_free_arithmetic.h", *(f"torque_free.{x}" for x in ends)]
+    generated += [f"{target}.map.json" for target in TARGETS]
     others = {name: package / "generated" / name for name in generated}
     others["ledger.json"] = package.parent / "derivations" / "ledger.json"
     names = {path.name for path in files.iterdir()}
@@ -254,7 +256,7 @@ def test_check_without_a_target_checks_all_modules(tmp_path, run):
     for name in names:
         (tmp_path / name).write_text((home / name).read_text() + "\n")
     said = run("codegen --check -o", tmp_path, status=1).out
-    assert len(names) == 16
+    assert len(names) == 25
     assert all(f"--- {tmp_path / name}\n" in said for name in names)
 
 
@@ -281,7 +283,8 @@ def test_the_ledger_is_replayed_before_modules_are_written(monkeypatch, tmp_path
 def test_trace_goes_both_ways(run):
     places = [line.split(": ")[0] for line in run("trace --equation 34").out.splitlines()]
     assert places
-    modules = {f"torque_free{form}.{end}" for form in ("", "_pi", "_step") for end in ("py", "c")}
+    ends = ("py", "c", "mjs")
+    modules = {f"torque_free{form}.{end}" for form in ("", "_pi", "_step") for end in ends}
     assert {place.split(":")[0] for place in places} == modules
     for place in places:
         assert "(34)" in run("trace", place).out
@@ -361,7 +364,7 @@ def counted(file):
     lines = (Path(rigidsym.__path__[0]) / "generated" / file).read_text("utf-8").splitlines()
     for kind in ("fact", "classical", "arithmetic"):
         yield sum(bool(re.search(rf"(  # |; /\* ){kind}(:| \*/|$)", line)) for line in lines)
-    yield handwritten({"py": "numpy", "c": "c"}[file.partition(".")[2]])
+    yield handwritten("\n".join(lines), {"py": "numpy", "c": "c"}[file.partition(".")[2]])
 
 
 def test_trace_names_what_rests_on_no_fact(run):
@@ -751,7 +754,10 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, refused):
         ("codegen fortran --check", "target = fortran: must be one of: numpy, c"),
         ("codegen c --form phi", "form = phi: must be one of: theta, pi, step"),
         ("codegen --form phi --check", "form = phi: must be one of: theta, pi, step"),
-        ("codegen --stdout", "target = missing: name one, numpy, c; --check alone checks all"),
+        (
+            "codegen --stdout",
+            "target = missing: name one, numpy, c, javascript; --check alone checks all",
+        ),
         ("validate fortran", "target = fortran: must be one of: numpy, c"),
         ("validate numpy fortran", "target = fortran: must be one of: numpy, c"),
         ("propagate paper --digits 100001", "digits = 100001: must be a whole number"),

@@ -28,6 +28,7 @@ from rigidsym._codegen.targets.c.derived import plain
 from rigidsym._codegen.targets.c.printer import Printer
 from rigidsym._codegen.targets.c.reader import Reader, parsed
 from rigidsym._codegen.targets.c.reader import functions as functions_in
+from rigidsym._codegen.targets.javascript import module as javascript_module
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym._codegen.targets.numpy import module as numpy_module
 from rigidsym._codegen.trace import lines_of_equation
@@ -35,7 +36,11 @@ from rigidsym.solution import sealed
 
 HOME = Path(rigidsym.__path__[0]) / "generated"
 HOW_TO = Path(__file__).parents[2] / "notebooks" / "text" / "howto_add_a_target.py"
-SOURCES = {"numpy": numpy_module.FILES, "c": c_module.SOURCES}
+SOURCES = {
+    **{"numpy": numpy_module.FILES, "c": c_module.SOURCES},
+    "javascript": javascript_module.FILES,
+}
+HEADS = {**SOURCES, "c": c_module.HEADERS}
 every_module = pytest.mark.parametrize(
     ("target", "form"), [(t, f) for t in TARGETS for f in forms.FORMS]
 )
@@ -48,9 +53,15 @@ def source(target, form="theta"):
 
 
 def count_of_lines(target, form):
-    """Return how many lets a module prints: in C, the discriminant for two kinds of numbers."""
-    printed = [x for x in lets_of(form) if target == "c" or x.name != "_exponential"]
-    twice = [x for x in printed if target == "c" and x.name == "_discriminant"]
+    """Return how many lets a module prints: the discriminant for two kinds of numbers but in NumPy.
+
+    JavaScript has no sensitivities.
+    """
+    printed = [x for x in lets_of(form) if target != "numpy" or x.name != "_exponential"]
+    if target == "javascript":
+        own = javascript_module.program(lets_of(form), constants(), form).routines.values()
+        printed = [x for x in printed if any(one.prints(x) for one in own)]
+    twice = [x for x in printed if target != "numpy" and x.name == "_discriminant"]
     return sum(len(function.lets) for function in (*printed, *twice))
 
 
@@ -69,7 +80,8 @@ def test_what_is_printed_reads_back_as_the_lets(target, form):
         if name == c_module.ARITHMETIC:
             continue
         assert name.startswith(Path(SOURCES[target][form]).stem)
-        assert f"rigidsym codegen {target}{forms.option(form)}\n" in text or name.endswith(".c")
+        command = f"rigidsym codegen {target}{forms.option(form)}"
+        assert f"{command}\n" in text or f"`{command}`" in text or name.endswith(".c")
 
 
 @every_module
@@ -93,7 +105,7 @@ def test_one_digest_covers_all_files(target, form):
     generated = made(target, form=form)
     digest, files = generated.manifest["digest"], generated.files
     (head,) = (name for name, text in files.items() if f"digest {digest}" in text)
-    assert head == {"numpy": numpy_module.FILES, "c": c_module.HEADERS}[target][form]
+    assert head == HEADS[target][form]
     assert f'return "{digest}";' in source(target, form) or target == "numpy"
     sums = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     assert generated.manifest["sha256"] == sums
@@ -158,7 +170,7 @@ def test_the_numpy_module_works_alone(tmp_path):
 @pytest.mark.parametrize(
     ("target", "form", "message"),
     [
-        ("fortran", "theta", "target = fortran: must be one of: numpy, c"),
+        ("fortran", "theta", "target = fortran: must be one of: numpy, c, javascript"),
         ("numpy", "phi", r"form = 'phi': must be one of: theta, pi|phi"),
     ],
 )
@@ -267,9 +279,9 @@ def test_a_name_of_another_form_is_refused():
         seal_text(changed, sealed())
 
 
-def test_equation_36_has_lines_in_both_languages():
-    files = {line.split(":")[0] for line in lines_of_equation("36")}
-    assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ("py", "c")}
+def test_equation_36_has_lines_in_all_languages():
+    files, ends = {line.split(":")[0] for line in lines_of_equation("36")}, ("py", "c", "mjs")
+    assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ends}
 
 
 def test_the_how_to_adds_a_target_and_takes_it_away(capsys):

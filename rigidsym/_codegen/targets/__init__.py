@@ -8,11 +8,17 @@ The folder of a target `x` has
     read_back.py   check(files, functions, constants, form).  Input: the files as printed, and what
                    they print.  Output: how many lines read back as their lets.
 
+    server.py      command(module, home), of targets that compute states in a process of their own.
+                   Input: the key of a module, for example "javascript-pi", and the folder of
+                   generated files.  Output: the command that starts the process, which answers as
+                   `rigidsym._engines.piped` says.
+
 and whatever these use: a printer, and text written by hand.  TARGETS lists it.
 """
 
 from collections.abc import Callable, Mapping
 from importlib import import_module
+from importlib.resources.abc import Traversable
 
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Module
@@ -20,8 +26,9 @@ from rigidsym.errors import InputError
 
 Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
 Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
+Command = Callable[[str, Traversable], list[str]]
 
-TARGETS = ["numpy", "c"]
+TARGETS = ["numpy", "c", "javascript"]
 # Sets of files for C that are more than modules: code, unit tests, checks and records.
 PROFILES = ("flight",)
 
@@ -53,3 +60,14 @@ def reader(target: str) -> Check:
         return import_module(f"{__name__}.{target}.read_back").check
     except ModuleNotFoundError:
         raise InputError("target", target, "has no read_back.py: it cannot be sealed") from None
+
+
+def server(target: str) -> Command:
+    """Return the function that gives the command of a target's process.
+
+    Raises InputError for a target that has none.
+    """
+    try:
+        return import_module(f"{__name__}.{target}.server").command
+    except ModuleNotFoundError:
+        raise InputError("target", target, "has no server.py: it computes no states") from None

@@ -8,7 +8,7 @@ from pathlib import PurePath
 from rigidsym._codegen import header
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.lines import Lines, Module, code_lines, joined, shares
+from rigidsym._codegen.lines import Lines, Module, code_lines, handwritten, joined, shares
 from rigidsym._codegen.routines import Program
 from rigidsym._codegen.targets.c.printer import Printer
 from rigidsym._codegen.targets.c.program import arithmetic, program
@@ -103,9 +103,9 @@ def printed(made: Program, form: str) -> tuple[dict[str, str], Lines]:
     files = Files(made, form)
     source = joined(files.source())
     arithmetic = joined(files.arithmetic())
-    by_hand = sum(code_lines(text, "c") for text in files.by_hand())
-    printed = sum(code_lines("\n".join(part.text), "c") for part in (source, arithmetic))
-    runtime = printed - len(source.lets) - by_hand
+    printed = "\n".join((*source.text, *arithmetic.text))
+    by_hand = handwritten(printed, "c")
+    runtime = code_lines(printed, "c") - len(source.lets) - by_hand
     counts = shares(source.kinds(), runtime, by_hand)
     texts = {
         HEADERS[form]: files.header().replace(header.SHARES, counts),

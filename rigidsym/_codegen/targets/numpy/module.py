@@ -12,7 +12,7 @@ from rigidsym._codegen import header
 from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.lines import Lines, Module, code_lines, handwritten, joined, shares
+from rigidsym._codegen.lines import Lines, Module, code_lines, joined, shares
 from rigidsym._codegen.routines import Program, Type, read
 from rigidsym._codegen.targets.c.codes import names
 from rigidsym._codegen.targets.c.program import named_numbers
@@ -63,7 +63,9 @@ def build(
 def counted(kinds: Iterable[str], form: str) -> str:
     """Format the table of the module's lines by kind, from the kinds of its derived lines."""
     own = key("numpy", form)
-    return shares(kinds, code_lines("\n".join(decisions(form)), own), handwritten(own))
+    by_hand = (_part("double_double.py", "# --- double-doubles ---"), *_by_hand(form))
+    printed, written = ("\n".join(texts) for texts in (decisions(form), by_hand))
+    return shares(kinds, code_lines(printed, own), code_lines(written, own))
 
 
 def first(form: str) -> str:

@@ -1,0 +1,1 @@
+"""JavaScript as a target: an ES module without dependencies, with type declarations."""
