@@ -225,7 +225,11 @@ class Reader:
             self._check_whole(given)
             return ast.Assign([self.read(given[0])], self.read(given[1]), lineno=1)
         if name == "memset":
-            return ast.Expr(_call("cleared", self.read(given[0])))
+            struct = self.read(given[0])
+            size = f"sizeof({self.printer.type_name(self.scope.of(struct).name)})"
+            if [_text(one) for one in given[1:]] != ["0", size]:
+                raise self._refuse(node)
+            return ast.Expr(_call("cleared", struct))
         return ast.Expr(self.read(inner))
 
     def _check_whole(self, given: list[Node]) -> None:
