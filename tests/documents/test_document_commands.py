@@ -48,6 +48,10 @@ _NOT_RUN = {
         "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
         "rigidsym codegen c --form step -o DIR",
     ),
+    "tests/codegen/flight/test_flight_profile.py writes these files, and runs the checks": (
+        "rigidsym codegen c --profile flight -o DIR", "make -C DIR report",
+        "make report", "make test",
+    ),
     "tests/cli/test_front_door.py runs it for every shell": ("rigidsym completion",),
     "tests/manoeuvre/test_commands.py runs it": ("rigidsym figures", "rigidsym figures -o figures"),
     "minutes; tests/manoeuvre/comparison/test_compare.py runs it for one manoeuvre": (

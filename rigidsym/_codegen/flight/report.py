@@ -231,9 +231,8 @@ def sized(folder: Folder) -> Check:
         Goal(f"text at -Os is at most {MOST_TEXT} bytes", f"{text} bytes", text <= MOST_TEXT),
         Goal("no variables of the program", f"{data + bss} bytes", data + bss == 0),
     ]
-    return Check(
-        "Size", [f"On {_machine(folder)}: text {text}, data {data}, bss {bss} bytes."], goals
-    )
+    found = f"At -Os on {_machine(folder)}: text {text}, data {data}, bss {bss} bytes."
+    return Check("Size", [found], goals)
 
 
 def counted(folder: Folder) -> Check:
@@ -262,9 +261,7 @@ def counted(folder: Folder) -> Check:
             rows.append(f"| `{name}` | {len(called)} | {max(called)} |")
     goal = Goal("instructions are counted", f"{len(rows)} functions", bool(rows))
     head = ["| function | calls | most instructions |", "| --- | --- | --- |"]
-    note = (
-        f"At -O2 on {_machine(folder)}, those of the C library included, as the unit tests call it."
-    )
+    note = f"In the unit tests, at -O2 on {_machine(folder)}, the C library included."
     return Check("Instructions", [note, "", *head, *rows], [goal])
 
 

@@ -8,6 +8,7 @@ import re
 import shutil
 import subprocess
 from fractions import Fraction
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -24,6 +25,20 @@ from rigidsym._codegen.flight.vectors import of_motions, of_steps, vectors
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution import sealed
 
+PAGES = Path(__file__).parents[3] / "notebooks" / "site" / "pages"
+# Figures of a report, and where its page says them; those of compilers differ a little.
+FIGURES = {
+    r"(\d+) tests, 0 failures": r"(\d+) of \d+; largest",
+    r"coverage at least 95 % \| ([\d.]+) %": r"explained \| ([\d.]+) %",
+    r"at most 60 lines \| (\d+)": r"at most 60 \| (\d+)",
+    r"150000 bytes \| (\d+)\d{3} bytes": r"150 kB \| (\d+) kB",
+    r"motion_init` \| (\d+) \|\n": r"(\d+) bytes to begin",
+    r"state_at` \| (\d+) \|\n": r"motion, (\d+) for a state, \d+ for a step \|\n\| most",
+    r"step` \| (\d+) \|\n": r"state, (\d+) for a step \|\n\| most",
+    r"motion_init` \| \d+ \| (\d+)": r"(\d+) to begin",
+    r"state_at` \| \d+ \| (\d+)": r"to begin a motion, (\d+) for a state, \d+ for a step \|\n\n",
+    r"_step` \| \d+ \| (\d+)": r"state, (\d+) for a step \|\n\n",
+}
 BITS = ("-std=c99", "-O1", "-ffp-contract=off")
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
 
@@ -212,6 +227,10 @@ def test_the_report_meets_all_goals(folder):
     assert "**no**" not in text
     assert "**not" not in text
     assert text.count("| yes |") == 12
+    page = (PAGES / "flight.md").read_text("utf-8")
+    for pattern, said in FIGURES.items():
+        found = [float(re.search(one, where)[1]) for one, where in ((pattern, text), (said, page))]
+        assert found[0] == pytest.approx(found[1], rel=0.1), pattern
 
 
 def test_checks_without_their_tool_are_left_out(folder, monkeypatch):
