@@ -48,7 +48,7 @@ _NOT_RUN = {
         "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
         "rigidsym codegen c --form step -o DIR",
     ),
-    "tests/codegen/flight/test_flight_profile.py writes these files, and runs the checks": (
+    "tests/codegen/test_flight_profile.py writes these files, and runs the checks": (
         "rigidsym codegen c --profile flight -o DIR", "make -C DIR report",
         "make report", "make test",
     ),

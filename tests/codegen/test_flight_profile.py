@@ -13,6 +13,7 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
+from compilers import installed
 
 from rigidsym import generate
 from rigidsym._codegen.flight import records, report
@@ -22,10 +23,13 @@ from rigidsym._codegen.flight.profile import files
 from rigidsym._codegen.flight.program import MOST_LINES, PREFIX, lines, names, program
 from rigidsym._codegen.flight.trace import facts, rows
 from rigidsym._codegen.flight.vectors import of_motions, of_steps, vectors
+from rigidsym._codegen.functions import functions
+from rigidsym._codegen.passes import fuse
+from rigidsym._codegen.routines import let_of
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution import sealed
 
-PAGES = Path(__file__).parents[3] / "notebooks" / "site" / "pages"
+PAGES = Path(__file__).parents[2] / "notebooks" / "site" / "pages"
 # Figures of a report, and where its page says them; those of compilers differ a little.
 FIGURES = {
     r"(\d+) tests, 0 failures": r"(\d+) of \d+; largest",
@@ -38,6 +42,14 @@ FIGURES = {
     r"motion_init` \| \d+ \| (\d+)": r"(\d+) to begin",
     r"state_at` \| \d+ \| (\d+)": r"to begin a motion, (\d+) for a state, \d+ for a step \|\n\n",
     r"_step` \| \d+ \| (\d+)": r"state, (\d+) for a step \|\n\n",
+}
+# Debian's cross-compilers, and the processors that qemu emulates for them.
+FOREIGN = {
+    "aarch64-linux-gnu": "aarch64",
+    "arm-linux-gnueabihf": "arm",
+    "powerpc64-linux-gnu": "ppc64",
+    "riscv64-linux-gnu": "riscv64",
+    "s390x-linux-gnu": "s390x",
 }
 BITS = ("-std=c99", "-O1", "-ffp-contract=off")
 needs_gcc = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
@@ -146,6 +158,18 @@ def test_states_and_steps_have_the_bits_of_the_library_without_fused_products(fo
         np.testing.assert_array_equal(flight.step(vector), library.step(vector), vector.name)
 
 
+@needs_gcc
+@pytest.mark.slow
+@pytest.mark.parametrize("target", FOREIGN)
+def test_the_unit_tests_pass_with_the_same_bits_on_other_processors(target, folder, tmp_path):
+    sources = (folder / SOURCE, folder / "test_torque_free.c")
+    build = [installed(f"{target}-gcc"), *BITS, "-static", *sources, "-o", tmp_path / "tests"]
+    subprocess.run([*build, "-lm"], check=True)
+    run = [installed(f"qemu-{FOREIGN[target]}"), tmp_path / "tests"]
+    done = subprocess.run(run, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, built(folder).stdout)
+
+
 def test_vectors_are_the_nearest_doubles():
     for vector in list(of_motions(cases=1, times=2))[::5]:
         motion = PreciseMotion(*(tuple(map(Fraction, x)) for x in vector.given))
@@ -167,6 +191,20 @@ def test_functions_are_short_and_call_nothing_in_a_circle(made):
     for name, one in made.routines.items():
         assert one.calls() & made.routines.keys() <= known, name
         known.add(name)
+
+
+def test_pieces_have_the_assignments_of_the_derived_functions(made):
+    """Each function, whole or in pieces, has the statements of the derivation, in their order."""
+    found = {}
+    for name, one in made.routines.items():
+        nodes = (node for part in one.body for node in ast.walk(part))
+        lets = [let_of(node) for node in nodes if isinstance(node, ast.stmt) and let_of(node)]
+        found.setdefault(re.sub(r"_\d+$", "", name), []).extend(lets)
+    derived = {x.name[1:]: x for form in ("theta", "step") for x in functions(sealed(), form)}
+    having = {name: tuple(lets) for name, lets in found.items() if lets}
+    assert having.keys() - derived.keys() == {"discriminant_dd", "discriminant_exact"}
+    for name in having.keys() & derived.keys():
+        assert having[name] == fuse(derived[name]), name
 
 
 def test_every_loop_has_a_bound(made):
