@@ -317,7 +317,9 @@ def is_same(one: Any, other: Any) -> bool:
     if isinstance(one, list):
         return isinstance(other, list) and len(one) == len(other) and all(map(is_same, one, other))
     if not isinstance(one, ast.AST):
-        return one == other and (type(one) is type(other) or isinstance(one, bool | int))
+        return one == other and (
+            type(one) is type(other) or {type(one), type(other)} == {bool, int}
+        )
     if type(one) is not type(other):
         return False
     if isinstance(one, ast.Name):

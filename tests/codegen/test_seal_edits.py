@@ -20,10 +20,14 @@ from rigidsym.validate.faults._fault import FILES
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
+STEPS = {"c-step": "torque_free_step.c"}
 CASES = [pytest.param(t, e, id=f"{t}: {e['name']}") for t, edits in EDITS.items() for e in edits]
 
 
-made = cache(generate)
+@cache
+def made(module):
+    target, form = split(module)
+    return generate(target, form=form)
 
 
 @pytest.fixture(autouse=True)
@@ -37,7 +41,7 @@ def edited(target, edit):
     generated = made(target)
     manifest = generated.manifest
     files = {n: header.unsealed(x, target, manifest["digest"]) for n, x in generated.files.items()}
-    name = edit.get("file", SOURCES[target])
+    name = edit.get("file", (SOURCES | STEPS)[target])
     assert edit["find"] in files[name], f"{edit['name']}: there is nothing to edit"
     files[name] = files[name].replace(edit["find"], edit["replace"], 1)
     files, digest = header.sealed(files, target)
@@ -62,7 +66,11 @@ def test_a_line_says_what_it_is_by(target):
 
 
 def test_how_many_edits_there_are():
-    assert {target: len(edits) for target, edits in EDITS.items()} == {"numpy": 32, "c": 31}
+    assert {target: len(edits) for target, edits in EDITS.items()} == {
+        "numpy": 32,
+        "c": 36,
+        "c-step": 8,
+    }
 
 
 @pytest.mark.parametrize("target", SOURCES)
