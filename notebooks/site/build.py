@@ -67,7 +67,7 @@ def render(output: Path) -> int:
 def stage(source: Path, notebooks: Sequence[Path]) -> None:
     """Write every page of the site as a file under `source`."""
     # They import most of the package, which rendering does not need.
-    from generate import api, command, displays, errata, formats, kernel
+    from generate import api, command, displays, errata, formats, kernel, live
 
     shutil.copytree(SITE / "pages", source)
     for name, page in project.pages(ROOT).items():
@@ -77,6 +77,8 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     _write(source / "reference" / "formats.md", formats.page())
     _write(source / "errata.md", errata.page())
     _write(source / "displays.md", displays.page())
+    page = source / "live.md"
+    _write(page, page.read_text("utf-8").replace(live.PLACE, live.block()))
     _write(source / "reference" / "kernel.md", kernel.page())
     contents = source / "reference" / "api.md"
     _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))

@@ -219,7 +219,7 @@ COMMANDS = (
         "code:codegen",
         "write a numeric module",
         "codegen c -o attitude",
-        _value("target", "TARGET", "numpy or c; --check without one checks all", nargs="?"),
+        _value("target", "TARGET", "a language, such as c; --check alone checks all", nargs="?"),
         _value("--form", "FORM", "theta by default, step, or the paper's: pi"),
         _value("--profile", "NAME", "flight: C for flight software, with unit tests and checks"),
         _switch("--single-file", "C: one header and one source, for copies by -o or --stdout"),

@@ -17,7 +17,7 @@ from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.manoeuvre._planning import solve
 
-KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "text", "python no-run", "c no-run"}
+KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "js", "text", "python no-run", "c no-run"}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
 OF_PYTHON = (*NATIVE, ANY_MOMENTS, "-fPIC", "-shared")
 COMPILED_WITH = [flag for flag in FLAGS if flag not in OF_PYTHON]
@@ -93,6 +93,19 @@ def test_a_c_program_compiles_and_runs(program, tmp_path):
     found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
     expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
     assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-15)
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js (Debian: nodejs)")
+@pytest.mark.parametrize("program", blocks("js"))
+def test_the_javascript_runs(program, tmp_path):
+    (tmp_path / "main.mjs").write_text(program)
+    rigidsym.generate("javascript").write(tmp_path)
+    line = ["node", tmp_path / "main.mjs"]
+    found = subprocess.run(line, capture_output=True, text=True, check=True)
+    state, refused = found.stdout.splitlines()
+    expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)
+    assert list(map(float, state.split())) == pytest.approx(np.hstack(expected), abs=1e-15)
+    assert refused.startswith("inertia no body has")
 
 
 def _flags():

@@ -9,11 +9,13 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from browsers import HANGS, chromium, needs_browser
 from ledgers import FACTS, LEDGER
 from sample_notebook import notebook
 
+from rigidsym import TorqueFreeMotion
 from rigidsym.proof.kernel._rules import RULES
 from rigidsym.proof.paper import verdicts
 
@@ -80,6 +82,7 @@ def test_all_pages_are_there(pages):
     expected = {
         *("index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite", "use"),
         *("proofs", "digits", "code", "accuracy", "validation", "contributing", "glossary"),
+        *("live",),
         *("stability", "manoeuvres", "reference/api", "reference/command", "reference/formats"),
         *("reference/kernel", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre"),
         "reference/api/rigidsym.io",
@@ -118,6 +121,75 @@ def test_a_notebook_has_its_formulas_tables_and_pictures(html, pages):
     assert text.count('<script src="../_static/plotly.min.js">') == 1
     assert "Plotly.newPlot" in text
     assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
+
+
+# Moments, rates and times of the live page, as its sliders have them.
+LIVE = [
+    ("1 2 2.5", "0.02 2 0", "12.34"),
+    ("0.55 2.01 2.49", "-1.6 0.5 0.4", "99.99"),
+    ("2 2 1", "0.5 0 2", "3.21"),
+    ("0.7 0.7 0.7", "0.5 0.8 1", "50"),
+    ("1 1 2", "0 0 0", "7"),
+]
+SLIDE = """
+for (const [name, value] of Object.entries(arguments[0])) {
+    document.getElementById(`live-${name}`).value = value;
+}
+document.getElementById("live-t").dispatchEvent(new Event("input", { bubbles: true }));
+return ["q", "omega"].map((name) => document.getElementById(`live-${name}`).textContent);
+"""
+
+
+COLOUR = "return getComputedStyle(document.querySelector('#live-body .face')).stroke"
+
+
+def slide(driver, moments, rates, t):
+    """Set the sliders of the live page, and return its numbers: q and omega."""
+    names = [*(f"c{k}" for k in (1, 2, 3)), *(f"omega{k}" for k in (1, 2, 3)), "t"]
+    values = [*moments.split(), *rates.split(), t]
+    shown = driver.execute_script(SLIDE, dict(zip(names, values, strict=True)))
+    return [float(x) for text in shown for x in text.split()]
+
+
+@needs_browser
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+@pytest.mark.parametrize("width", [1400, 390])
+def test_the_live_page_computes_what_python_does(html, width, tmp_path):
+    metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    with chromium(tmp_path / "profile") as driver:
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+        driver.get((html / "live.html").as_uri())
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+        for moments, rates, t in LIVE:
+            inertia, omega0 = ([float(x) for x in text.split()] for text in (moments, rates))
+            q, omega = TorqueFreeMotion(inertia, omega0)(float(t))
+            found = slide(driver, moments, rates, t)
+            assert np.max(np.abs(np.array(found) - [*q, *omega])) < 4e-15, moments
+        # Every control has a name, and keys move it.
+        controls = driver.find_elements("css selector", "#live input, #live select, #live button")
+        assert len(controls) == 11
+        assert all(control.accessible_name for control in controls)
+        first = driver.find_element("id", "live-c1")
+        before = driver.find_element("id", "live-momentum").text
+        slide(driver, *LIVE[0])
+        first.send_keys("\ue014")
+        assert driver.find_element("css selector", "output[for=live-c1]").text == "1.01"
+        assert driver.find_element("id", "live-momentum").text != before
+        # What no body can have is refused in words.
+        assert slide(driver, "3 1 1", "0 0 1", "1") == []
+        words = "No body has a principal moment larger than the sum of the other two."
+        assert driver.find_element("id", "live-refused").text == words
+        assert slide(driver, *LIVE[0])
+        assert driver.find_element("id", "live-refused").text == ""
+        # It runs, in colours of either theme, without an error.
+        driver.find_element("id", "live-run").send_keys(" ")
+        colours = []
+        for theme in ("light", "dark"):
+            driver.execute_script(f"document.body.dataset.theme = '{theme}'")
+            colours.append(driver.execute_script(COLOUR))
+            driver.save_screenshot(str(tmp_path / f"{theme}.png"))
+        assert len({*colours}) == 2
+        assert [entry for entry in driver.get_log("browser") if entry["level"] == "SEVERE"] == []
 
 
 @needs_browser
