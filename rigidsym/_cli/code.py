@@ -6,7 +6,6 @@ from argparse import Namespace
 from collections.abc import Generator, Iterable
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
-from itertools import product
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -34,10 +33,11 @@ def codegen(options: Namespace) -> int:
         import rigidsym.generated
         from rigidsym._codegen import generate
         from rigidsym._codegen.seal import seal, seal_text
+        from rigidsym._codegen.targets import format_of
         from rigidsym.solution import sealed
 
-        for form in dict.fromkeys(form for _, form in chosen):
-            seal(sealed(), form)
+        for form, binary in dict.fromkeys((form, format_of(target)) for target, form in chosen):
+            seal(sealed(), form, binary)
         modules = [generate(target, form=form) for target, form in chosen]
         for module in modules:
             seal_text(module, sealed())
@@ -97,18 +97,17 @@ def _modules(options: Namespace) -> list[tuple[str, str]]:
 
     With --check these are all where none is named.  Raises InputError for an unknown one.
     """
-    from rigidsym._codegen.forms import FORMS, THETA, checked
-    from rigidsym._codegen.targets import TARGETS, known
+    from rigidsym._codegen.forms import THETA, checked
+    from rigidsym._codegen.targets import TARGETS, forms_of, known
 
     if options.target is None and not options.check:
         rule = f"name one, {', '.join(TARGETS)}; --check alone checks all"
         raise InputError("target", "missing", rule)
     targets = TARGETS if options.target is None else [known(options.target)]
-    if options.form is None:
-        forms = [THETA] if options.target else [*FORMS]
-    else:
-        forms = [checked(options.form)]
-    return list(product(targets, forms))
+    if options.form is None and options.target is None:
+        return [(target, form) for target in targets for form in forms_of(target)]
+    form = checked(options.form or THETA)
+    return [(target, form) for target in targets if options.target or form in forms_of(target)]
 
 
 @contextmanager

@@ -64,7 +64,8 @@ class Format:
         powers of two.  HALF_ULP times a number reaches the next, rounded up.  ROUNDING: so far,
         relative to the smallest, may the largest moment be beyond the sum of the others.  MODERATE:
         a power of two from whose inverse to which rates of a step are not scaled.  NORMALISES: a
-        state is divided by its length at the end.  The others mix words of bits, from which three
+        state is divided by its length at the end.  HIGH_IS_ROUNDED: the first of a pair stands for
+        the pair, but for ties.  The others mix words of bits, from which three
         random numbers are taken.
         """
         turn, chance = self.word // 3, (self.word - 2) // 3
@@ -78,7 +79,7 @@ class Format:
             "HALF_ULP": ldexp(1.0 + ldexp(1.0, 1 - self.digits), -self.digits),
             "ROUNDING": ldexp(1.0, 3 - self.digits),
             "MODERATE": ldexp(1.0, self.moderate),
-            "NORMALISES": not self.is_wide,
+            **dict.fromkeys(("NORMALISES", "HIGH_IS_ROUNDED"), not self.is_wide),
             **{"TURN": turn, "TURN_BACK": self.word - turn},
             **{"SECOND_TURN": 2 * turn, "SECOND_BACK": self.word - 2 * turn},
             "HALF_WORD": self.word // 2,

@@ -11,7 +11,7 @@ from typing import TypedDict
 from rigidsym._codegen.forms import THETA, checked, key
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.lines import Place
-from rigidsym._codegen.targets import builder
+from rigidsym._codegen.targets import builder, format_of
 from rigidsym.io._files import write_all
 from rigidsym.solution import Solution, sealed
 
@@ -80,8 +80,8 @@ def generate(target: str, solution: Solution | None = None, form: str = THETA) -
     solution, "theta", "pi" or "step".  Raises InputError (a ValueError) for an unknown target or
     form.
     """
-    build = builder(target)
-    module = build(functions(solution or sealed(), checked(form)), constants(), form)
+    build, binary = builder(target), format_of(target)
+    module = build(functions(solution or sealed(), checked(form), binary), constants(binary), form)
     manifest: Manifest = {
         "target": key(target, form),
         "digest": module.digest,

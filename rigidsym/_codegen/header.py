@@ -77,10 +77,12 @@ def special_functions(form: str, binary: Format = BINARY64) -> tuple[str, ...]:
     """Return the error bounds of a form's special functions, as lines of text."""
     sine = reduction.sine_bound(reduction.sine_coefficients(binary.trigonometric, binary))
     cosine = reduction.cosine_bound(reduction.cosine_coefficients(binary.trigonometric, binary))
+    turns = next(x.exponent for x in limits(THETA, binary) if x.name == "max_angle")
     everywhere = [
         f"  arctangent and logarithm       relative, below {_up(angles.series_tail(binary))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
-        "  reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46",
+        "  reduction by half turns        argued, not proved: within "
+        f"2^-{binary.digits + 1} half turns below 2^{turns}",
     ]
     if form == STEP:
         own = [
@@ -120,21 +122,22 @@ def _up(bound: float | Fraction) -> str:
     return text if float(text) >= value else f"{value * 1.05:.1e}"
 
 
-def text(target: str, form: str) -> str:
+def text(target: str, form: str, binary: Format = BINARY64) -> str:
     """Return the header text of a module, with placeholders for numbers not yet known.
 
     These are the counts of lines, the digest and the measured errors.
     """
-    bounds = [*special_functions(form)]
+    bounds = [*special_functions(form, binary)]
     if target != "numpy" and form != STEP:
         # NumPy brings the exponential itself.
-        left_out = exponential.bound(exponential.coefficients())
+        left_out = exponential.bound(exponential.coefficients(binary))
         bounds.append(f"  exp(x), x <= 0                 relative, below {_up(left_out)}")
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
-    known = {limit.name: limit.exponent for limit in limits(form)}
+    known = {limit.name: limit.exponent for limit in limits(form, binary)}
     reach, time = (_OF_STEPS, "dt") if form == STEP else (_OF_MOTIONS, "t")
     domain = _DOMAIN.format(reach=reach.format(**known), time=time, **known)
     lines = _LINES.format(shares=SHARES, grades=_GRADES[form])
+    domain = domain.replace(BINARY64.name, binary.name)
     return "\n".join([domain, "", lines, *bounds, "", MEASURED, "", *ends])
 
 

@@ -49,6 +49,8 @@ FILES = {
     "c": ("torque_free.h", _ARITHMETIC, "torque_free.c"),
     "c-pi": ("torque_free_pi.h", _ARITHMETIC, "torque_free_pi.c"),
     "c-step": ("torque_free_step.h", _ARITHMETIC, "torque_free_step.c"),
+    "c_single": ("torque_free_single.h", "torque_free_single.c"),
+    "c_single-step": ("torque_free_single_step.h", "torque_free_single_step.c"),
 }
 # Engines with the same bits on every processor end so.  They are not built for this processor:
 # GCC 12 fuses products for it when it vectorises straight lines, contraction being off.  With -O1

@@ -4,7 +4,7 @@ import ctypes
 import operator
 import re
 from collections.abc import Callable, Mapping
-from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
+from ctypes import c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path, PurePath
@@ -16,7 +16,7 @@ import numpy as np
 _PROTOTYPE = re.compile(r"^(const char \*|[a-z_]+ )(\w+)\(([^(){}]*)\);", re.MULTILINE)
 _PARAMETER = re.compile(r"(const )?(\w+) (\*?)(\w+)((?:\[\d+\])*)( OR_NULL)?")
 _CONSTANT = re.compile(r"^ +([A-Z_0-9]+) = (\d+)", re.MULTILINE)
-_PLAIN = {"double": c_double, "int": c_int, "size_t": c_size_t}
+_PLAIN = {"double": c_double, "float": c_float, "int": c_int, "size_t": c_size_t}
 
 
 class LibraryError(Exception):
@@ -80,10 +80,10 @@ class Parameter:
         if isinstance(value, bool | str):
             return None
         try:
-            whole = float(value) if self.type == "double" else operator.index(value)
+            whole = float(value) if self.type in ("double", "float") else operator.index(value)
         except TypeError:
             return None
-        if self.type == "double":
+        if self.type in ("double", "float"):
             return whole
         bits = 8 * ctypes.sizeof(_PLAIN[self.type])
         least = 0 if self.type == "size_t" else -(1 << bits - 1)
@@ -95,7 +95,7 @@ class Signature:
     """Signature of a C function, as declared in its prototype."""
 
     name: str
-    result: type[c_char_p | c_double | c_int | c_size_t]
+    result: type[c_char_p | c_double | c_float | c_int | c_size_t]
     parameters: tuple[Parameter, ...]
 
     def arguments(self, given: tuple[Any, ...], sizes: Mapping[str, int]) -> list[Any]:
@@ -160,7 +160,7 @@ class Library:
                 c_void_p if x.is_pointer else _PLAIN[x.type] for x in signature.parameters
             ]
             # The steps' module has a prefix of its own only where another module has the name.
-            short = name.removeprefix(f"{stem}_").removeprefix("torque_free_")
+            short = name.removeprefix(f"{stem}_").removeprefix(f"{stem.removesuffix('_step')}_")
             self.signatures[short] = signature
             setattr(self.raw, short, function)
         for name, value in _CONSTANT.findall(header):
@@ -202,7 +202,12 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
 
 
 def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError if compiler options broke the floating-point arithmetic of a library."""
+    """Raise LibraryError if compiler options broke the floating-point arithmetic of a library.
+
+    Modules in single precision do not look.
+    """
+    if not {"body_size", "motion_size"} & library.signatures.keys():
+        return
     one, size = np.ones(4), ctypes.sizeof(c_double)
     if "body_init" in library.signatures:
         code = library.body_init((c_double * -(-library.body_size() // size))(), one)

@@ -22,7 +22,7 @@ Lines of code:
     227  12 %  follow facts of the ledger, each named on its line
     320  17 %  follow classical formulas, each with its reference
      42   2 %  are arithmetic: sums, products, quotients, roots, reductions
-   1193  63 %  are the runtime, printed from its one representation
+   1192  63 %  are the runtime, printed from its one representation
     101   5 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate javascript --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest 984966901fdf2be5abf28c9204872007707b873974eae1c7f3424e3eb9b6be6d
+digest 0ff76fe729359d94c0928324e8c07a34b55bec7b452ddab8acb3634383c6aace
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -1722,113 +1722,112 @@ function steady_init(motion, omega, q) {
 function branch_init(motion, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, q_0,
     q_a, q_b, q_d, axis_a, axis_b, axis_d, unit) {
     let [K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi] = initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d);
-    const fits = is_held(unit, A_a.hi, A_b.hi, A_d.hi);
-    /* Zero times what is no number, or infinite, is no number. */
-    let nothing = 0.0;
+    /* Constants are far from the largest numbers: their sum is finite where all are. */
+    let sum = 0.0;
     if (k_1.hi * k_1.hi <= max_circular) {
         motion.branch = 1;
         circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, motion.of.circular);
-        nothing += 0.0 * motion.of.circular.v_rate_hi;
-        nothing += 0.0 * motion.of.circular.v_rate_lo;
-        nothing += 0.0 * motion.of.circular.v_hi;
-        nothing += 0.0 * motion.of.circular.v_lo;
-        nothing += 0.0 * motion.of.circular.Lambda_rate_hi;
-        nothing += 0.0 * motion.of.circular.Lambda_rate_lo;
-        nothing += 0.0 * motion.of.circular.T4_re_0;
-        nothing += 0.0 * motion.of.circular.T4_re_1;
-        nothing += 0.0 * motion.of.circular.T4_re_2;
-        nothing += 0.0 * motion.of.circular.T4_re_3;
-        nothing += 0.0 * motion.of.circular.T4_im_0;
-        nothing += 0.0 * motion.of.circular.T4_im_1;
-        nothing += 0.0 * motion.of.circular.T4_im_2;
-        nothing += 0.0 * motion.of.circular.T1_re_0;
-        nothing += 0.0 * motion.of.circular.T1_re_1;
-        nothing += 0.0 * motion.of.circular.T1_re_2;
-        nothing += 0.0 * motion.of.circular.T1_re_3;
-        nothing += 0.0 * motion.of.circular.T1_im_0;
-        nothing += 0.0 * motion.of.circular.T1_im_1;
-        nothing += 0.0 * motion.of.circular.T1_im_2;
-        nothing += 0.0 * motion.of.circular.T1_im_3;
-        nothing += 0.0 * motion.of.circular.even_0;
-        nothing += 0.0 * motion.of.circular.even_1;
-        nothing += 0.0 * motion.of.circular.even_2;
-        nothing += 0.0 * motion.of.circular.odd_0;
-        nothing += 0.0 * motion.of.circular.odd_1;
-        nothing += 0.0 * motion.of.circular.sine_even_0;
-        nothing += 0.0 * motion.of.circular.sine_even_1;
-        nothing += 0.0 * motion.of.circular.sine_even_2;
-        nothing += 0.0 * motion.of.circular.sine_odd_0;
-        nothing += 0.0 * motion.of.circular.sine_odd_1;
-        nothing += 0.0 * motion.of.circular.row_0_P4_re;
-        nothing += 0.0 * motion.of.circular.row_0_P4_im;
-        nothing += 0.0 * motion.of.circular.row_0_P1_re;
-        nothing += 0.0 * motion.of.circular.row_0_P1_im;
-        nothing += 0.0 * motion.of.circular.row_a_P4_re;
-        nothing += 0.0 * motion.of.circular.row_a_P4_im;
-        nothing += 0.0 * motion.of.circular.row_a_P1_re;
-        nothing += 0.0 * motion.of.circular.row_a_P1_im;
-        nothing += 0.0 * motion.of.circular.row_b_P4_re;
-        nothing += 0.0 * motion.of.circular.row_b_P4_im;
-        nothing += 0.0 * motion.of.circular.row_b_P1_re;
-        nothing += 0.0 * motion.of.circular.row_b_P1_im;
-        nothing += 0.0 * motion.of.circular.row_d_P4_re;
-        nothing += 0.0 * motion.of.circular.row_d_P4_im;
-        nothing += 0.0 * motion.of.circular.row_d_P1_re;
-        nothing += 0.0 * motion.of.circular.row_d_P1_im;
-        nothing += 0.0 * motion.of.circular.gain_a;
-        nothing += 0.0 * motion.of.circular.gain_b;
-        nothing += 0.0 * motion.of.circular.gain_d;
+        sum += motion.of.circular.v_rate_hi;
+        sum += motion.of.circular.v_rate_lo;
+        sum += motion.of.circular.v_hi;
+        sum += motion.of.circular.v_lo;
+        sum += motion.of.circular.Lambda_rate_hi;
+        sum += motion.of.circular.Lambda_rate_lo;
+        sum += motion.of.circular.T4_re_0;
+        sum += motion.of.circular.T4_re_1;
+        sum += motion.of.circular.T4_re_2;
+        sum += motion.of.circular.T4_re_3;
+        sum += motion.of.circular.T4_im_0;
+        sum += motion.of.circular.T4_im_1;
+        sum += motion.of.circular.T4_im_2;
+        sum += motion.of.circular.T1_re_0;
+        sum += motion.of.circular.T1_re_1;
+        sum += motion.of.circular.T1_re_2;
+        sum += motion.of.circular.T1_re_3;
+        sum += motion.of.circular.T1_im_0;
+        sum += motion.of.circular.T1_im_1;
+        sum += motion.of.circular.T1_im_2;
+        sum += motion.of.circular.T1_im_3;
+        sum += motion.of.circular.even_0;
+        sum += motion.of.circular.even_1;
+        sum += motion.of.circular.even_2;
+        sum += motion.of.circular.odd_0;
+        sum += motion.of.circular.odd_1;
+        sum += motion.of.circular.sine_even_0;
+        sum += motion.of.circular.sine_even_1;
+        sum += motion.of.circular.sine_even_2;
+        sum += motion.of.circular.sine_odd_0;
+        sum += motion.of.circular.sine_odd_1;
+        sum += motion.of.circular.row_0_P4_re;
+        sum += motion.of.circular.row_0_P4_im;
+        sum += motion.of.circular.row_0_P1_re;
+        sum += motion.of.circular.row_0_P1_im;
+        sum += motion.of.circular.row_a_P4_re;
+        sum += motion.of.circular.row_a_P4_im;
+        sum += motion.of.circular.row_a_P1_re;
+        sum += motion.of.circular.row_a_P1_im;
+        sum += motion.of.circular.row_b_P4_re;
+        sum += motion.of.circular.row_b_P4_im;
+        sum += motion.of.circular.row_b_P1_re;
+        sum += motion.of.circular.row_b_P1_im;
+        sum += motion.of.circular.row_d_P4_re;
+        sum += motion.of.circular.row_d_P4_im;
+        sum += motion.of.circular.row_d_P1_re;
+        sum += motion.of.circular.row_d_P1_im;
+        sum += motion.of.circular.gain_a;
+        sum += motion.of.circular.gain_b;
+        sum += motion.of.circular.gain_d;
         motion.max_angle = limit(motion.max_angle, motion.of.circular.v_rate_hi, motion.of.circular.Lambda_rate_hi);
     } else {
         motion.branch = 2;
         hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, motion.of.hyperbolic);
-        nothing += 0.0 * motion.of.hyperbolic.y_rate_hi;
-        nothing += 0.0 * motion.of.hyperbolic.y_rate_lo;
-        nothing += 0.0 * motion.of.hyperbolic.y0_hi;
-        nothing += 0.0 * motion.of.hyperbolic.y0_lo;
-        nothing += 0.0 * motion.of.hyperbolic.period_hi;
-        nothing += 0.0 * motion.of.hyperbolic.period_lo;
-        nothing += 0.0 * motion.of.hyperbolic.Lambda_rate_hi;
-        nothing += 0.0 * motion.of.hyperbolic.Lambda_rate_lo;
-        nothing += 0.0 * motion.of.hyperbolic.jump_hi;
-        nothing += 0.0 * motion.of.hyperbolic.jump_lo;
-        nothing += 0.0 * motion.of.hyperbolic.period_far;
-        nothing += 0.0 * motion.of.hyperbolic.period_inverse;
-        nothing += 0.0 * motion.of.hyperbolic.re_0;
-        nothing += 0.0 * motion.of.hyperbolic.re_1;
-        nothing += 0.0 * motion.of.hyperbolic.re_2;
-        nothing += 0.0 * motion.of.hyperbolic.re_3;
-        nothing += 0.0 * motion.of.hyperbolic.im_0;
-        nothing += 0.0 * motion.of.hyperbolic.im_1;
-        nothing += 0.0 * motion.of.hyperbolic.im_2;
-        nothing += 0.0 * motion.of.hyperbolic.im_3;
-        nothing += 0.0 * motion.of.hyperbolic.nome;
-        nothing += 0.0 * motion.of.hyperbolic.nome2;
-        nothing += 0.0 * motion.of.hyperbolic.nome4;
-        nothing += 0.0 * motion.of.hyperbolic.nome8;
-        nothing += 0.0 * motion.of.hyperbolic.nome12;
-        nothing += 0.0 * motion.of.hyperbolic.row_0_P4_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_0_P4_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_0_P1_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_0_P1_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_a_P4_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_a_P4_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_a_P1_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_a_P1_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_b_P4_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_b_P4_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_b_P1_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_b_P1_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_d_P4_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_d_P4_im;
-        nothing += 0.0 * motion.of.hyperbolic.row_d_P1_re;
-        nothing += 0.0 * motion.of.hyperbolic.row_d_P1_im;
-        nothing += 0.0 * motion.of.hyperbolic.gain_a;
-        nothing += 0.0 * motion.of.hyperbolic.gain_b;
-        nothing += 0.0 * motion.of.hyperbolic.gain_d;
+        sum += motion.of.hyperbolic.y_rate_hi;
+        sum += motion.of.hyperbolic.y_rate_lo;
+        sum += motion.of.hyperbolic.y0_hi;
+        sum += motion.of.hyperbolic.y0_lo;
+        sum += motion.of.hyperbolic.period_hi;
+        sum += motion.of.hyperbolic.period_lo;
+        sum += motion.of.hyperbolic.Lambda_rate_hi;
+        sum += motion.of.hyperbolic.Lambda_rate_lo;
+        sum += motion.of.hyperbolic.jump_hi;
+        sum += motion.of.hyperbolic.jump_lo;
+        sum += motion.of.hyperbolic.period_far;
+        sum += motion.of.hyperbolic.period_inverse;
+        sum += motion.of.hyperbolic.re_0;
+        sum += motion.of.hyperbolic.re_1;
+        sum += motion.of.hyperbolic.re_2;
+        sum += motion.of.hyperbolic.re_3;
+        sum += motion.of.hyperbolic.im_0;
+        sum += motion.of.hyperbolic.im_1;
+        sum += motion.of.hyperbolic.im_2;
+        sum += motion.of.hyperbolic.im_3;
+        sum += motion.of.hyperbolic.nome;
+        sum += motion.of.hyperbolic.nome2;
+        sum += motion.of.hyperbolic.nome4;
+        sum += motion.of.hyperbolic.nome8;
+        sum += motion.of.hyperbolic.nome12;
+        sum += motion.of.hyperbolic.row_0_P4_re;
+        sum += motion.of.hyperbolic.row_0_P4_im;
+        sum += motion.of.hyperbolic.row_0_P1_re;
+        sum += motion.of.hyperbolic.row_0_P1_im;
+        sum += motion.of.hyperbolic.row_a_P4_re;
+        sum += motion.of.hyperbolic.row_a_P4_im;
+        sum += motion.of.hyperbolic.row_a_P1_re;
+        sum += motion.of.hyperbolic.row_a_P1_im;
+        sum += motion.of.hyperbolic.row_b_P4_re;
+        sum += motion.of.hyperbolic.row_b_P4_im;
+        sum += motion.of.hyperbolic.row_b_P1_re;
+        sum += motion.of.hyperbolic.row_b_P1_im;
+        sum += motion.of.hyperbolic.row_d_P4_re;
+        sum += motion.of.hyperbolic.row_d_P4_im;
+        sum += motion.of.hyperbolic.row_d_P1_re;
+        sum += motion.of.hyperbolic.row_d_P1_im;
+        sum += motion.of.hyperbolic.gain_a;
+        sum += motion.of.hyperbolic.gain_b;
+        sum += motion.of.hyperbolic.gain_d;
         motion.max_angle = limit(motion.max_angle, motion.of.hyperbolic.y_rate_hi, motion.of.hyperbolic.Lambda_rate_hi);
     }
-    return fits && Number.isFinite(nothing);
+    return is_held(unit, A_a.hi, A_b.hi, A_d.hi) && Number.isFinite(sum);
 }
 
 /* Compute the constants of a motion from numbers that were checked; return a code. c, apart
@@ -2165,7 +2164,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "984966901fdf2be5abf28c9204872007707b873974eae1c7f3424e3eb9b6be6d";
+    return "0ff76fe729359d94c0928324e8c07a34b55bec7b452ddab8acb3634383c6aace";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -22,7 +22,7 @@ Lines of code:
     299  15 %  follow facts of the ledger, each named on its line
     317  16 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1148  59 %  are the runtime, printed from its one representation
+   1147  59 %  are the runtime, printed from its one representation
     101   5 %  are written by hand
 
 Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate javascript-pi --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest fb8cdd156e4657a30f929820f21068f0e7ede8a46799f63b5e7bc4eb1b26bcaf
+digest a9d61acb546fa6580a114298d15a35a49028ad29ccbe9de4f3ff0459c9aa7e6e
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -1786,101 +1786,100 @@ function steady_init(motion, omega, q) {
 function branch_init(motion, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, q_0,
     q_a, q_b, q_d, axis_a, axis_b, axis_d, unit) {
     let [K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, psi_0, n, kappa, H, s, c, d, epsilon, sigma, rho, chi] = initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d);
-    const fits = is_held(unit, A_a.hi, A_b.hi, A_d.hi);
-    /* Zero times what is no number, or infinite, is no number. */
-    let nothing = 0.0;
+    /* Constants are far from the largest numbers: their sum is finite where all are. */
+    let sum = 0.0;
     if (k_1.hi * k_1.hi <= max_circular) {
         motion.branch = 1;
         circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s, c, d, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, motion.of.circular);
-        nothing += 0.0 * motion.of.circular.v_rate_hi;
-        nothing += 0.0 * motion.of.circular.v_rate_lo;
-        nothing += 0.0 * motion.of.circular.v_hi;
-        nothing += 0.0 * motion.of.circular.v_lo;
-        nothing += 0.0 * motion.of.circular.Lambda_rate_hi;
-        nothing += 0.0 * motion.of.circular.Lambda_rate_lo;
-        nothing += 0.0 * motion.of.circular.k_2;
-        nothing += 0.0 * motion.of.circular.k_3;
-        nothing += 0.0 * motion.of.circular.k_4;
-        nothing += 0.0 * motion.of.circular.k_5;
-        nothing += 0.0 * motion.of.circular.characteristic;
-        nothing += 0.0 * motion.of.circular.spread;
-        nothing += 0.0 * motion.of.circular.kappa;
-        nothing += 0.0 * motion.of.circular.j;
-        nothing += 0.0 * motion.of.circular.two_K;
-        nothing += 0.0 * motion.of.circular.rest_0;
-        nothing += 0.0 * motion.of.circular.c_a;
-        nothing += 0.0 * motion.of.circular.c_b;
-        nothing += 0.0 * motion.of.circular.c_d;
-        nothing += 0.0 * motion.of.circular.A_a;
-        nothing += 0.0 * motion.of.circular.A_b;
-        nothing += 0.0 * motion.of.circular.A_d;
-        nothing += 0.0 * motion.of.circular.K;
-        nothing += 0.0 * motion.of.circular.k_1;
-        nothing += 0.0 * motion.of.circular.k_c;
-        nothing += 0.0 * motion.of.circular.epsilon;
-        nothing += 0.0 * motion.of.circular.sigma;
-        nothing += 0.0 * motion.of.circular.chi;
-        nothing += 0.0 * motion.of.circular.tau;
-        nothing += 0.0 * motion.of.circular.p_0;
-        nothing += 0.0 * motion.of.circular.p_a;
-        nothing += 0.0 * motion.of.circular.p_b;
-        nothing += 0.0 * motion.of.circular.p_d;
-        nothing += 0.0 * motion.of.circular.unit;
+        sum += motion.of.circular.v_rate_hi;
+        sum += motion.of.circular.v_rate_lo;
+        sum += motion.of.circular.v_hi;
+        sum += motion.of.circular.v_lo;
+        sum += motion.of.circular.Lambda_rate_hi;
+        sum += motion.of.circular.Lambda_rate_lo;
+        sum += motion.of.circular.k_2;
+        sum += motion.of.circular.k_3;
+        sum += motion.of.circular.k_4;
+        sum += motion.of.circular.k_5;
+        sum += motion.of.circular.characteristic;
+        sum += motion.of.circular.spread;
+        sum += motion.of.circular.kappa;
+        sum += motion.of.circular.j;
+        sum += motion.of.circular.two_K;
+        sum += motion.of.circular.rest_0;
+        sum += motion.of.circular.c_a;
+        sum += motion.of.circular.c_b;
+        sum += motion.of.circular.c_d;
+        sum += motion.of.circular.A_a;
+        sum += motion.of.circular.A_b;
+        sum += motion.of.circular.A_d;
+        sum += motion.of.circular.K;
+        sum += motion.of.circular.k_1;
+        sum += motion.of.circular.k_c;
+        sum += motion.of.circular.epsilon;
+        sum += motion.of.circular.sigma;
+        sum += motion.of.circular.chi;
+        sum += motion.of.circular.tau;
+        sum += motion.of.circular.p_0;
+        sum += motion.of.circular.p_a;
+        sum += motion.of.circular.p_b;
+        sum += motion.of.circular.p_d;
+        sum += motion.of.circular.unit;
         motion.max_angle = limit(motion.max_angle, motion.of.circular.v_rate_hi, motion.of.circular.Lambda_rate_hi);
     } else {
         motion.branch = 2;
         hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n, H, s, c, d, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, motion.of.hyperbolic);
-        nothing += 0.0 * motion.of.hyperbolic.y_rate_hi;
-        nothing += 0.0 * motion.of.hyperbolic.y_rate_lo;
-        nothing += 0.0 * motion.of.hyperbolic.y0_hi;
-        nothing += 0.0 * motion.of.hyperbolic.y0_lo;
-        nothing += 0.0 * motion.of.hyperbolic.period_hi;
-        nothing += 0.0 * motion.of.hyperbolic.period_lo;
-        nothing += 0.0 * motion.of.hyperbolic.Lambda_rate_hi;
-        nothing += 0.0 * motion.of.hyperbolic.Lambda_rate_lo;
-        nothing += 0.0 * motion.of.hyperbolic.jump_hi;
-        nothing += 0.0 * motion.of.hyperbolic.jump_lo;
-        nothing += 0.0 * motion.of.hyperbolic.period_far;
-        nothing += 0.0 * motion.of.hyperbolic.period_inverse;
-        nothing += 0.0 * motion.of.hyperbolic.l_2;
-        nothing += 0.0 * motion.of.hyperbolic.l_3;
-        nothing += 0.0 * motion.of.hyperbolic.l_4;
-        nothing += 0.0 * motion.of.hyperbolic.l_5;
-        nothing += 0.0 * motion.of.hyperbolic.gc;
-        nothing += 0.0 * motion.of.hyperbolic.kc_1;
-        nothing += 0.0 * motion.of.hyperbolic.m_c;
-        nothing += 0.0 * motion.of.hyperbolic.rho;
-        nothing += 0.0 * motion.of.hyperbolic.g_1;
-        nothing += 0.0 * motion.of.hyperbolic.g_2;
-        nothing += 0.0 * motion.of.hyperbolic.h_2;
-        nothing += 0.0 * motion.of.hyperbolic.alpha;
-        nothing += 0.0 * motion.of.hyperbolic.delta;
-        nothing += 0.0 * motion.of.hyperbolic.spread;
-        nothing += 0.0 * motion.of.hyperbolic.slope;
-        nothing += 0.0 * motion.of.hyperbolic.z;
-        nothing += 0.0 * motion.of.hyperbolic.characteristic;
-        nothing += 0.0 * motion.of.hyperbolic.start_rest;
-        nothing += 0.0 * motion.of.hyperbolic.c_a;
-        nothing += 0.0 * motion.of.hyperbolic.c_b;
-        nothing += 0.0 * motion.of.hyperbolic.c_d;
-        nothing += 0.0 * motion.of.hyperbolic.A_a;
-        nothing += 0.0 * motion.of.hyperbolic.A_b;
-        nothing += 0.0 * motion.of.hyperbolic.A_d;
-        nothing += 0.0 * motion.of.hyperbolic.K;
-        nothing += 0.0 * motion.of.hyperbolic.k_1;
-        nothing += 0.0 * motion.of.hyperbolic.k_c;
-        nothing += 0.0 * motion.of.hyperbolic.epsilon;
-        nothing += 0.0 * motion.of.hyperbolic.sigma;
-        nothing += 0.0 * motion.of.hyperbolic.chi;
-        nothing += 0.0 * motion.of.hyperbolic.tau;
-        nothing += 0.0 * motion.of.hyperbolic.p_0;
-        nothing += 0.0 * motion.of.hyperbolic.p_a;
-        nothing += 0.0 * motion.of.hyperbolic.p_b;
-        nothing += 0.0 * motion.of.hyperbolic.p_d;
-        nothing += 0.0 * motion.of.hyperbolic.unit;
+        sum += motion.of.hyperbolic.y_rate_hi;
+        sum += motion.of.hyperbolic.y_rate_lo;
+        sum += motion.of.hyperbolic.y0_hi;
+        sum += motion.of.hyperbolic.y0_lo;
+        sum += motion.of.hyperbolic.period_hi;
+        sum += motion.of.hyperbolic.period_lo;
+        sum += motion.of.hyperbolic.Lambda_rate_hi;
+        sum += motion.of.hyperbolic.Lambda_rate_lo;
+        sum += motion.of.hyperbolic.jump_hi;
+        sum += motion.of.hyperbolic.jump_lo;
+        sum += motion.of.hyperbolic.period_far;
+        sum += motion.of.hyperbolic.period_inverse;
+        sum += motion.of.hyperbolic.l_2;
+        sum += motion.of.hyperbolic.l_3;
+        sum += motion.of.hyperbolic.l_4;
+        sum += motion.of.hyperbolic.l_5;
+        sum += motion.of.hyperbolic.gc;
+        sum += motion.of.hyperbolic.kc_1;
+        sum += motion.of.hyperbolic.m_c;
+        sum += motion.of.hyperbolic.rho;
+        sum += motion.of.hyperbolic.g_1;
+        sum += motion.of.hyperbolic.g_2;
+        sum += motion.of.hyperbolic.h_2;
+        sum += motion.of.hyperbolic.alpha;
+        sum += motion.of.hyperbolic.delta;
+        sum += motion.of.hyperbolic.spread;
+        sum += motion.of.hyperbolic.slope;
+        sum += motion.of.hyperbolic.z;
+        sum += motion.of.hyperbolic.characteristic;
+        sum += motion.of.hyperbolic.start_rest;
+        sum += motion.of.hyperbolic.c_a;
+        sum += motion.of.hyperbolic.c_b;
+        sum += motion.of.hyperbolic.c_d;
+        sum += motion.of.hyperbolic.A_a;
+        sum += motion.of.hyperbolic.A_b;
+        sum += motion.of.hyperbolic.A_d;
+        sum += motion.of.hyperbolic.K;
+        sum += motion.of.hyperbolic.k_1;
+        sum += motion.of.hyperbolic.k_c;
+        sum += motion.of.hyperbolic.epsilon;
+        sum += motion.of.hyperbolic.sigma;
+        sum += motion.of.hyperbolic.chi;
+        sum += motion.of.hyperbolic.tau;
+        sum += motion.of.hyperbolic.p_0;
+        sum += motion.of.hyperbolic.p_a;
+        sum += motion.of.hyperbolic.p_b;
+        sum += motion.of.hyperbolic.p_d;
+        sum += motion.of.hyperbolic.unit;
         motion.max_angle = limit(motion.max_angle, motion.of.hyperbolic.y_rate_hi, motion.of.hyperbolic.Lambda_rate_hi);
     }
-    return fits && Number.isFinite(nothing);
+    return is_held(unit, A_a.hi, A_b.hi, A_d.hi) && Number.isFinite(sum);
 }
 
 /* Compute the constants of a motion from numbers that were checked; return a code. c, apart
@@ -2217,7 +2216,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "fb8cdd156e4657a30f929820f21068f0e7ede8a46799f63b5e7bc4eb1b26bcaf";
+    return "a9d61acb546fa6580a114298d15a35a49028ad29ccbe9de4f3ff0459c9aa7e6e";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

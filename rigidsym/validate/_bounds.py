@@ -60,6 +60,8 @@ CONDITIONED = tuple(name for name, one in _TABLE.items() if one.conditioned)
 # Bounds of other modules over these: psi of the Pi form is a sum of more terms, and a step goes one
 # turn at most.
 _TIMES = {PI: 1.5, STEP: 0.5}
+# In single precision the bound on the angle is 1e-6 rad.
+_SINGLE = dict.fromkeys(("c_single", "c_single-step"), 5e8)
 
 
 def bounds_of(implementation: str) -> dict[str, float]:
@@ -68,7 +70,7 @@ def bounds_of(implementation: str) -> dict[str, float]:
     >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
     (1e-15, 2e-15)
     """
-    times = _TIMES.get(split(implementation)[1], 1.0)
+    times = _SINGLE.get(implementation, _TIMES.get(split(implementation)[1], 1.0))
     return {
         name: bound * (max(times, 1.0) if _TABLE[name].of_length else times)
         for name, bound in BOUNDS.items()

@@ -13,6 +13,7 @@ import numpy as np
 from rigidsym._engines import Engine, Prepared, States, batches
 from rigidsym.validate._implementations import Steps
 from rigidsym.validate._oracle import lengths
+from rigidsym.validate._singles import Singles, SingleSteps
 
 # Inertia (3,), rates (3,) and attitude (4,) as float64.
 Body = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -51,14 +52,18 @@ def is_due(index: int) -> bool:
 
 
 def differences(
-    engine: Engine | Steps, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
+    engine: Engine | Steps | Singles | SingleSteps,
+    prepared: Prepared,
+    body: Body | None,
+    times: np.ndarray,
+    rate: float,
 ) -> np.ndarray:
     """Return, for each way to call an engine, the largest difference from the expected states.
 
     Differences are of angle, and of rates over their size.  body: inertia, rates and attitude as
     float64 arrays, or None where doubles are not exact.
     """
-    if isinstance(engine, Steps):
+    if isinstance(engine, Steps | Singles | SingleSteps):
         return np.array([_apart(*both) for both in engine.ways(prepared, times)])
     expected = engine.states(prepared, times)
     alone = [engine.states(prepared, float(t)) for t in times]

@@ -17,8 +17,10 @@ from rigidsym.validate._bounds import bounds_of
 from rigidsym.validate._implementations import Implementation, Steps, implementation
 from rigidsym.validate._measure import Errors, measure
 from rigidsym.validate._oracle import Reference, enclose
+from rigidsym.validate._singles import Singles, SingleSteps
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
 from rigidsym.validate.strata import Sample, stepped
+from rigidsym.validate.strata._singles import in_singles
 from rigidsym.view._report_data import Data
 
 SCHEMA = "rigidsym.case/2"
@@ -88,7 +90,7 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     digits : digits of the enclosure
     implementations : names of targets and "peer NAME"; or a mapping of any names to engines, peers,
         and functions as `examine` takes them.  With steps among them, the sample of all is changed
-        by `stepped`.
+        by `stepped`, and by `in_singles` with targets in single precision among them.
 
     Returns
     -------
@@ -101,8 +103,12 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
         }
     else:
         entered = {name: implementation(name) for name in implementations}
-    of_steps = any(isinstance(engine, Steps) for engine in entered.values())
-    reference = enclose(stepped(sample) if of_steps else sample, digits)
+    kinds = {type(engine) for engine in entered.values()}
+    if kinds & {Steps, SingleSteps}:
+        sample = stepped(sample)
+    if kinds & {Singles, SingleSteps}:
+        sample = in_singles(sample, 24 if SingleSteps in kinds else 48)
+    reference = enclose(sample, digits)
     errors = {}
     for name, engine in entered.items():
         within = reference.within(getattr(engine, "reach", math.inf))

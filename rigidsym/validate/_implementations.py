@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from rigidsym import _engines as engines
 from rigidsym._engines import Engine, Prepared, States, Stepper
 from rigidsym.errors import InputError
+from rigidsym.validate._singles import TARGETS as SINGLES
+from rigidsym.validate._singles import Singles, SingleSteps, single
 from rigidsym.validate.peers import Peer, peer
 
 # Inertia (1, 3) in kg m^2, q (1, 4) and omega (1, 3) in rad/s.
@@ -97,8 +99,8 @@ def _rows(one: np.ndarray, times: np.ndarray) -> np.ndarray:
 
 
 PEER = "peer "
-TARGETS = (*engines.EVERY, *engines.STEPPERS)
-Implementation = Engine | Peer | Steps
+TARGETS = (*engines.EVERY, *engines.STEPPERS, *SINGLES)
+Implementation = Engine | Peer | Steps | Singles | SingleSteps
 
 
 def check_target(target: str) -> None:
@@ -143,6 +145,8 @@ def implementation(name: str) -> Implementation:
     """
     if name.startswith(PEER):
         return own_peer(name.removeprefix(PEER))
+    if name in SINGLES:
+        return single(name)
     if name in engines.STEPPERS:
         return Steps(engines.exact_stepper(name))
     return engines.exactly(name)

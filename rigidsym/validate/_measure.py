@@ -16,6 +16,7 @@ from rigidsym.validate._bounds import BOUNDS, MEASURES, ULP
 from rigidsym.validate._entry_points import Body
 from rigidsym.validate._implementations import Steps
 from rigidsym.validate._oracle import Reference, lengths
+from rigidsym.validate._singles import Singles, SingleSteps
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.strata import Sample
 
@@ -102,7 +103,9 @@ def _measured(
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
     # Peers have one entry point only.
-    if entry_points.is_due(sample.index) and isinstance(engine, Engine | Steps):
+    if entry_points.is_due(sample.index) and isinstance(
+        engine, Engine | Steps | Singles | SingleSteps
+    ):
         apart = entry_points.differences(engine, prepared, body, times, rate)
         found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)

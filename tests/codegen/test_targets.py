@@ -18,6 +18,7 @@ import pytest
 import rigidsym
 from rigidsym import InputError, generate
 from rigidsym._codegen import TARGETS, forms, targets
+from rigidsym._codegen.formats import BINARY32
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.ir import Function, let
 from rigidsym._codegen.passes import products
@@ -28,6 +29,7 @@ from rigidsym._codegen.targets.c.derived import plain
 from rigidsym._codegen.targets.c.printer import Printer
 from rigidsym._codegen.targets.c.reader import Reader, parsed
 from rigidsym._codegen.targets.c.reader import functions as functions_in
+from rigidsym._codegen.targets.c_single import module as c_single
 from rigidsym._codegen.targets.javascript import module as javascript_module
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym._codegen.targets.numpy import module as numpy_module
@@ -39,10 +41,14 @@ HOW_TO = Path(__file__).parents[2] / "notebooks" / "text" / "howto_add_a_target.
 SOURCES = {
     **{"numpy": numpy_module.FILES, "c": c_module.SOURCES},
     "javascript": javascript_module.FILES,
+    "c_single": {form: f"{stem}.c" for form, stem in c_single.STEMS.items()},
 }
-HEADS = {**SOURCES, "c": c_module.HEADERS}
+HEADS = SOURCES | {
+    "c": c_module.HEADERS,
+    "c_single": {form: f"{stem}.h" for form, stem in c_single.STEMS.items()},
+}
 every_module = pytest.mark.parametrize(
-    ("target", "form"), [(t, f) for t in TARGETS for f in forms.FORMS]
+    ("target", "form"), [(t, f) for t in TARGETS for f in targets.forms_of(t)]
 )
 
 made, lets_of = cache(generate), cache(partial(functions, sealed()))
@@ -55,8 +61,12 @@ def source(target, form="theta"):
 def count_of_lines(target, form):
     """Return how many lets a module prints: the discriminant for two kinds of numbers but in NumPy.
 
-    JavaScript has no sensitivities.
+    JavaScript and single precision have no sensitivities.
     """
+    if target == "c_single":
+        own = functions(sealed(), form, BINARY32), constants(BINARY32)
+        routines = c_single.Files(*own, form).made.routines.values()
+        return sum(len(x.function.lets) for x in routines if x.function)
     printed = [x for x in lets_of(form) if target != "numpy" or x.name != "_exponential"]
     if target == "javascript":
         own = javascript_module.program(lets_of(form), constants(), form).routines.values()
@@ -93,7 +103,7 @@ def test_every_derived_line_has_its_equations_and_facts(target, form):
     for place in places:
         line = lines[place["line"] - 1]
         assert line.startswith("    ")
-        assert " = " in line or target == "c"
+        assert " = " in line or target.startswith("c")
         assert set(place["facts"]) <= known
         assert (place["kind"] == "fact") == bool(place["facts"])
         assert place["kind"] == "arithmetic" or place["facts"] or place["equations"]
@@ -248,7 +258,7 @@ def test_what_no_routine_has_is_refused(text):
 # --- the Pi form, and other targets
 
 
-@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("target", [t for t in TARGETS if "pi" in targets.forms_of(t)])
 def test_the_pi_form_has_no_theta_function_and_no_nome(target):
     for text in made(target, form="pi").files.values():
         assert not re.search(r"theta\d|_root_ratio|root_ratio|\bnome|DLMF 20\.", text)
@@ -281,7 +291,8 @@ def test_a_name_of_another_form_is_refused():
 
 def test_equation_36_has_lines_in_all_languages():
     files, ends = {line.split(":")[0] for line in lines_of_equation("36")}, ("py", "c", "mjs")
-    assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ends}
+    wanted = {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ends}
+    assert files == wanted | {"torque_free_single_step.c"}
 
 
 def test_the_how_to_adds_a_target_and_takes_it_away(capsys):

@@ -214,7 +214,7 @@ def dd_size(x: pair) -> pair:
 @inline
 def dd_rounded(x: pair) -> double:
     """Return x rounded to a double."""
-    return x.hi + x.lo
+    return x.hi if HIGH_IS_ROUNDED else x.hi + x.lo
 
 
 @inline

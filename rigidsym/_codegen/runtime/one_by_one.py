@@ -73,14 +73,13 @@ def branch_init(
 ) -> bool:
     """Compute the constants of a motion whose rates change; return True if binary64 holds them."""
     begun = initial_state(*named())
-    fits: bool = is_held(unit, A_a.hi, A_b.hi, A_d.hi)
-    # Zero times what is no number, or infinite, is no number.
-    nothing: double = 0.0
+    # Constants are far from the largest numbers: their sum is finite where all are.
+    sum: double = 0.0
     if k_1.hi * k_1.hi <= max_circular:
         motion.branch = 1
         circular_constants(*named(), motion.of.circular)
         for x in members(circular):
-            nothing += 0.0 * motion.of.circular.x
+            sum += motion.of.circular.x
         motion.max_angle = limit(
             motion.max_angle, motion.of.circular.v_rate_hi, motion.of.circular.Lambda_rate_hi
         )
@@ -88,11 +87,11 @@ def branch_init(
         motion.branch = 2
         hyperbolic_constants(*named(), motion.of.hyperbolic)
         for x in members(hyperbolic):
-            nothing += 0.0 * motion.of.hyperbolic.x
+            sum += motion.of.hyperbolic.x
         motion.max_angle = limit(
             motion.max_angle, motion.of.hyperbolic.y_rate_hi, motion.of.hyperbolic.Lambda_rate_hi
         )
-    return fits and isfinite(nothing)
+    return is_held(unit, A_a.hi, A_b.hi, A_d.hi) and isfinite(sum)
 
 
 def begun_motion(

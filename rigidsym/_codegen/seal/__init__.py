@@ -17,8 +17,9 @@ their reduction) is the standard one is shown by its proved bounds and by tests.
 runtimes are only tested; their double-double arithmetic is compared with exact arithmetic.
 """
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import THETA
-from rigidsym._codegen.functions import constants, finished, stated
+from rigidsym._codegen.functions import constants, finished, functions, stated
 from rigidsym._codegen.seal import facts, states, structure
 from rigidsym._codegen.seal.equality import is_equal
 from rigidsym._codegen.seal.text import seal_text
@@ -27,15 +28,17 @@ from rigidsym.solution import Solution
 __all__ = ["is_equal", "seal", "seal_text"]
 
 
-def seal(solution: Solution, form: str = THETA) -> int:
+def seal(solution: Solution, form: str = THETA, binary: Format = BINARY64) -> int:
     """Prove with the kernel that generated code equals the derived formulas.
 
     Returns the number of claims that were decided.  Raises InputError, naming the formula, for the
     first formula that the lines do not give.
     """
-    origin = stated(solution, form)
-    every = tuple(map(finished, origin))
-    structure.check_order(every, {number.name for number in constants()})
+    origin = stated(solution, form, binary)
+    every = tuple(finished(function, binary) for function in origin)
+    structure.check_order(every, {number.name for number in constants(binary)})
+    if not binary.is_wide:
+        structure.check_rounding(every, functions(solution, form, binary))
     structure.check_interfaces(every, form)
     claims = [
         *structure.sharing_claims(origin, every),

@@ -4,10 +4,10 @@ The claims check the renaming in `rigidsym._codegen`, so these tables are writte
 it.
 """
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA
 from rigidsym._codegen.ir import Function, Let
 from rigidsym._codegen.names import GAINS, ROWS, STATE
@@ -239,7 +239,7 @@ def claims(solution: Solution, functions: Iterable[Function], form: str = THETA)
     ledger, names = by_fact(solution), OF[form]
     for function in functions:
         parts = names.parts.get(function.name, ())
-        proved = _proved(solution, function.name, names) | {*parts}
+        proved = _proved(solution, function, names) | {*parts}
         for let in function.formulas:
             _check_equations(function.name, let, ledger)
             if not let.facts and let.targets[0] in proved:
@@ -254,10 +254,14 @@ def by_fact(solution: Solution) -> dict[str, Formula]:
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
-def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
+def _proved(solution: Solution, function: Function, names: Meanings) -> set[str]:
     """Return the quantities of a function for which the ledger has proved formulas."""
+    place = function.name
     if place == "_ladder":
-        return {f"K{n}" for n in range(BINARY64.landen)}
+        # All quarter periods but the first, which is pi/2.
+        return {x.targets[0] for x in function.formulas if re.fullmatch(r"K\d+", x.targets[0])} - {
+            f"K{sum(len(x.targets) > 1 for x in function.formulas)}"
+        }
     found = set()
     for sequence in names.made_from.get(place, ()):
         for formula in solution.sequences[sequence]:
@@ -298,7 +302,7 @@ def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> 
 def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping[str, Expression]:
     if place == "_ladder":
         # K on a step of the ladder, by that on the step below.
-        if let.targets not in [(f"K{n}",) for n in range(BINARY64.landen)]:
+        if not re.fullmatch(r"K\d+", ", ".join(let.targets)):
             raise InputError(place, let, "is no quarter period of the ladder")
         n = int(let.targets[0][1:])
         said = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}

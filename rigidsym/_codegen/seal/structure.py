@@ -1,6 +1,7 @@
 """Checks of generated functions: order of definitions, interfaces, shared subexpressions."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
 from rigidsym._codegen.forms import PI, STEP, THETA
 from rigidsym._codegen.ir import CALLS, Function, Let
@@ -8,7 +9,15 @@ from rigidsym._codegen.lines import comment, flat_results
 from rigidsym._codegen.passes import expand
 from rigidsym._codegen.seal.equality import DIFFERS, Claim
 from rigidsym.errors import InputError
-from rigidsym.language._expression import Call, Expression, Operation, children, names
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Operation,
+    children,
+    names,
+    put,
+    rebuild,
+)
 
 _MOTION = (
     *("c_a", "c_b", "c_d", "c_ab", "c_ad", "c_bd", "Omega_a", "Omega_b", "Omega_d", "E_b"),
@@ -111,6 +120,27 @@ def _check_names(function: Function, lets: tuple[Let, ...], numbers: set[str]) -
         if not wanted.intersection(let.targets):
             raise InputError(function.name, let, "nothing needs this line")
         wanted.update(names(let.expression))
+
+
+def check_rounding(plain: Iterable[Function], printed: Iterable[Function]) -> None:
+    """Raise InputError for the first line that differs in more than where numbers are rounded."""
+    for function, other in zip(plain, printed, strict=True):
+        known = {target for let in function.lets for target in let.targets}
+        rounded = {x.targets[0]: x.expression for x in other.lets if not known & {*x.targets}}
+        lets = [let for let in other.lets if let.targets[0] not in rounded]
+        for let, changed in zip(function.lets, lets, strict=True):
+            same = replace(changed, expression=_bare(put(changed.expression, rounded)))
+            if same != replace(let, expression=_bare(let.expression)):
+                raise InputError(function.name, changed, f"{let}: {DIFFERS}")
+
+
+def _bare(expression: Expression) -> Expression:
+    """Drop all rounding from an expression."""
+    match rebuild(expression, tuple(map(_bare, children(expression)))):
+        case Call("rounded", (inner,)):
+            return inner
+        case other:
+            return other
 
 
 def _check_calls(place: str, let: Let, known: dict[str, Function]) -> None:

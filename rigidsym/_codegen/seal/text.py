@@ -11,7 +11,7 @@ from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.generate import Generated
 from rigidsym._codegen.ir import KINDS
 from rigidsym._codegen.lines import note
-from rigidsym._codegen.targets import reader
+from rigidsym._codegen.targets import format_of, reader
 from rigidsym.errors import InputError
 from rigidsym.solution import Solution
 
@@ -26,7 +26,9 @@ def seal_text(generated: Generated, solution: Solution) -> int:
     package's, and for a digest of other files.
     """
     target, form = split(generated.manifest["target"])
-    decided = reader(target)(generated.files, functions(solution, form), constants(), form)
+    check, binary = reader(target), format_of(target)
+    own = functions(solution, form, binary), constants(binary)
+    decided = check(generated.files, *own, form)
     _check_digests(generated)
     _check_places(generated)
     return decided

@@ -20,6 +20,8 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.resources.abc import Traversable
 
+from rigidsym._codegen.formats import BINARY64, Format
+from rigidsym._codegen.forms import FORMS
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Module
 from rigidsym.errors import InputError
@@ -28,7 +30,7 @@ Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
 Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
 Command = Callable[[str, Traversable], list[str]]
 
-TARGETS = ["numpy", "c", "javascript"]
+TARGETS = ["numpy", "c", "javascript", "c_single"]
 # Sets of files for C that are more than modules: code, unit tests, checks and records.
 PROFILES = ("flight",)
 
@@ -49,6 +51,22 @@ def builder(target: str) -> Build:
     Raises InputError for an unknown target.
     """
     return import_module(f"{__name__}.{known(target)}.module").build
+
+
+def format_of(target: str) -> Format:
+    """Return the floating-point format that a target computes in.
+
+    It is that which its module names FORMAT, by default binary64.
+    """
+    return getattr(import_module(f"{__name__}.{known(target)}.module"), "FORMAT", BINARY64)
+
+
+def forms_of(target: str) -> tuple[str, ...]:
+    """Return the forms of the solution that a target has.
+
+    They are those which its module names FORMS, by default all.
+    """
+    return getattr(import_module(f"{__name__}.{known(target)}.module"), "FORMS", tuple(FORMS))
 
 
 def reader(target: str) -> Check:

@@ -3,6 +3,7 @@
 import ast
 from typing import NamedTuple
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import STEP, limits
 from rigidsym._codegen.routines import INT, Enumeration, Number, Type
 
@@ -69,18 +70,18 @@ _STEPS = (
 )
 
 
-def _own(form: str) -> dict[str, Code]:
+def _own(form: str, binary: Format = BINARY64) -> dict[str, Code]:
     """Return the codes of a form by their names, in the order of their numbers."""
     known = _CODES | (_OF_STEPS if form == STEP else {})
     return {
-        name: Code(*(_with_limits(text, form) for text in known[name]))
+        name: Code(*(_with_limits(text, form, binary) for text in known[name]))
         for name in (_STEPS if form == STEP else _MOTIONS)
     }
 
 
-def _with_limits(text: str, form: str) -> str:
+def _with_limits(text: str, form: str, binary: Format) -> str:
     """Replace the names of limits in a text by their exponents."""
-    for limit in limits(form):
+    for limit in limits(form, binary):
         text = text.replace(f"@{limit.name}@", str(limit.exponent))
     return text
 
@@ -91,14 +92,14 @@ def names(form: str) -> dict[str, str]:
     return {name: f"{prefix}_{name}" for name in _own(form)}
 
 
-def enumeration(form: str) -> Enumeration:
+def enumeration(form: str, binary: Format = BINARY64) -> Enumeration:
     """Return the codes of a form, with what each says."""
     summary = "Return codes; 0 is success."
     if form != STEP:
         summary += "  A call for one body that fails writes nothing."
     numbers = (
         Number(name, INT, ast.Constant(number), f"{x.rule}; {x.remark}" if x.remark else x.rule)
-        for number, (name, x) in enumerate(_own(form).items())
+        for number, (name, x) in enumerate(_own(form, binary).items())
     )
     return Enumeration(summary, tuple(numbers))
 

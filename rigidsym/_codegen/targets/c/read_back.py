@@ -52,18 +52,40 @@ def check(
 
     Raises InputError for a statement that differs, and for other text that does.
     """
-    made, decided = program(functions, constants, form), 0
+    made = program(functions, constants, form)
     wanted, _ = module.printed(made, form)
-    printer, routines = module.Files(made, form).printer, made.routines
-    names = {printer.function_name(one): one for one in routines}
-    if files.keys() != wanted.keys():
-        raise InputError("files", ", ".join(files), f"are not {', '.join(wanted)}")
+    check_names(files, wanted)
+    texts = {}
     for file, text in files.items():
         plain, expected = text, wanted[file]
         if file != module.ARITHMETIC:
             digest = header.digest_in(file, text)
             plain = header.unsealed(text, key("c", form), digest)
             plain, expected = _plain(file, plain, form), module.plain(expected, form)
+        texts[file] = plain, expected
+    return compared(texts, module.Files(made, form).printer, functions, constants)
+
+
+def check_names(files: Mapping[str, str], wanted: Mapping[str, str]) -> None:
+    """Raise InputError for other files than wanted."""
+    if files.keys() != wanted.keys():
+        raise InputError("files", ", ".join(files), f"are not {', '.join(wanted)}")
+
+
+def compared(
+    texts: Mapping[str, tuple[str, str]],
+    printer: Printer,
+    functions: tuple[Function, ...],
+    constants: tuple[Constant, ...],
+) -> int:
+    """Compare texts with what they should be, and return the number of derived lines.
+
+    texts: both of each file, with names and words of the default form.  Raises InputError for a
+    statement that differs, and for other text that does.
+    """
+    routines, decided = printer.program.routines, 0
+    names = {printer.function_name(one): one for one in routines}
+    for file, (plain, expected) in texts.items():
         root = reader.parsed(plain)
         found = dict(reader.functions(file, root))
         _check_numbers(file, reader.numbers(root), printer.program, constants)
