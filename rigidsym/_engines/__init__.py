@@ -20,6 +20,7 @@ __all__ = [
     "ENGINES",
     "EVERY",
     "PORTABLE",
+    "SAME_BITS",
     "STEPPERS",
     "Engine",
     "EngineError",
@@ -54,6 +55,8 @@ PORTABLE = "c-portable"
 _STEPPERS = {"c": "c-step", PORTABLE: "c-step-portable"}
 # Engines of steps, by the names of their modules.
 STEPPERS = ("numpy-step", "c-step", *(x for x in _OTHERS if x.endswith("-step")))
+# Languages of targets that compute the bits of C without fused multiply-add.
+SAME_BITS = ("c", *dict.fromkeys(name.partition("-")[0] for name in _OTHERS))
 _LOCK = threading.Lock()
 _NUMPY, _NUMPY_STEPS = NumpyEngine(), NumpyStepper()
 # C's engines, or why there is none, once the user has been warned.

@@ -20,7 +20,9 @@ import json
 import os
 import subprocess
 import threading
+import weakref
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from importlib import resources
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -60,10 +62,13 @@ class _Process:
 
     def _start(self) -> None:
         pipe = subprocess.PIPE
-        # The process ends when its input does.
-        self._process = subprocess.Popen(self._command, stdin=pipe, stdout=pipe)
+        process = subprocess.Popen(self._command, stdin=pipe, stdout=pipe)
         self._owner = os.getpid()
-        line = self._process.stdout.readline() if self._process.stdout else b""
+        weakref.finalize(self, _end, process, self._owner)
+        assert process.stdin is not None
+        assert process.stdout is not None
+        self._process, self._pipes = process, (process.stdin, process.stdout)
+        line = process.stdout.readline()
         if not line:
             raise InputError("engine", " ".join(self._command), "does not start")
         self.words: list[tuple[str, str]] = json.loads(line)
@@ -76,18 +81,28 @@ class _Process:
         parts = [np.ascontiguousarray(x, float).tobytes() for x in (question, *given)]
         with self._lock:
             if self._owner != os.getpid():
+                # That of the parent is not this process's to wait for.
+                self._process.returncode = 0
                 self._start()
-            pipes = self._process.stdin, self._process.stdout
-            assert pipes[0] is not None
-            assert pipes[1] is not None
-            pipes[0].write(b"".join(parts))
-            pipes[0].flush()
-            answer = pipes[1].read(8 * (3 + 7 * count))
+            given_to, taken_from = self._pipes
+            try:
+                given_to.write(b"".join(parts))
+                given_to.flush()
+                answer = taken_from.read(8 * (3 + 7 * count))
+            except BrokenPipeError:
+                answer = b""
         if len(answer) < 8 * (3 + 7 * count):
             raise EngineError("engine", f"{' '.join(self._command)} has ended")
         (code, body, last), states = np.split(np.frombuffer(answer), [3])
         q, omega = np.split(states, [4 * count])
         return int(code), int(body), float(last), q.reshape(*shape, 4), omega.reshape(*shape, 3)
+
+
+def _end(process: "subprocess.Popen[bytes]", owner: int) -> None:
+    """End a process, which does so when its input ends, unless it is that of another process."""
+    if os.getpid() == owner:
+        with suppress(BrokenPipeError):
+            process.communicate()
 
 
 class PipedEngine(Engine):

@@ -1,7 +1,8 @@
 """Hashes of the states of a fixed set of motions, by C without fused multiply-add.
 
-This arithmetic has the same bits on every processor and from every compiler.  `same_bits/` holds
-the motions and their hashes in files that programs in any language can read:
+This arithmetic has the same bits on every processor and from every compiler, and so have the
+languages in `SAME_BITS` of the engines.  `same_bits/` holds the motions and their hashes in files
+that programs in any language can read:
 
     motions.txt    a line `= stratum`, then a line for each of its motions: inertia (3), omega0
                    (3), attitude0 (4), the time of a step, and times up to 1e9 s, each double as 16
@@ -32,15 +33,19 @@ _FOLDER = resources.files("rigidsym.validate") / "same_bits"
 _CASES, _TIMES, _LATEST = 6, 8, 1e9
 
 
-def hashes(strata: Iterable[str] = tuple(STRATA)) -> dict[str, str]:
+def hashes(strata: Iterable[str] = tuple(STRATA), language: str = "c") -> dict[str, str]:
     """Compute the lines of some strata in expected.txt, by name.
 
-    Raises InputError without a C compiler.
+    Languages other than C compute no sensitivities.  Raises InputError without a C compiler, or
+    without what runs the language.
     """
-    engine, stepper = engines.exactly(engines.PORTABLE), engines.stepper(engines.PORTABLE)
+    if language == "c":
+        engine, stepper = engines.exactly(engines.PORTABLE), engines.stepper(engines.PORTABLE)
+    else:
+        engine, stepper = engines.exactly(language), engines.exact_stepper(f"{language}-step")
     every, found = motions(), {}
     for stratum in strata:
-        hashed = dict.fromkeys(KINDS, 0)
+        hashed = dict.fromkeys(KINDS if engine.has_sensitivities else KINDS[:2], 0)
         for numbers in every[stratum]:
             inertia, omega0, q0, dt, times = np.split(numbers, [3, 6, 10, 11])
             prepared = engine.prepare(inertia, omega0, q0)
@@ -49,10 +54,11 @@ def hashes(strata: Iterable[str] = tuple(STRATA)) -> dict[str, str]:
             values = {
                 "states": engine.states(prepared, times),
                 "steps": after,
-                "sensitivities": engine.sensitivities(prepared, times, "nan")[2:],
             }
-            hashed = {kind: mixed(hashed[kind], values[kind]) for kind in KINDS}
-        found[stratum] = " ".join((*(f"{hashed[kind]:016x}" for kind in KINDS), stratum))
+            if "sensitivities" in hashed:
+                values["sensitivities"] = engine.sensitivities(prepared, times, "nan")[2:]
+            hashed = {kind: mixed(hashed[kind], values[kind]) for kind in hashed}
+        found[stratum] = " ".join((*(f"{x:016x}" for x in hashed.values()), stratum))
     return found
 
 
@@ -68,14 +74,16 @@ def mixed(start: int, arrays: Iterable[np.ndarray]) -> int:
     return reduce(next_hash, bits, start)
 
 
-def differences(strata: Iterable[str]) -> tuple[str, ...]:
-    """Return a line for each of the strata whose bits are not the expected ones."""
-    wanted, lines = expected(), []
-    for stratum, found in hashes(strata).items():
+def differences(strata: Iterable[str], language: str = "c") -> tuple[str, ...]:
+    """Return a line for each of the strata whose bits in a language are not the expected ones."""
+    wanted, lines, of = expected(), [], "" if language == "c" else f" of {language}"
+    for stratum, line in hashes(strata, language).items():
         due = wanted.get(stratum, "").split()[:3] or ["none"] * 3
-        for kind, was, now in zip(KINDS, due, found.split(), strict=False):
+        found = line.removesuffix(stratum).split()
+        for kind, was, now in zip(KINDS, due, found, strict=False):
             if was != now:
-                lines.append(f"same bits: {stratum}: the hash of {kind} is {now}, expected {was}")
+                said = f"the hash of {kind} is {now}, expected {was}"
+                lines.append(f"same bits{of}: {stratum}: {said}")
     return tuple(lines)
 
 

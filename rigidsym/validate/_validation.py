@@ -16,6 +16,7 @@ from itertools import product
 
 from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
+from rigidsym._codegen.forms import PI, split
 from rigidsym.errors import InputError
 from rigidsym.motion import IDENTITY
 from rigidsym.validate import _executors as executors
@@ -169,8 +170,11 @@ def run(
         states = sum(progress.tally.states.values()) - before
         how = environment(campaign, where.name, seconds, states)
         report = reported(campaign, progress.tally, how)
-        in_c = {"c", "c-step"} & {*campaign.targets}
-        return replace(report, other_bits=differences(campaign.strata)) if in_c else report
+        plain = (split(target) for target in campaign.targets)
+        languages = dict.fromkeys(name for name, form in plain if form != PI)
+        own = (name for name in languages if name in engines.SAME_BITS)
+        bits = (line for name in own for line in differences(campaign.strata, name))
+        return replace(report, other_bits=tuple(bits))
     except BaseException as error:
         fate = "nothing is kept without a directory (-o DIR)"
         if progress.directory:
