@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
@@ -16,16 +17,18 @@ import pytest
 from compilers import installed
 
 from rigidsym import generate
-from rigidsym._codegen.flight import records, report
-from rigidsym._codegen.flight.module import HEADER, SOURCE
+from rigidsym._codegen.flight import read_back, records, report
+from rigidsym._codegen.flight.module import HEADER, SOURCE, code
 from rigidsym._codegen.flight.printer import FlightPrinter
 from rigidsym._codegen.flight.profile import files
 from rigidsym._codegen.flight.program import MOST_LINES, PREFIX, lines, names, program
 from rigidsym._codegen.flight.trace import facts, rows
 from rigidsym._codegen.flight.vectors import of_motions, of_steps, vectors
 from rigidsym._codegen.functions import functions
+from rigidsym._codegen.lines import Lines
 from rigidsym._codegen.passes import fuse
 from rigidsym._codegen.routines import let_of
+from rigidsym.errors import InputError
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution import sealed
 
@@ -228,6 +231,45 @@ def test_pointers_and_indices_are_asserted(made):
             assert all(f"require({x} != NULL, __LINE__);" in text for x in pointers)
     text = "\n".join(printer.routine(made.routines["difference"]).text)
     assert "require((uint32_t)j < 3u, __LINE__);" in text
+
+
+EDITS = {
+    "a comparison": ("(x.hi > y.hi)", "(x.hi >= y.hi)"),
+    "a sign": ("+ (b - c)", "- (b - c)"),
+    "an index": ("axis[2] = third;", "axis[1] = third;"),
+    "a number": ("= 4503599627370496.0;", "= 4503599627370497.0;"),
+    "a statement": ("    motion->branch = 0;\n", ""),
+    "an assertion": ("    require((uint32_t)k < 3u, __LINE__);\n", ""),
+    "a choice": ("? (int)0 : (int)2", "? (int)2 : (int)0"),
+    "a code": ("return TORQUE_FREE_STEP_ANGLE;", "return TORQUE_FREE_STEP_OK;"),
+    "an argument": ("two_sum(x.hi, y.hi)", "two_sum(y.hi, x.hi)"),
+    "a call": ("circular_constants_2(", "circular_constants_3("),
+    "a loop": ("k < 3u; k++", "k < 2u; k++"),
+    "a head": (
+        "static double_double dd_neg(double_double x)",
+        "static double_double dd_neg(double x)",
+    ),
+    "a message": ('"rates beyond what binary64 can hold"', '"rates"'),
+}
+
+
+@pytest.fixture(scope="module")
+def printed():
+    return code(sealed())
+
+
+def test_the_text_reads_back_as_its_routines(printed):
+    assert read_back.check(printed) == len(printed.program.routines)
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_edits_of_the_text_are_refused(edit, printed):
+    old, new = EDITS[edit]
+    text = "\n".join(printed.source.text)
+    assert old in text
+    changed = Lines(tuple(text.replace(old, new, 1).split("\n")), {})
+    with pytest.raises(InputError):
+        read_back.check(replace(printed, source=changed))
 
 
 # --- records

@@ -101,7 +101,7 @@ def _source(made: Program, printer: FlightPrinter) -> Iterator[Lines]:
     preamble = resources.files("rigidsym._codegen.flight").joinpath("preamble.c").read_text("utf-8")
     yield Lines.plain("\n".join([*first, preamble]))
     for number in made.numbers.values():
-        yield Lines.plain(plain(printer.number(number)))
+        yield Lines.plain(printer.number(number))
     yield Lines.plain("")
     for struct in made.structs.values():
         if not struct.is_public:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from rigidsym._codegen.lines import Lines
+from rigidsym._codegen.printer import OPERATIONS
 from rigidsym._codegen.routines import Number, Routine, Type
 from rigidsym._codegen.targets.c.printer import Printer
 
@@ -34,9 +35,8 @@ class FlightPrinter(Printer):
         """Print the definition of a named number or array; texts are one a line."""
         match number:
             case Number(type=Type(name="text", shape=(count,)), value=ast.List(elts=texts)):
-                rows = (f"    {self.text(text)}," for text in texts)
-                first = f"static const char *const {number.name}[{count}] = {{"
-                return "\n".join([first, *rows, "};"])
+                rows = ",\n    ".join(map(self.text, texts))
+                return f"static const char *const {number.name}[{count}] = {{\n    {rows}}};"
         return super().number(number)
 
     def head(self, one: Routine) -> str:
@@ -105,8 +105,8 @@ class FlightPrinter(Printer):
         return super()._choice(node)
 
     def _change(self, node: ast.AugAssign) -> Iterator[str]:
-        changed = ast.BinOp(node.target, node.op, node.value)
-        yield f"{self.text(node.target)} = {self.text(changed)};"
+        symbol = OPERATIONS[type(node.op)][0]
+        yield f"{self.text(node.target)} {symbol}= {self._operand(node.value, node.target, 0)};"
 
     def _comparison(self, node: ast.Compare) -> tuple[str, int]:
         (right,) = node.comparators

@@ -4,7 +4,7 @@ import json
 from collections.abc import Mapping
 from importlib import resources
 
-from rigidsym._codegen.flight import driver, trace
+from rigidsym._codegen.flight import driver, read_back, trace
 from rigidsym._codegen.flight.module import SOURCE, code
 from rigidsym._codegen.flight.program import PREFIX
 from rigidsym._codegen.flight.records import DEVIATIONS, UNREACHED
@@ -16,9 +16,13 @@ _PLAIN = ("report.py", "Makefile")
 
 
 def files(solution: Solution | None = None) -> Mapping[str, str]:
-    """Return the texts of the profile's files by their names."""
+    """Return the texts of the profile's files by their names.
+
+    Raises InputError unless the source reads back as the routines that it is printed from.
+    """
     solution = solution or sealed()
     made, found = code(solution), vectors()
+    read_back.check(made)
     public = [PREFIX + one.name for one in made.program.routines.values() if one.is_public]
     profile = {
         "about": [f"`{SOURCE}`, digest {made.digest}.", "", "Written by `make report`."],

@@ -47,6 +47,8 @@ def program(solution: Solution) -> Program:
     made.routines = {**motions.routines, **steps.routines}
     tests = read(("arithmetic", "self_test", "built_in_test"), Program(), {**DOUBLINGS, **_KNOWN})
     made.numbers |= tests.numbers
+    for name, number in made.numbers.items():
+        made.numbers[name] = replace(number, value=_Plain().visit(number.value))
     made.routines |= tests.routines
     for name, one in made.routines.items():
         marks = one.decorators if name in PUBLIC else one.decorators - {"public"}
@@ -181,6 +183,14 @@ class _Folding(ast.NodeTransformer):
             case ast.Constant(value=bool(value)):
                 return node.body if value else node.orelse
         return node
+
+
+class _Plain(ast.NodeTransformer):
+    """Replacement of texts by those of the profile."""
+
+    def visit_Constant(self, node: ast.Constant) -> ast.Constant:
+        """Replace a text."""
+        return ast.Constant(plain(node.value)) if isinstance(node.value, str) else node
 
 
 def _folded(one: Routine, known: Mapping[str, bool]) -> Routine:

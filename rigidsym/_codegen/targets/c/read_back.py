@@ -88,14 +88,14 @@ def compared(
     for file, (plain, expected) in texts.items():
         root = reader.parsed(plain)
         found = dict(reader.functions(file, root))
-        _check_numbers(file, reader.numbers(root), printer.program, constants)
-        _check_structs(file, reader.structs(root), printer)
+        check_numbers(file, reader.numbers(root), printer.program, constants)
+        check_structs(file, reader.structs(root), printer)
         _check_outside(file, plain, expected)
         for name, node in found.items():
             body = node.child_by_field_name("body")
             if name in names and body is not None:
                 one = routines[names[name]]
-                _check_head(file, one, *reader.head(node))
+                check_head(file, one, *reader.head(node))
                 extended = one.function.all_extended() if one.function else frozenset()
                 reads = reader.Reader(file, one, printer)
                 lines = _Lines(file, plain.split("\n"), reads, one, extended)
@@ -127,7 +127,7 @@ def _check_function(function: Function, printed: list[Routine]) -> None:
                 raise InputError(function.name, changed, f"{let}: not what was fused")
 
 
-def _check_numbers(
+def check_numbers(
     file: str, read: Mapping[str, str], of: Program, constants: tuple[Constant, ...]
 ) -> None:
     """Raise InputError for a named number with another value than it has.
@@ -157,7 +157,7 @@ def _initial(node: ast.expr) -> str:
     return ast.unparse(node)
 
 
-def _check_structs(
+def check_structs(
     file: str, read: Mapping[str, Sequence[tuple[str, str]]], printer: Printer
 ) -> None:
     """Raise InputError for a struct with other members than it has."""
@@ -173,7 +173,7 @@ def _check_structs(
             raise InputError(file, name, "has other members, or in another order")
 
 
-def _check_head(file: str, one: Routine, kind: str, parameters: Sequence[str]) -> None:
+def check_head(file: str, one: Routine, kind: str, parameters: Sequence[str]) -> None:
     """Raise InputError for a function with other parameters, or another value, than its routine."""
     wanted = [
         (name, not (x.is_out or x.is_number or (x.name in ("pair", "exact") and not x.shape)))

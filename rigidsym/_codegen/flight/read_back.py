@@ -1,0 +1,94 @@
+"""Check of the printed C code of the profile: its functions read back as their routines."""
+
+import ast
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import zip_longest
+
+from rigidsym._codegen.flight.module import SOURCE, Code
+from rigidsym._codegen.flight.printer import FlightPrinter, preconditions
+from rigidsym._codegen.flight.program import PREFIX, names
+from rigidsym._codegen.functions import constants
+from rigidsym._codegen.routines import is_same
+from rigidsym._codegen.targets.c import read_back, reader
+from rigidsym.errors import InputError
+
+# What the profile says otherwise than the C target: patterns, and what they are there.
+_OTHERWISE = (
+    (r"\(void\)(memcpy|memset)\(", r"\1("),
+    (r"\b(0x[0-9a-f]+)ULL\b", r"UINT64_C(\1)"),
+    (r"\b(\d+)u\b", r"\1"),
+    (r"\((?:int|size_t)\)(\d+)", r"\1"),
+    (r"(<<|>>) \(uint64_t\)(\w+)", r"\1 \2"),
+    (r"\btrue\b", "1"),
+    (r"\bfalse\b", "0"),
+    (r"\bbool\b", "int"),
+    (r"\bsplit_product_error\((?=[^)]*\)[^;{]*;)", "product_error("),
+)
+_ASSERTION = re.compile(r"^    require\((.*), __LINE__\);$")
+
+
+def check(code: Code) -> int:
+    """Compare the text of the source with its routines, and return the number of these.
+
+    Raises InputError for the first statement that differs.
+    """
+    text = code.files[SOURCE]
+    printer = FlightPrinter(code.program, PREFIX, names())
+    plain = reader.parsed(_plain(text))
+    values = {name: value.replace("{ ", "{") for name, value in reader.numbers(plain).items()}
+    read_back.check_numbers(SOURCE, values, code.program, constants())
+    read_back.check_structs(SOURCE, reader.structs(reader.parsed(text)), printer)
+    routines = {printer.function_name(name): one for name, one in code.program.routines.items()}
+    asserted = _assertions(text)
+    found = {}
+    for name, node in reader.functions(SOURCE, plain):
+        body = node.child_by_field_name("body")
+        if name not in routines or body is None:
+            continue
+        one = found[name] = routines[name]
+        if asserted.get(name, []) != list(preconditions(one)):
+            raise InputError(SOURCE, name, f"asserts {asserted.get(name)}")
+        read_back.check_head(SOURCE, one, *reader.head(node))
+        head = (node.text or b"")[: body.start_byte - node.start_byte].decode()
+        if head.split() != _plain(printer.head(one)).split():
+            raise InputError(SOURCE, " ".join(head.split()), "has other types")
+        _compare(name, reader.Reader(SOURCE, one, printer).block(body), one.body)
+    if missing := sorted(routines.keys() - found.keys()):
+        raise InputError(SOURCE, ", ".join(missing), "are not there")
+    return len(found)
+
+
+def _plain(text: str) -> str:
+    """Return a text as the C target would say it, without assertions; lines keep their numbers."""
+    for pattern, replacement in _OTHERWISE:
+        text = re.sub(pattern, replacement, text)
+    return "\n".join("" if _ASSERTION.match(line) else line for line in text.split("\n"))
+
+
+def _assertions(text: str) -> Mapping[str, list[str]]:
+    """Map the names of functions to the preconditions that they assert."""
+    found: dict[str, list[str]] = {}
+    name = ""
+    for line in text.split("\n"):
+        if head := re.match(r"(?!static const|typedef)\w[\w ]*?[ *](\w+)\(", line):
+            name = head[1]
+        elif assertion := _ASSERTION.match(line):
+            found.setdefault(name, []).append(assertion[1])
+    return found
+
+
+def _compare(name: str, read: Sequence[ast.stmt], wanted: Sequence[ast.stmt]) -> None:
+    """Raise InputError for the first statement of a function that differs."""
+    for one, other in zip_longest(read, _without_idle(wanted)):
+        if one is None or other is None or not is_same(one, other):
+            place = f"{SOURCE}:{one.lineno}: {name}" if one else f"{SOURCE}: {name}"
+            raise InputError(place, _said(one), f"is not {_said(other)}")
+
+
+def _without_idle(statements: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
+    return (one for one in statements if not isinstance(one, ast.Pass))
+
+
+def _said(node: ast.stmt | None) -> str:
+    return ast.unparse(ast.fix_missing_locations(node))[:120] if node else "the end"
