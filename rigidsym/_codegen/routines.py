@@ -11,10 +11,12 @@ overlaps nothing else.  A class whose members have values is an enumeration, oth
 """
 
 import ast
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from copy import copy
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, wraps
 from importlib import resources
 from typing import Any, TypeVar
 
@@ -296,6 +298,7 @@ def parts(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
 
 
 Tree = TypeVar("Tree", bound=ast.AST)
+Made = TypeVar("Made")
 
 
 def copied(node: Tree) -> Tree:
@@ -363,10 +366,51 @@ def _parsed(name: str) -> ast.Module:
     return found
 
 
+@cache
+def files() -> tuple[str, ...]:
+    """Return the names of the files of the runtime."""
+    home = resources.files("rigidsym._codegen.runtime")
+    found = (path.name for path in home.iterdir() if path.name.endswith(".py"))
+    return tuple(sorted(name.removesuffix(".py") for name in found))
+
+
 def defined(names: Iterable[str]) -> Iterator[str]:
     """Yield the names of the functions that files of the runtime define."""
     for name in names:
         yield from (node.name for node in _parsed(name).body if isinstance(node, ast.FunctionDef))
+
+
+def definition(file: str, name: str) -> ast.FunctionDef | None:
+    """Return the tree of a function in a file of the runtime, or None."""
+    found = {node.name: node for node in _parsed(file).body if isinstance(node, ast.FunctionDef)}
+    return found.get(name)
+
+
+_REPLACED: ContextVar[Mapping[tuple[str, str], ast.FunctionDef]] = ContextVar("replaced")
+
+
+@contextmanager
+def replaced(by: Mapping[tuple[str, str], ast.FunctionDef]) -> Generator[None]:
+    """Replace functions of the runtime in all programs that are read inside a `with` block.
+
+    by: what stands for them, by the names of file and function.
+    """
+    token = _REPLACED.set(by)
+    try:
+        yield
+    finally:
+        _REPLACED.reset(token)
+
+
+def cached(make: Callable[..., Made]) -> Callable[..., Made]:
+    """Cache what a function makes of programs, but not while a function is replaced."""
+    known = cache(make)
+
+    @wraps(make)
+    def found(*given: Any) -> Made:
+        return (make if _REPLACED.get({}) else known)(*given)
+
+    return found
 
 
 def read(names: Iterable[str], program: Program, constants: Mapping[str, Any]) -> Program:
@@ -396,8 +440,9 @@ def read(names: Iterable[str], program: Program, constants: Mapping[str, Any]) -
                 case ast.ClassDef():
                     made.structs[node.name] = _struct(node)
                 case ast.FunctionDef():
-                    raw.append(node)
-                    made.routines[node.name] = routine(node)
+                    own = _REPLACED.get({}).get((name, node.name), node)
+                    raw.append(own)
+                    made.routines[node.name] = routine(own)
                 case ast.AnnAssign(target=ast.Name(id=target), value=ast.expr() as value):
                     kind = type_of_annotation(node.annotation)
                     made.numbers[target] = Number(target, kind, value)

@@ -16,7 +16,7 @@ from rigidsym.precise import _comparison as comparison
 from rigidsym.proof.derivation import sealed_path
 from rigidsym.proof.paper import EQUATIONS, Ruling
 from rigidsym.validate import _campaign as campaign
-from rigidsym.validate.faults import BY_HAND, FaultReport
+from rigidsym.validate.faults import FaultReport, by_hand
 from rigidsym.validate.faults import Outcome as FaultOutcome
 from rigidsym.validate.faults import _detection as detection
 
@@ -244,7 +244,7 @@ def test_methods_end_with_a_conclusion():
 
 def test_faults_end_with_a_conclusion():
     """The conclusion counts the faults that strata notice and those that none does."""
-    fault = BY_HAND[0]
+    fault = by_hand()[0]
     seen = [detection.Detection(stratum, 0, ("angle",)) for stratum in ("rest", "rod")]
     outcomes = (FaultOutcome(fault, tuple(seen)), FaultOutcome(fault, (seen[0],)))
     found = FaultReport(("numpy",), ("rest", "rod"), 1, 20, 1, outcomes)

@@ -16,7 +16,7 @@ from rigidsym._codegen.seal import seal_text, text
 from rigidsym._codegen.targets import reader
 from rigidsym.solution import sealed
 from rigidsym.validate.faults import all_faults
-from rigidsym.validate.faults._fault import FILES
+from rigidsym.validate.faults._printed import faulty
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
@@ -142,8 +142,5 @@ def first_of_each_kind():
 @pytest.mark.parametrize("fault", [*first_of_each_kind()])
 def test_what_validation_catches_by_numbers_the_seal_refuses_by_the_text(fault):
     target, form = split(fault.target)
-    files = dict(made(target, form=form).files)
-    source = FILES[fault.target]
-    files[source] = fault.applied(files[source])
     with pytest.raises(InputError):
-        reader(target)(files, *lets_and_numbers(form))
+        reader(target)(faulty(fault), *lets_and_numbers(form))

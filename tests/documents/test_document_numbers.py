@@ -186,7 +186,7 @@ def test_the_counts_of_the_validation_are_those_of_the_code():
         f"all modules, {len(STRATA)} strata",
         f"{sum(sizes.values())} cases, {sum(len(s.times) for s in drawn)} states",
         f"{len(FAULTS)} faults against every stratum",
-        f"{faults['numpy']} in the text of NumPy's module, {faults['c']} in C's, "
+        f"{faults['numpy']} in NumPy's module, {faults['c']} in C's, "
         f"{faults['numpy-pi'] + faults['c-pi']} in what is the Pi modules' own, "
         f"{faults['numpy-step'] + faults['c-step']} in those of steps",
         f"{STRATA['published'].size} motions published by other projects",

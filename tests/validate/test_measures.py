@@ -21,7 +21,7 @@ from rigidsym.validate._implementations import Steps
 from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import distance, enclose
 from rigidsym.validate._tally import Tally
-from rigidsym.validate.faults import BY_HAND
+from rigidsym.validate.faults import by_hand
 from rigidsym.validate.faults._detection import mutated_engine
 from rigidsym.validate.strata import STRATA, Sample, draw, stepped
 
@@ -193,7 +193,7 @@ def test_states_without_condition_numbers_are_the_same():
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])
 KEEPS_RATES = next(
-    f for f in BY_HAND if f.line == "numpy: the caller's rates kept in a prepared motion"
+    f for f in by_hand() if f.line == "numpy: the caller's rates kept in a prepared motion"
 )
 
 

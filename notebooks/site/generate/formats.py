@@ -27,9 +27,9 @@ from rigidsym.validate import _campaign as campaigns
 from rigidsym.validate import validate
 from rigidsym.validate._executors import local
 from rigidsym.validate._report import SCHEMA as VALIDATION
-from rigidsym.validate.faults import BY_HAND
 from rigidsym.validate.faults import _detection as detection
 from rigidsym.validate.faults import _injection as faults
+from rigidsym.validate.faults import by_hand
 
 _HEAD = """# File formats
 
@@ -211,7 +211,7 @@ def _campaign() -> Any:
 def _faults() -> Any:
     """One fault against one stratum."""
     cases = [detection.references(STRATUM, 1, 40, 1)]
-    tried = ((x, detection.detections(x, cases)) for x in BY_HAND if x.target == "numpy")
+    tried = ((x, detection.detections(x, cases)) for x in by_hand() if x.target == "numpy")
     outcome = next(faults.Outcome(x, tuple(found)) for x, found in tried if found)
     return faults.FaultReport(("numpy",), (STRATUM,), 1, 40, 1, (outcome,)).to_data()
 

@@ -7,7 +7,6 @@ installed modules stay as they are.
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from importlib import resources
 from pathlib import Path
 from types import ModuleType
 from typing import Any, cast
@@ -15,7 +14,7 @@ from typing import Any, cast
 import numpy as np
 
 from rigidsym._codegen.forms import STEP, split
-from rigidsym._engines import Engine, build
+from rigidsym._engines import Engine
 from rigidsym._engines.build import FLAGS, compile_library, find
 from rigidsym._engines.c_engine import CEngine
 from rigidsym._engines.library import load
@@ -28,6 +27,7 @@ from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate._sensitivities import ColumnsReference
 from rigidsym.validate.faults._fault import FILES, Fault
+from rigidsym.validate.faults._printed import faulty
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.strata import count, draw, stepped
 
@@ -44,33 +44,24 @@ _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 def mutated_engine(fault: Fault) -> Engine | Steps:
     """Return an engine that runs a generated module with an injected fault."""
-    return on_text(fault.target, faulty(fault), fault.options)
+    return on_files(fault.target, faulty(fault), fault.options)
 
 
-def faulty(fault: Fault) -> str:
-    """Return the source text of the installed module with an injected fault."""
-    return fault.applied(installed(FILES[fault.target]))
-
-
-def installed(name: str) -> str:
-    """Return the text of a generated file that is installed with the package."""
-    return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
-
-
-def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | Steps:
-    """Return a target's engine that runs a changed source text of its module.
+def on_files(
+    target: str, files: Mapping[str, str], options: tuple[str, ...] = ()
+) -> Engine | Steps:
+    """Return a target's engine that runs changed files of its module.
 
     options: of the compiler, beyond the usual ones.
     """
     language, form = split(target)
     if language == "numpy":
         module: Any = ModuleType("torque_free")
-        exec(compile(text, FILES[target], "exec"), module.__dict__)
+        exec(compile(files[FILES[target]], FILES[target], "exec"), module.__dict__)
         return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
-    sources = {name: installed(name) for name in build.FILES[target]} | {FILES[target]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
-        built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
-        library: Any = load(built, sources)
+        built = compile_library(find(), files, Path(work), (*_QUICK, *options))
+        library: Any = load(built, files)
         return Steps(CStepper(library)) if form == STEP else CEngine(library)
 
 

@@ -9,7 +9,7 @@ import struct
 import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from hashlib import sha256
 from importlib import resources
@@ -18,14 +18,11 @@ from textwrap import shorten
 from typing import NamedTuple
 
 from rigidsym._codegen.forms import THETA, split
-from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.functions import constants
 from rigidsym._codegen.functions.sensitivity import sensitivity
-from rigidsym._codegen.ir import Constant, Function, Let, is_extended
-from rigidsym._codegen.lines import Lines
+from rigidsym._codegen.ir import Constant, Function, is_extended
+from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.special_functions import angles
-from rigidsym._codegen.targets.c import module
-from rigidsym._codegen.targets.c.program import numbered, program
-from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym.language._expression import (
     Call,
     Expression,
@@ -37,7 +34,9 @@ from rigidsym.language._expression import (
 )
 from rigidsym.solution import sealed
 from rigidsym.validate._bounds import BOUND, ULP
-from rigidsym.validate.faults._fault import BY_HAND, FILES, Fault
+from rigidsym.validate.faults._by_hand import by_hand, derived
+from rigidsym.validate.faults._fault import FILES, Fault
+from rigidsym.validate.faults._printed import functions_of, number_text
 
 # Calls whose value is replaced by a constant, and the kind of fault that makes.
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
@@ -70,77 +69,23 @@ _SERIES: dict[str, tuple[Callable[[int], float], float]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class _Printer:
-    """Printer of functions and constants in a target's language."""
-
-    lines: Callable[[Function], Lines]
-    begins: Callable[[Function], str]
-    constant: Callable[[Constant], str]
-    note: str
-
-    def code(self, line: str) -> str:
-        """Return a printed line without its comment on equations."""
-        return line.partition(self.note)[0]
-
-
-@cache
-def _functions(form: str) -> tuple[Function, ...]:
-    return functions(sealed(), form)
-
-
 def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set[str]]:
     """Return the functions of a target that compute either states or sensitivities.
 
     The second result has the named numbers that these functions alone use.
     """
-    language, form = split(target)
+    _, form = split(target)
     names = {function.name for function in sensitivity(sealed())}
-    of_states = tuple(one for one in _functions(form) if one.name not in names)
+    printed = derived(target)
+    of_states = tuple(one for one in printed if one.name not in names)
     if in_sensitivities:
-        own = tuple(one for one in _functions(form) if one.name in names)
+        own = tuple(one for one in printed if one.name in names)
         shared = of_states
     else:
-        shared = _functions(THETA) if form != THETA else ()
+        shared = functions_of(THETA) if form != THETA else ()
         own = tuple(one for one in of_states if one not in shared)
-    own = numpy.own(own) if language == "numpy" else own
     used, elsewhere = (set(chain.from_iterable(x.used() for x in y)) for y in (own, shared))
     return own, used - elsewhere
-
-
-def _printer(target: str) -> _Printer:
-    language, form = split(target)
-    if language == "numpy":
-        return _Printer(
-            numpy.function_lines, lambda x: f"def {x.name}(", numpy.constant_text, "  #"
-        )
-
-    files = _files(form)
-
-    def lines(function: Function) -> Lines:
-        made = program(tuple(_with(function, form)), constants(), form)
-        one, *_ = (x for x in made.routines.values() if x.prints(function))
-        printed = module.Files(made, form).printer.routine(one)
-        return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
-
-    def first_line(function: Function) -> str:
-        return next(line for line in lines(function).text if line.startswith("static "))
-
-    def constant_text(constant: Constant) -> str:
-        return files.printer.number(numbered(constant))
-
-    return _Printer(lines, first_line, constant_text, " /*")
-
-
-@cache
-def _files(form: str) -> module.Files:
-    return module.Files(program(_functions(form), constants(), form), form)
-
-
-def _with(function: Function, form: str) -> Iterator[Function]:
-    """Yield the functions of a form, one of them replaced."""
-    for other in _functions(form):
-        yield function if other.name == function.name else other
 
 
 @cache
@@ -149,7 +94,7 @@ def all_faults() -> tuple[Fault, ...]:
 
     Generating them takes a second or two.
     """
-    return (*BY_HAND, *(fault for target in FILES for fault in drawn(target)))
+    return (*by_hand(), *(fault for target in FILES for fault in drawn(target)))
 
 
 @cache
@@ -175,45 +120,44 @@ def every(target: str) -> tuple[Fault, ...]:
     """
     found = []
     for in_sensitivities in (False, True):
-        printer, (own, used) = _printer(target), _own(target, in_sensitivities)
-        part = [fault for function in own for fault in _of_function(target, printer, function)]
+        own, used = _own(target, in_sensitivities)
+        part = [fault for function in own for fault in _of_function(target, function)]
         for constant in constants():
             if constant.name in used:
-                part += _of_constant(target, printer, constant)
+                part += _of_constant(target, constant)
         found += [replace(fault, in_sensitivities=in_sensitivities) for fault in part]
     return tuple(sorted(found, key=lambda fault: sha256(fault.line.encode()).digest()))
 
 
-def _of_function(target: str, printer: _Printer, function: Function) -> Iterator[Fault]:
-    begins, extended = printer.begins(function), function.all_extended()
-    alone = replace(function, extended=extended)
-    found: list[tuple[Change, str, str, Let]] = []
-    for let, old in zip(function.lets, _lines(printer, alone, function.lets), strict=True):
+def _of_function(target: str, function: Function) -> Iterator[Fault]:
+    extended = function.all_extended()
+    # NumPy takes times that are doubles.
+    is_short = split(target)[0] == "numpy" and "t_lo" in function.parameters
+    for let in function.lets:
+        old = let.expression
+        place = f"{function.name[1:]}.{let.targets[0]}"
         about = f"{', '.join(let.targets)} of {function.name[1:]}"
-        for number, change in enumerate(changes(let.expression), 1):
-            changed = change.expression
+        for number, change in enumerate(changes(old), 1):
+            new = change.expression
             # Twice a quantity decides the circulation as the quantity does.
             idle = (function.name, change.kind) == ("_circulation", "scale")
-            if is_extended(changed, extended) == is_extended(let.expression, extended) and not idle:
-                name = f"{about}: {change.done} ({number})"
-                found.append((change, name, old, replace(let, expression=changed)))
-    changed_lets = tuple(let for *_, let in found)
-    for (change, name, old, _), new in zip(
-        found, _lines(printer, alone, changed_lets), strict=True
-    ):
-        if new != old:
+            if is_extended(new, extended) != is_extended(old, extended) or idle:
+                continue
+            if (
+                is_short
+                and len({*specialise((let, replace(let, expression=new)), {"t_lo": 0})}) == 1
+            ):
+                continue
             part = shorten(to_text(change.part), _SHOWN, placeholder=" ...")
-            key = f"{name.rpartition(' (')[0]}: {part}"
-            yield Fault(target, change.kind, name, begins, old, new, change=key)
-
-
-def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
-    """Replace the assignments of a function, and return them as printed lines.
-
-    lets: the assignments that replace the function's own.
-    """
-    printed = printer.lines(replace(function, lets=lets))
-    return [printer.code(printed.text[number]) for number in printed.lets]
+            yield Fault(
+                target,
+                change.kind,
+                f"{about}: {change.done} ({number})",
+                place,
+                to_text(old),
+                to_text(new),
+                change=f"{about}: {change.done}: {part}",
+            )
 
 
 def changes(expression: Expression) -> Iterator[Change]:
@@ -258,18 +202,16 @@ def _at_the_top(expression: Expression) -> Iterator[Change]:
             yield Change("axis", "arguments swapped", swapped, expression)
 
 
-def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator[Fault]:
+def _of_constant(target: str, constant: Constant) -> Iterator[Fault]:
     changed = [("constant", "off by 1e-12", replace(constant, hi=constant.hi * (1 + 1e-12)))]
     (single,) = struct.unpack("f", struct.pack("f", constant.hi)) if constant.hi < 1e38 else (0.0,)
     changed.append(("precision", "in single precision", replace(constant, hi=single)))
     if constant.lo is not None:
         changed.append(("constant", "its last digits lost", replace(constant, lo=0.0)))
-    old = printer.code(printer.constant(constant))
     for kind, done, other in changed:
-        new = printer.code(printer.constant(other))
-        if new != old and not is_lost(constant, other):
-            name = f"{constant.name} {done}"
-            yield Fault(target, kind, name, old, old, new, change=name)
+        if other != constant and not is_lost(constant, other):
+            name, old, new = f"{constant.name} {done}", number_text(constant), number_text(other)
+            yield Fault(target, kind, name, constant.name, old, new, change=name)
 
 
 def is_lost(constant: Constant, other: Constant) -> bool:

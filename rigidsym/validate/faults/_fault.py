@@ -1,9 +1,7 @@
-"""Faults as replacements of text in generated modules, with a table of hand-written faults."""
+"""Faults as changes of one place of what a module is printed from."""
 
 import re
-import tomllib
 from dataclasses import dataclass
-from importlib import resources
 
 from rigidsym._codegen.forms import STEP, split
 
@@ -36,8 +34,11 @@ FILES = {
     "numpy-step": "torque_free_step.py",
     "c-step": "torque_free_step.c",
 }
-# A fault in the head of a loop, or one that makes a loop, might never end.
+# Text of a target that might not end: a fault must not make or change it.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
+# A place in the representation: of a derived function and its assignment, of a file of the runtime
+# and a routine there, or a named number.
+_PLACE = re.compile(r"\w+(\.\w+)?")
 
 
 class StaleFaultError(ValueError):
@@ -46,18 +47,20 @@ class StaleFaultError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Replacement of a piece of text in one paragraph of a generated module.
+    """Change of a piece of text in one place of the representation, or of a target's own text.
 
-    old, new: the text before and after.  The paragraph is the one that begins with `paragraph`; it
-    ends with the next empty line.  options: of the compiler, beyond the usual ones.
-    in_sensitivities: states do not show the fault.  change: for a drawn fault, what is changed, as
-    HARMLESS names it.
+    place: where `old` stands once, and `new` takes its place.  "circular_constants.h" is the
+    expression that a derived function assigns to h, "motion.begin" the routine `begin` in a file of
+    the runtime, and "over_3" a named number.  Other places are paragraphs of text that is written
+    by hand for the target: they begin with `place`, and end with the next empty line.
+    options: of the compiler, beyond the usual ones.  in_sensitivities: states do not show the
+    fault.  change: for a drawn fault, what is changed, as HARMLESS names it.
     """
 
     target: str
     kind: str
     name: str
-    paragraph: str
+    place: str
     old: str
     new: str
     options: tuple[str, ...] = ()
@@ -70,10 +73,16 @@ class Fault:
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 
+    @property
+    def is_of_text(self) -> bool:
+        """True if text that is written by hand for the target is changed."""
+        return not _PLACE.fullmatch(self.place)
+
     def __post_init__(self) -> None:
         if self.target not in FILES or self.kind not in KINDS:
             raise ValueError(f"{self.line}: no such target or kind")
-        if self.old == self.new or _LOOPS.search(self.old) or _LOOPS.search(self.new):
+        is_endless = self.is_of_text and (_LOOPS.search(self.old) or _LOOPS.search(self.new))
+        if self.old == self.new or is_endless:
             raise ValueError(f"{self.line}: must change something, and no loop")
 
     @property
@@ -82,14 +91,16 @@ class Fault:
         return f"{self.target}: {self.name}"
 
     def applied(self, text: str) -> str:
-        """Return the text of a module after this fault is injected.
+        """Return the text of the place after the change.
 
         Raises StaleFaultError if `old` is not there exactly once.
         """
-        begin = self._only(text, self.paragraph, FILES[self.target])
-        end = text.find("\n\n", begin)
-        place = text[begin : end if end >= 0 else len(text)]
-        at = begin + self._only(place, self.old, f"the paragraph of {self.paragraph!r}")
+        begin, end, where = 0, len(text), self.place
+        if self.is_of_text:
+            begin = self._only(text, self.place, FILES[self.target])
+            end = text.find("\n\n", begin) if "\n\n" in text[begin:] else end
+            where = f"the paragraph of {self.place!r}"
+        at = begin + self._only(text[begin:end], self.old, where)
         return text[:at] + self.new + text[at + len(self.old) :]
 
     def _only(self, text: str, part: str, where: str) -> int:
@@ -97,13 +108,3 @@ class Fault:
         if (count := text.count(part)) != 1:
             raise StaleFaultError(f"{self.line}: {part!r} is {count} times in {where}, not once")
         return text.index(part)
-
-
-_TABLE = resources.files("rigidsym.validate.faults").joinpath("by_hand.toml").read_text("utf-8")
-# Faults in hand-written runtime text, and faults that no change of one place of a tree makes.
-BY_HAND = tuple(
-    Fault(target, kind, name, paragraph, old, new, tuple(options))
-    for target, kinds in tomllib.loads(_TABLE).items()
-    for kind, faults in kinds.items()
-    for name, (paragraph, old, new, *options) in faults.items()
-)

@@ -17,11 +17,11 @@ from rigidsym.validate.faults._detection import (
     AnyReference,
     Detection,
     detections,
-    faulty,
     references,
 )
 from rigidsym.validate.faults._drawn import all_faults
 from rigidsym.validate.faults._fault import KINDS, Fault
+from rigidsym.validate.faults._printed import check
 from rigidsym.validate.strata import STRATA
 from rigidsym.view._tables import table
 
@@ -196,7 +196,7 @@ def inject(
         fault for fault in (all_faults() if faults is None else faults) if fault.target in targets
     ]
     for fault in chosen:
-        faulty(fault)
+        check(fault)
     of = sorted({fault.shown_in for fault in chosen})
     before, total = len(strata) * len(of), len(strata) * len(of) + len(chosen)
     enclosed: dict[str, list[Sequence[AnyReference]]] = {kind: [] for kind in of}

@@ -2,6 +2,7 @@
 
 import json
 import pickle
+import re
 from collections import Counter
 from dataclasses import replace
 from functools import cache
@@ -9,28 +10,27 @@ from functools import cache
 import numpy as np
 import pytest
 
-from rigidsym import InputError
+from rigidsym import InputError, generate
 from rigidsym._codegen.ir import Constant
 from rigidsym.language._expression import parse, to_text
 from rigidsym.validate._bounds import bounds_of
 from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import Reference
 from rigidsym.validate._sensitivities import share
-from rigidsym.validate.faults import BY_HAND, KINDS, Fault, StaleFaultError, all_faults, inject
+from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, by_hand, inject
 from rigidsym.validate.faults._detection import (
     CRASHED,
     RAISED,
     Detection,
     broken,
-    faulty,
     first,
-    installed,
     mutated_engine,
-    on_text,
+    on_files,
     references,
 )
 from rigidsym.validate.faults._drawn import HARMLESS, changes, drawn, every, is_lost
 from rigidsym.validate.faults._fault import FILES
+from rigidsym.validate.faults._printed import check, faulty, installed, sound
 from rigidsym.validate.strata import STRATA
 
 TARGETS = tuple(FILES)
@@ -84,8 +84,8 @@ SHOWN = {
 }
 QUICK = [f for f in FAULTS if (f.target, f.shown_in) in SHOWN]
 SAMPLE = [
-    *{(f in BY_HAND, f.target, f.kind, f.shown_in): f for f in reversed(QUICK)}.values(),
-    *(f for f in BY_HAND if (f.target, f.kind) == ("c-step", "scale")),
+    *{(f in by_hand(), f.target, f.kind, f.shown_in): f for f in reversed(QUICK)}.values(),
+    *(f for f in by_hand() if (f.target, f.kind) == ("c-step", "scale")),
 ]
 
 
@@ -96,7 +96,8 @@ def test_there_are_many_faults_of_every_kind():
     least = {target: 20 if "-" in target else 50 for target in TARGETS}
     counts = Counter(fault.target for fault in FAULTS)
     assert all(counts[target] >= least[target] for target in TARGETS)
-    assert len({faulty(fault) for fault in FAULTS}) == len(FAULTS)
+    changes = {(f.target, f.place, f.old, f.new, f.options) for f in FAULTS}
+    assert len(changes) == len(FAULTS)
 
 
 @pytest.mark.parametrize(
@@ -104,7 +105,7 @@ def test_there_are_many_faults_of_every_kind():
     [pytest.param(t, marks=[pytest.mark.slow] * (t == "numpy-step")) for t in TARGETS],
 )
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
-    engine, bounds = on_text(target, installed(FILES[target])), bounds_of(target)
+    engine, bounds = on_files(target, installed(target)), bounds_of(target)
     shown_in = sorted({fault.shown_in for fault in FAULTS if fault.target == target})
     strata = [stratum for kind in shown_in for stratum in chosen(kind)]
     assert [first(engine, stratum, bounds) for stratum in strata] == [None] * len(strata)
@@ -123,11 +124,28 @@ def test_a_fault_is_noticed(fault, chosen):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
-    text = installed(FILES[target]).splitlines()
-    for fault in (*drawn(target), *every(target)[::25]):
-        changed = faulty(fault).splitlines()
-        assert sum(a != b for a, b in zip(text, changed, strict=True)) == 1
+def test_a_fault_drawn_changes_no_line_but_that_of_its_let(target):
+    text = without_digest(sound(target).files[FILES[target]])
+    for fault in (*drawn(target)[::12], *every(target)[:: len(every(target)) // 4]):
+        changed = without_digest(faulty(fault)[FILES[target]])
+        # Beside it there may be the load of a number that is not used any more; a number may stand
+        # in the arithmetic that forms of C share.
+        assert len({*text} ^ {*changed}) <= 4
+
+
+def without_digest(text):
+    return re.sub("[0-9a-f]{64}", "", text).splitlines()
+
+
+def test_no_fault_is_stale():
+    for fault in FAULTS:
+        check(fault)
+
+
+@pytest.mark.slow
+def test_every_fault_by_hand_changes_something():
+    for fault in by_hand():
+        assert faulty(fault) != sound(fault.target).files
 
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
@@ -150,7 +168,7 @@ def figures(chosen):
 
     @cache
     def found(target, kind):
-        return worst(on_text(target, installed(FILES[target])), chosen(kind))
+        return worst(on_files(target, installed(target)), chosen(kind))
 
     return found
 
@@ -209,28 +227,43 @@ def test_a_place_of_an_expression_is_changed_in_every_way():
     }
 
 
-FAULT = Fault("numpy", "constant", "a third is a half", "over_3 = ", "0.3333333333333333", "0.5")
+FAULT = Fault("numpy", "constant", "a third is a half", "over_3", "0.3333333333333333", "0.5")
 
 
 @pytest.mark.parametrize(
-    ("changes", "count", "where"),
+    ("changes", "told"),
     [
-        ({"paragraph": "over_2 = "}, 0, "torque_free.py"),
-        ({"paragraph": "def "}, None, "torque_free.py"),
-        ({"old": "0.25"}, 0, "the paragraph of 'over_3 = '"),
-        ({"old": "over_"}, None, "the paragraph of 'over_3 = '"),
-        # It is in the module, but in another paragraph.
-        ({"old": "pi / (2 * K_1)"}, 0, "the paragraph of 'over_3 = '"),
+        ({"place": "over_2"}, "over_2 is no named number"),
+        ({"old": "0.25"}, "'0.25' is 0 times in over_3, not once"),
+        ({"old": "3333"}, "'3333' is 4 times in over_3, not once"),
+        ({"place": "ladder.K9"}, "ladder.K9 is not assigned"),
+        ({"place": "rungs.K0"}, "rungs.K0 is not assigned"),
+        ({"place": "ladder.K0"}, "'0.3333333333333333' is 0 times in ladder.K0, not once"),
+        ({"place": "motion.start"}, "motion.start is no routine"),
+        ({"place": "def nothing("}, "'def nothing(' is 0 times in torque_free.py, not once"),
+        (
+            {"place": "def _begin("},
+            "'0.3333333333333333' is 0 times in the paragraph of 'def _begin(', not once",
+        ),
     ],
 )
-def test_a_stale_fault_says_so(changes, count, where):
-    fault = replace(FAULT, **changes)
+def test_a_stale_fault_says_so(changes, told):
     with pytest.raises(StaleFaultError) as caught:
+        faulty(replace(FAULT, **changes))
+    assert str(caught.value) == f"numpy: a third is a half: {told}"
+
+
+def test_a_fault_that_no_line_shows_is_refused():
+    # The runtime of NumPy has no grids.
+    fault = replace(FAULT, place="motion.grid_angles", old=" + start", new="")
+    with pytest.raises(ValueError, match="a third is a half: changes nothing in the module"):
         faulty(fault)
-    text = str(caught.value)
-    assert text.startswith("numpy: a third is a half: ")
-    assert text.endswith(f" times in {where}, not once")
-    assert count is None or f" is {count} times" in text
+
+
+def test_a_fault_leaves_the_next_module_as_it_was():
+    fault = next(f for f in by_hand() if f.place == "decisions.ordered" and f.target == "c")
+    faulty(fault)
+    assert generate("c").files == sound("c").files
 
 
 def test_stale_faults_are_told_before_anything_is_measured():
@@ -247,8 +280,8 @@ def test_stale_faults_are_told_before_anything_is_measured():
         {"target": "rust"},
         {"kind": "no kind"},
         {"new": FAULT.old},
-        {"new": "while True: pass"},
-        {"old": "for k in range(3)"},
+        {"place": "def _begin(", "new": "while True: pass"},
+        {"place": "def _begin(", "old": "for k in range(3)"},
     ],
 )
 def test_faults_that_are_none_or_might_not_end_are_refused(changes):
@@ -261,7 +294,7 @@ def test_an_unknown_target():
         inject(["rust"], 1, DIGITS, SEED)
 
 
-SOME = [fault for fault in BY_HAND if fault.kind == "steady"]
+SOME = [fault for fault in by_hand() if fault.kind == "steady"]
 # Exact decimals are in no batch with spheres, spins and bodies at rest.
 FEW = ("sphere", "spin", "rest", "decimals")
 
@@ -347,9 +380,9 @@ def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
         "c",
         "special",
         "a crash at rest",
-        "static void steady_init(",
-        "rates[0] = dd_of(1.0);",
-        "rates[0].hi = *(volatile double *)0;",
+        "motion.steady_init",
+        "motion.unit = 0.0",
+        "motion.q0[16777216] = 0.0",
     )
     options = {"targets": ("c",), "strata": ("sphere", "rest")}
     others = [fault for fault in SOME if fault.target == "c"]

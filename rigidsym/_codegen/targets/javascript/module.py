@@ -1,14 +1,13 @@
 """Construction of the generated JavaScript: an ES module, and its type declarations."""
 
 from collections.abc import Iterator
-from functools import cache
 from importlib import resources
 
 from rigidsym._codegen import header, scalar
 from rigidsym._codegen.forms import PI, STEP, THETA, key, option
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Lines, Module, code_lines, handwritten, joined, shares
-from rigidsym._codegen.routines import Program
+from rigidsym._codegen.routines import Program, cached
 from rigidsym._codegen.targets.javascript.objects import LET, with_objects
 from rigidsym._codegen.targets.javascript.printer import NAMES, Printer
 
@@ -55,7 +54,7 @@ def build(
     return Module(files, {FILES[form]: lets}, digest)
 
 
-@cache
+@cached
 def program(functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str) -> Program:
     """Return all that the module of a form has, as JavaScript says it."""
     return with_objects(scalar.program(functions, constants, form, brought=_BROUGHT))

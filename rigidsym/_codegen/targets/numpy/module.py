@@ -5,7 +5,6 @@ It has double-doubles, derived functions and runtime.
 
 import re
 from collections.abc import Iterable
-from functools import cache
 from importlib import resources
 
 from rigidsym._codegen import header
@@ -13,7 +12,7 @@ from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Lines, Module, code_lines, joined, shares
-from rigidsym._codegen.routines import Program, Type, read
+from rigidsym._codegen.routines import Program, Type, cached, read
 from rigidsym._codegen.targets.c.codes import names
 from rigidsym._codegen.targets.c.program import named_numbers
 from rigidsym._codegen.targets.numpy import emit, printer
@@ -92,7 +91,7 @@ def _by_hand(form: str) -> list[str]:
     return [_part(name, "# --- runtime ---") for name in files]
 
 
-@cache
+@cached
 def decisions(form: str) -> tuple[str, ...]:
     """Return the text of the decisions that the runtime calls."""
     if form != STEP:

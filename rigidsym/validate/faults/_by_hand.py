@@ -1,0 +1,89 @@
+"""Faults written by hand, each for all targets that print its place."""
+
+import json
+import re
+import tomllib
+from collections.abc import Iterator
+from functools import cache
+from importlib import resources
+
+from rigidsym._codegen.forms import split
+from rigidsym._codegen.functions.sensitivity import sensitivity
+from rigidsym._codegen.ir import Function
+from rigidsym._codegen.lines import texts_by_hand
+from rigidsym._codegen.routines import defined, files
+from rigidsym._codegen.targets.numpy import emit
+from rigidsym.solution import sealed
+from rigidsym.validate.faults._fault import FILES, KINDS, Fault
+from rigidsym.validate.faults._printed import functions_of
+
+_TABLE = resources.files("rigidsym.validate.faults").joinpath("by_hand.toml").read_text("utf-8")
+# Between places of which a target has the first that it prints.
+_OR = " or "
+
+
+@cache
+def by_hand() -> tuple[Fault, ...]:
+    """Return the faults written by hand, ordered by target."""
+    found = list[Fault]()
+    for section, content in tomllib.loads(_TABLE).items():
+        kinds = {section: content} if section in KINDS else content
+        for kind, faults in kinds.items():
+            for name, (places, old, new, *options) in faults.items():
+                is_general = section in KINDS
+                of = _everywhere(places.split(_OR)) if is_general else [(section, places)]
+                for target, place in of:
+                    in_sensitivities = place.partition(".")[0] in _of_sensitivities()
+                    found.append(
+                        Fault(target, kind, name, place, old, new, tuple(options), in_sensitivities)
+                    )
+    order = list(FILES)
+    return tuple(sorted(found, key=lambda fault: order.index(fault.target)))
+
+
+def _everywhere(places: list[str]) -> Iterator[tuple[str, str]]:
+    """Yield the first target of each language that prints one of some places, and that place."""
+    languages = set[str]()
+    for target in FILES:
+        language, _ = split(target)
+        own = next((place for place in places if _prints(target, place)), None)
+        if language not in languages and own:
+            languages.add(language)
+            yield target, own
+
+
+@cache
+def _of_sensitivities() -> frozenset[str]:
+    """Return the names of derived functions, and of a file, that compute sensitivities alone."""
+    return frozenset(("sensitivity", *(x.name[1:] for x in sensitivity(sealed()))))
+
+
+def derived(target: str) -> tuple[Function, ...]:
+    """Return the derived functions that a target prints."""
+    language, form = split(target)
+    return emit.own(functions_of(form)) if language == "numpy" else functions_of(form)
+
+
+def _prints(target: str, place: str) -> bool:
+    """Return True if a target prints a named number, a derived function, or a routine."""
+    where, _, part = place.partition(".")
+    if not part:
+        return any(where in function.used() for function in derived(target))
+    if where not in files():
+        return any(function.name == f"_{where}" for function in derived(target))
+    printed = _routines(target)
+    # Files have routines of the same names, but each has some of its own.
+    others = {name for file in files() if file != where for name in defined([file])}
+    return part in printed and not printed.isdisjoint({*defined([where])} - others)
+
+
+@cache
+def _routines(target: str) -> frozenset[str]:
+    """Return the names of routines of the runtime that an installed module has."""
+    home = resources.files("rigidsym.generated")
+    manifest = json.loads(home.joinpath(f"{target}.map.json").read_text("utf-8"))["manifest"]
+    text = "\n".join(home.joinpath(name).read_text("utf-8") for name in manifest["sha256"])
+    for part in texts_by_hand(split(target)[0]):
+        text = text.replace(part, "")
+    heads = re.findall(r"^\w.*?\b(?:_|torque_free_(?:pi_|step_)?)?(\w+)\(", text, re.MULTILINE)
+    return frozenset(heads) & {*defined(files())}
