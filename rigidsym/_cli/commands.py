@@ -221,7 +221,7 @@ COMMANDS = (
         "codegen c -o attitude",
         _value("target", "TARGET", "a language, such as c; --check alone checks all", nargs="?"),
         _value("--form", "FORM", "theta by default, step, or the paper's: pi"),
-        _value("--profile", "NAME", "flight: C for flight software, with unit tests and checks"),
+        _value("--profile", "NAME", "none by default; flight: C for flight software, with checks"),
         _switch("--single-file", "C: one header and one source, for copies by -o or --stdout"),
         Group(
             _output("DIR", "directory of the files"),

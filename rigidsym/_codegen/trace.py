@@ -10,10 +10,11 @@ from importlib import resources
 from pathlib import Path
 from typing import NamedTuple
 
-from rigidsym._codegen.forms import split
-from rigidsym._codegen.lines import Place, code_lines, handwritten, shares
-from rigidsym._codegen.targets.numpy.module import decisions
+from rigidsym._codegen.lines import Place
 from rigidsym.errors import InputError
+
+# What the head of a module says of its lines.
+_COUNTS = re.compile(r"Lines of code:(?:\n +\d+ .*)+")
 
 
 class TraceError(LookupError):
@@ -24,7 +25,7 @@ class _File(NamedTuple):
     """Generated file, with its lines and the map of its derived lines."""
 
     name: str
-    target: str
+    counts: str
     places: Mapping[int, Place]
     lines: list[str]
 
@@ -35,14 +36,18 @@ def _files() -> Iterator[_File]:
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
         if entry.name.endswith(".map.json"):
             module = json.loads(entry.read_text("utf-8"))
+            heads = (
+                home.joinpath(name).read_text("utf-8") for name in module["manifest"]["sha256"]
+            )
+            counts = next(found[0] for head in heads if (found := _COUNTS.search(head)))
             for name, places in module["lines"].items():
                 lines = home.joinpath(name).read_text("utf-8").splitlines()
                 by_line = {place["line"]: place for place in places}
-                yield _File(name, module["manifest"]["target"], by_line, lines)
+                yield _File(name, counts, by_line, lines)
 
 
 def told(place: str) -> list[str]:
-    """Describe a generated line, or count a generated file's lines by kind.
+    """Describe a generated line, or tell how many lines of each kind its module has.
 
     place: FILE:LINE or FILE.  A line is described by its code, kind, facts, definitions, readings,
     choices of signs, and equations.  Raises TraceError where nothing is derived.
@@ -56,15 +61,7 @@ def told(place: str) -> list[str]:
         raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
     if colon:
         return _of_line(known[name], int(number))
-    kinds = [place["kind"] for place in known[name].places.values()]
-    target, text = known[name].target, "\n".join(known[name].lines)
-    language, form = split(target)
-    by_hand = handwritten(text, language)
-    if language == "numpy":
-        runtime = code_lines("\n".join(decisions(form)), target)
-    else:
-        runtime = code_lines(text, target) - len(kinds) - by_hand
-    return shares(kinds, runtime, by_hand).splitlines()
+    return known[name].counts.splitlines()
 
 
 def _of_line(file: _File, line: int) -> list[str]:
