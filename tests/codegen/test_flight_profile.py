@@ -9,6 +9,7 @@ import shutil
 import subprocess
 from dataclasses import replace
 from fractions import Fraction
+from importlib import resources
 from pathlib import Path
 
 import mpmath
@@ -25,7 +26,7 @@ from rigidsym._codegen.flight.program import MOST_LINES, PREFIX, lines, names, p
 from rigidsym._codegen.flight.trace import facts, rows
 from rigidsym._codegen.flight.vectors import of_motions, of_steps, vectors
 from rigidsym._codegen.functions import functions
-from rigidsym._codegen.lines import Lines
+from rigidsym._codegen.lines import Lines, code_lines
 from rigidsym._codegen.passes import fuse
 from rigidsym._codegen.routines import let_of
 from rigidsym.errors import InputError
@@ -173,6 +174,17 @@ def test_the_unit_tests_pass_with_the_same_bits_on_other_processors(target, fold
     assert (done.returncode, done.stdout) == (0, built(folder).stdout)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_the_bits_are_the_same_with_all_optimisation(name, folder, tmp_path):
+    sources = (folder / SOURCE, folder / "test_torque_free.c")
+    flags = ("-std=c99", "-O3", "-march=native", "-ffp-contract=off")
+    line = [installed(name), *flags, *sources, "-o", tmp_path / "tests", "-lm"]
+    subprocess.run(line, check=True)
+    done = subprocess.run([tmp_path / "tests"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (0, built(folder).stdout)
+
+
 def test_vectors_are_the_nearest_doubles():
     for vector in list(of_motions(cases=1, times=2))[::5]:
         motion = PreciseMotion(*(tuple(map(Fraction, x)) for x in vector.given))
@@ -281,6 +293,12 @@ def test_records_are_of_lines_that_there_are(folder):
     said = (folder / "DEVIATIONS.md").read_text("utf-8")
     assert all(f"| {rule} |" in said for rule in records.DEVIATIONS)
     assert not records.DEVIATIONS.keys() & report.ADVISORY
+
+
+def test_the_page_counts_the_lines_written_by_hand():
+    home = resources.files("rigidsym._codegen.flight")
+    count = code_lines(home.joinpath("preamble.c").read_text("utf-8"), "c")
+    assert f"* {count} lines of the source are written by hand" in (PAGES / "flight.md").read_text()
 
 
 def test_every_requirement_has_functions_and_tests(made):

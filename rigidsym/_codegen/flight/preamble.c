@@ -11,6 +11,9 @@
 #endif
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+/* GCC 12 fuses products in vectors of straight lines, even where it is told not to. */
+#pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 
 /* Call the handler of a precondition that does not hold. */
