@@ -17,28 +17,36 @@
 # %% [markdown]
 # # How to add a target
 #
-# A target prints the derived formulas in a language. `numpy` and `c` are two targets; this notebook adds a
-# third for a small on-board computer: plain Python floats, without arrays. The ground prepares a motion
-# with extended precision and sends its constants; the code printed here computes states from them.
+# A target prints derived formulas and runtime in a language. Both are one representation: functions with
+# typed statements. `numpy`, `c` and `javascript` are targets; this notebook adds another for a small on-board
+# computer, plain Python floats without NumPy. It computes whole motions: checks, constants and states.
 #
 # ## The input of a target
 #
-# The input is functions made of *lets*: names set to expressions, in order, each with its equations and facts.
+# Derived functions are made of *lets*: names set to expressions, in order, each with its equations and facts.
 
 # %%
-from rigidsym._codegen.functions import functions
+from rigidsym._codegen.functions import constants, functions
 from rigidsym.solution import sealed
 
-by_name = {function.name: function for function in functions(sealed())}
-print(*by_name)
-for let in by_name["_steady_state"].lets[:3]:
+for let in functions(sealed())[1].lets:
     print(let, let.source, let.facts)
-assert {"_circular_angles", "_circular_state"} <= {*by_name}
 
 # %% [markdown]
-# Functions named `…_plan` need extended precision. `…_angles` computes the angles that change with time, by
-# exact products of doubles, and `…_state` the state from them.
-#
+# `scalar.program` puts them together with the runtime of one body and one time: structs, named numbers, and
+# *routines*, whose bodies are statements of Python's `ast`. Decisions and loops are written once, in
+# `rigidsym/_codegen/runtime`. (C has another program, with vector lanes and blocks of times.)
+
+# %%
+from rigidsym._codegen import scalar
+
+program = scalar.program(functions(sealed()), constants())
+print(*program.structs)
+print(*(name for name, one in program.routines.items() if one.is_public))
+one = program.routines["is_late"]
+print(one.parameters["motion"].name, one.results[0].name, one.summary)
+
+# %% [markdown]
 # ## A folder
 #
 # In the project it would be `rigidsym/_codegen/targets/floats`. Here it is a temporary folder that is added
@@ -51,125 +59,208 @@ from pathlib import Path
 home = tempfile.TemporaryDirectory()
 floats = Path(home.name) / "floats"
 floats.mkdir()
-_ = (floats / "__init__.py").write_text('"""Plain floats of Python: states, from constants."""\n')
+_ = (floats / "__init__.py").write_text('"""Plain floats of Python."""\n')
+
+# %% [markdown]
+# ## Text by hand
+#
+# A target brings a few primitives: bits of doubles, copies of structs, roots. All of it is in one text here.
+
+# %%
+BY_HAND = """\
+import math
+import struct
+from collections import namedtuple
+from types import SimpleNamespace as made
+
+pair = namedtuple("pair", "hi lo")
+ZERO, ALLOW_NONPHYSICAL, bits = pair(0.0, 0.0), False, int
+sqrt, log, log2, copysign, ldexp = math.sqrt, math.log, math.log2, math.copysign, math.ldexp
+isfinite, isnan, inf, nan = math.isfinite, math.isnan, math.inf, math.nan
+
+
+def exp2(x):
+    return 2.0**x
+
+
+def exponent(x):
+    return math.frexp(x)[1]
+
+
+def bits_of(x):
+    return struct.unpack("<Q", struct.pack("<d", x))[0]
+
+
+def from_bits(bits):
+    return struct.unpack("<d", struct.pack("<Q", bits))[0]
+
+
+def cut(bits):
+    return bits & 0xFFFFFFFFFFFFFFFF
+
+
+def fused(a, b, c):
+    return a * b + c
+
+
+def product_error(a, b, p):
+    return split_product_error(a, b, p)
+
+
+def copy(to, values, count):
+    to[:count] = values[:count]
+
+
+def assign(to, values):
+    for name, value in vars(values).items():
+        old = getattr(to, name)
+        if isinstance(old, made):
+            assign(old, value)
+        else:
+            setattr(to, name, list(value) if isinstance(value, list) else value)
+    return to
+"""
+_ = (floats / "by_hand.txt").write_text(BY_HAND)
 
 # %% [markdown]
 # ## `module.py`: printing
 #
-# `build` takes all functions and named numbers and returns a `Module`: files, the let of each derived
-# line, and a digest. `Lines` is text with the lets of its lines; `joined` concatenates pieces and keeps
+# `build` returns a `Module`: files, the let of each derived line, and a digest. `with_objects` replaces what
+# depends on types: structs and arrays are copied by calls, and a declaration says `let` or `const`. What is
+# left is nearly Python. `Lines` is text with the lets of its lines; `joined` concatenates pieces and keeps
 # the line numbers; `header.sealed` replaces `@digest@` in the text by the digest.
 
 # %%
 MODULE = '''
-from rigidsym._codegen import header
-from rigidsym._codegen.lines import Lines, Module, comment, joined
-from rigidsym.language._expression import to_text
+import ast
+from copy import copy
+from functools import cache
+from pathlib import Path
 
-FILE = "states.py"
-CALLS = {"size": "abs"}
-RUNTIME = """# States of free rigid bodies from the constants of a prepared motion, in plain floats.
+from rigidsym._codegen import header, scalar
+from rigidsym._codegen.lines import Lines, Module, comment, joined
+from rigidsym._codegen.objects import with_objects, zero
+from rigidsym._codegen.routines import let_of
+
+FILE = "motions.py"
+HEAD = """# Motions of free rigid bodies in plain floats of Python.
 # Generated by rigidsym from its sealed derivation; do not edit.
 # digest @digest@
-
-from fractions import Fraction
-from math import exp, sqrt
-
-
-def nearest(x):
-    return float(round(x))
-
-
-def alternating(n):
-    return 1.0 - 2.0 * (n % 2.0)
-
-
-def choose(x, y, one, other):
-    return one if x <= y else other
-
-
-def product_error(a, b, p):
-    return float(Fraction(a) * Fraction(b) - Fraction(p))
-
-
 """
 
 
-def own(functions):
-    return [f for f in functions if f.name.endswith(("_angles", "_state"))]
+@cache
+def program(functions, constants, form):
+    return with_objects(scalar.program(functions, constants, form))
 
 
-def printed(function):
-    head = f"def {function.name[1:]}({', '.join(function.parameters)}):"
-    lines = [
-        f"    {', '.join(let.targets)} = {to_text(let.expression, CALLS)}  # {comment(let)}"
-        for let in function.lets
-    ]
-    lets = dict(enumerate(function.lets, 1))
-    return Lines((head, *lines, f"    return {', '.join(function.results)}", "", ""), lets)
+def struct(one):
+    zeros = []
+    for field in one.fields:
+        value = zero(field.type)
+        if isinstance(value, ast.Dict):
+            parts = zip(field.type.members, map(ast.unparse, value.values), strict=True)
+            zeros.append(f"{field.name}=made({', '.join(f'{x}={y}' for x, y in parts)})")
+        else:
+            zeros.append(f"{field.name}={ast.unparse(value)}")
+    return f"def new_{one.name}():\\n    return made({', '.join(zeros)})\\n\\n"
+
+
+def statements(body, indent="    "):
+    for node in body:
+        if isinstance(node, ast.If):
+            yield f"{indent}if {ast.unparse(node.test)}:", None
+            yield from statements(node.body, indent + "    ")
+            if node.orelse:
+                yield f"{indent}else:", None
+                yield from statements(node.orelse, indent + "    ")
+        elif isinstance(node, ast.For):
+            yield f"{indent}for {ast.unparse(node.target)} in {ast.unparse(node.iter)}:", None
+            yield from statements(node.body, indent + "    ")
+        else:
+            let, note = let_of(node), ""
+            if let is not None:
+                note = f"  # {comment(let)}"
+            yield f"{indent}{ast.unparse(plain(node))}{note}", let
+
+
+def plain(node):
+    """Return a statement without the word for new names, where several are set at once."""
+    found = copy(node)
+    if isinstance(node, ast.Assign):
+        found.type_comment = None
+    return found
+
+
+def routine(one):
+    lines = list(statements(one.body))
+    text = [f"def {one.name}({', '.join(one.parameters)}):", *(line for line, _ in lines)]
+    return Lines((*text, "", ""), {k: let for k, (_, let) in enumerate(lines, 1) if let})
 
 
 def build(functions, constants, form):
-    used = {name for function in own(functions) for name in function.used()}
-    numbers = [f"{c.name} = {c.hi!r}" for c in constants if c.name in used]
-    pieces = [Lines.plain(RUNTIME), Lines((*numbers, "", ""), {})]
-    whole = joined([*pieces, *map(printed, own(functions))])
+    made = program(functions, constants, form)
+    codes = [x for one in made.enumerations.values() for x in one.numbers]
+    numbers = [f"{x.name} = {ast.unparse(x.value)}" for x in (*codes, *made.numbers.values())]
+    by_hand = Path(__file__).with_name("by_hand.txt").read_text()
+    pieces = [HEAD, by_hand, *map(struct, made.structs.values())]
+    whole = joined([*map(Lines.plain, pieces), Lines((*numbers, "", ""), {}),
+                    *map(routine, made.routines.values())])
     files, digest = header.sealed({FILE: chr(10).join(whole.text)}, "floats")
     return Module(files, {FILE: whole.lets}, digest)
 '''
 _ = (floats / "module.py").write_text(MODULE)
 
 # %% [markdown]
+# A language with the operators of C subclasses `rigidsym._codegen.printer.Printer`, which has tables of node
+# classes, blocks, operators and brackets. The printer of JavaScript says in 150 lines how it declares, assigns
+# and calls, and prints type declarations.
+#
 # ## `read_back.py`: reading back for the seal
 #
-# The seal reads every printed line back. For this target that is easy, because the project's parser
-# reads Python's operators. `check` returns the number of lines, or names a line that differs from its let.
+# The seal reads the file back and compares it with the representation, statement by statement. For this
+# target Python's `ast` reads it; for C and JavaScript tree-sitter does. `check` returns the number of derived
+# lines, or names a line that differs from its let.
 
 # %%
 READ_BACK = """
 import ast
 
-from rigidsym._codegen.seal.equality import DIFFERS
+from rigidsym._codegen import header
+from rigidsym._codegen.seal.bodies import Body, check_function, check_outside
 from rigidsym._codegen.targets.floats import module
-from rigidsym.errors import InputError
-from rigidsym.language._expression import Call, children, parse, rebuild
-
-BACK = {text: name for name, text in module.CALLS.items()}
 
 
 def check(files, functions, constants, form):
-    tree = ast.parse(files[module.FILE])
-    defined = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
-    own = module.own(functions)
-    for function in own:
-        check_function(function, defined[function.name[1:]])
-    return sum(len(function.lets) for function in own)
+    text, wanted = files[module.FILE], module.build(functions, constants, form)
+    routines = module.program(functions, constants, form).routines
+    own = header.unsealed(text, "floats", header.digest_in(module.FILE, text))
+    other = header.unsealed(wanted.files[module.FILE], "floats", wanted.digest)
+    check_outside(module.FILE, *(outside(x, routines) for x in (own, other)))
+    decided = 0
+    for node in defined(own, routines):
+        one = routines[node.name]
+        body = Body(module.FILE, own.splitlines(), one, module.plain, ("  # ", ""))
+        decided += body.check(node.body, one.body)
+    for function in functions:
+        check_function(function, [one for one in routines.values() if one.prints(function)])
+    return decided
 
 
-def check_function(function, node):
-    *lines, last = map(ast.unparse, node.body)
-    if ast.unparse(node.args) != ", ".join(function.parameters):
-        raise InputError(function.name, ast.unparse(node.args), "are not its parameters")
-    if last.replace("(", "").replace(")", "") != f"return {', '.join(function.results)}":
-        raise InputError(function.name, last, "is not what it returns")
-    for line, let in zip(lines, function.lets, strict=True):
-        left, _, right = line.partition(" = ")
-        if left.strip("()") != ", ".join(let.targets) or read(parse(right)) != let.expression:
-            raise InputError(function.name, line, DIFFERS)
+def defined(text, routines):
+    return [x for x in ast.parse(text).body if getattr(x, "name", None) in routines]
 
 
-def read(expression):
-    found = rebuild(expression, tuple(map(read, children(expression))))
-    if isinstance(found, Call):
-        return Call(BACK.get(found.function, found.function), found.arguments)
-    return found
+def outside(text, routines):
+    inside = {k for x in defined(text, routines) for k in range(x.lineno + 1, x.end_lineno + 1)}
+    return [(k, line) for k, line in enumerate(text.splitlines(), 1) if k not in inside]
 """
 _ = (floats / "read_back.py").write_text(READ_BACK)
 
 # %% [markdown]
 # ## Registering the target
 #
-# In the project, add its name to `TARGETS` in `rigidsym/_codegen/targets/__init__.py`.
+# In the project, add its name to `TARGETS` in `rigidsym/_codegen/targets/__init__.py`: no other file changes.
 
 # %%
 import rigidsym
@@ -178,70 +269,71 @@ from rigidsym._codegen import targets
 targets.__path__.append(home.name)
 targets.TARGETS.append("floats")
 generated = rigidsym.generate("floats")
-text = generated.files["states.py"]
-print(text[text.index("def steady_state") :])
-print(generated.map["states.py"][0])
+text = generated.files["motions.py"]
+print(text[text.index("def is_late") : text.index("def no_state")])
+print(text[text.index("def steady_angles") : text.index("def steady_state")])
 assert generated == rigidsym.generate("floats")
 
 # %% [markdown]
 # ## Sealing
 #
-# The kernel has decided the lets. The reader decides that the file consists of exactly these lets.
+# The kernel has decided the lets. The reader decides that the file says these, and the runtime: an edit of a
+# formula or of a decision is refused.
 
 # %%
 from dataclasses import replace
 
+from rigidsym import InputError
 from rigidsym._codegen.seal import seal_text
-from rigidsym.errors import InputError
 
 print(seal_text(generated, sealed()), "lines read back")
-begin = text.index("def steady_state")
-wrong = text[:begin] + text[begin:].replace(" - ", " + ", 1)
-try:
-    seal_text(replace(generated, files={"states.py": wrong}), sealed())
-    refused = ""
-except InputError as error:
-    refused = str(error)
-print(refused)
-assert "not what was derived" in refused
+for old, new in ((" - v_other", " + v_other"), ("<= motion.max_angle", "< motion.max_angle")):
+    begin = text.index(old)
+    wrong = text[:begin] + text[begin:].replace(old, new, 1)
+    try:
+        seal_text(replace(generated, files={"motions.py": wrong}), sealed())
+        refused = ""
+    except InputError as error:
+        refused = str(error)
+    print(refused)
+    assert "not what was derived" in refused
 
 # %% [markdown]
 # ## Using it
 #
-# The NumPy module prepares the motion; the on-board code uses floats alone.
+# Bodies of all kinds: asymmetric, on both branches; symmetric; at rest; and one that cannot exist.
 
 # %%
-import numpy as np
-
-from rigidsym.generated import torque_free
-
-inertia, omega0 = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
-prepared = torque_free.prepare(inertia, omega0)
-((branch, _, constants),) = prepared["groups"]
-sent = {name: float(value[0]) for name, value in constants.items()}
-print(branch, len(sent), "numbers are sent up")
-
 board = {}
-exec(compile(text, "states.py", "exec"), board)
+exec(compile(text, "motions.py", "exec"), board)
 
 
-def state(t):
-    """Attitude and rates by the axes a, b, d, in plain floats."""
-    known = sent | {"t": float(prepared["unit"][0]) * t, "t_lo": 0.0}
-    for part in ("angles", "state"):
-        function = by_name[f"_{branch}_{part}"]
-        values = board[function.name[1:]](*(known[name] for name in function.parameters))
-        known |= dict(zip(function.results, values, strict=True))
-    return np.array(values)
+def state(motion, t):
+    """Attitude and rates at a time, in plain floats."""
+    q, omega = [0.0] * 4, [0.0] * 3
+    code = board["state_at"](motion, t, q, omega)
+    return [*q, *omega] if code == board["OK"] else board["message"](code)
 
 
-axes = prepared["axes"][0]
-times = np.linspace(0.5, 180.0, 400)
-q, omega = rigidsym.TorqueFreeMotion(inertia, omega0)(times)
-by_axes = np.column_stack([q[:, 0], q[:, 1 + axes], omega[:, axes]])
-apart = np.max(np.abs(by_axes - [state(t) for t in times]))
-print("apart by less than 1e-15:", apart < 1e-15)
-assert apart < 1e-15
+bodies = [
+    ((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)),
+    ((1.0, 2.0, 2.5), (0.02, 2.0, 0.0)),
+    ((2.0, 2.0, 1.0), (0.5, 0.0, 2.0)),
+    ((1.0, 2.0, 2.5), (0.0, 0.0, 0.0)),
+]
+times, apart = (0.0, 0.5, 60.0, 180.0), 0.0
+for inertia, omega0 in bodies:
+    motion = board["new_motion"]()
+    assert board["motion_init"](motion, inertia, omega0, (1.0, 0.0, 0.0, 0.0)) == board["OK"]
+    for t in times:
+        q, omega = rigidsym.TorqueFreeMotion(inertia, omega0)(t)
+        found = state(motion, t)
+        apart = max(apart, *(abs(x - y) for x, y in zip(found, [*q, *omega], strict=True)))
+print("apart by less than 2e-15:", apart < 2e-15)
+assert apart < 2e-15
+print(state(motion, 1e300) == [*q, *omega])
+code = board["motion_init"](motion, (3.0, 1.0, 1.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0, 0.0))
+print(board["message"](code))
 
 # %% [markdown]
 # ## Steps in the project
@@ -249,10 +341,10 @@ assert apart < 1e-15
 # 1. The folder in `rigidsym/_codegen/targets`, with `module.py` and `read_back.py`, and its name in
 #    `TARGETS` there. Then `rigidsym codegen floats --in-place` writes the files into `rigidsym/generated`,
 #    `--check` compares them, and `rigidsym trace` traces their lines.
-# 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/_engines` with the
-#    methods of `Engine` in its `base.py`, and its name in `ENGINES` of `__init__.py`. Then
-#    `rigidsym validate floats` measures it in every stratum, and with `--record` the heads of its
-#    files say the worst: see [Validation](09_validation.ipynb).
+# 2. `server.py` in the folder: `command(module, home)` returns the command of a process that answers questions
+#    about states and steps, as `rigidsym/_engines/piped.py` describes. That of JavaScript has sixty lines. Then
+#    `rigidsym validate floats` measures it in every stratum and compares its bits with those of C, and with
+#    `--record` the heads of its files say the worst: see [Validation](09_validation.ipynb).
 
 # %% tags=["hide-cell"]
 targets.TARGETS.remove("floats")

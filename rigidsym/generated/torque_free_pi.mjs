@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate javascript-pi --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest a9d61acb546fa6580a114298d15a35a49028ad29ccbe9de4f3ff0459c9aa7e6e
+digest a8b26678025a00b6a40129d96144d5aae8fdebf50f1b25625fe78d5a14d43b76
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -144,8 +144,8 @@ export const TIME = 6; // beyond |omega| t = 2^46 rad the angle is lost in binar
 export const RATES = 7; // rates beyond what binary64 can hold; 2^990 rad/s
 export const ARITHMETIC = 8; // sums are reordered or not rounded to nearest; by this build's options, or by the processor
 export const GROWTH = 9; // on the way to spin about the middle axis squares of changes leave binary64
-export const NONPHYSICAL = 10; // no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)
-export const UNPREPARED = 11; // torque_free_motion_init has not made it
+export const NONPHYSICAL = 10; // no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)
+export const UNPREPARED = 11; // motion_init has not made it
 const pi = pair(3.141592653589793, 1.2246467991473532e-16); // pi
 const pi_hi = 3.141592653589793; // pi
 const pi_lo = 1.2246467991473532e-16; // pi - pi_hi
@@ -209,9 +209,9 @@ const max_angle = 70368744177664.0; // 2^46, |omega0 t|, rad
 const max_rate = 1.0463951242053392e+298; // 2^990, a rate, rad/s; exact products with it do not overflow
 const CODES = 12;
 const UNKNOWN = "no such code";
-const MESSAGES = ["success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^46 rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "motion: torque_free_motion_init has not made it"];
+const MESSAGES = ["success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "attitude0: a zero quaternion is no attitude", "t: nearer to the separatrix than binary64 can follow so long", "t: beyond |omega| t = 2^46 rad the angle is lost in binary64", "omega0: rates beyond what binary64 can hold", "arithmetic: sums are reordered or not rounded to nearest", "t: on the way to spin about the middle axis squares of changes leave binary64", "inertia: no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)", "motion: motion_init has not made it"];
 const FIELDS = ["", "", "inertia", "inertia", "attitude0", "t", "t", "omega0", "arithmetic", "t", "inertia", "motion"];
-const RULES = ["success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^46 rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_motion_init has not made it"];
+const RULES = ["success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "nearer to the separatrix than binary64 can follow so long", "beyond |omega| t = 2^46 rad the angle is lost in binary64", "rates beyond what binary64 can hold", "sums are reordered or not rounded to nearest", "on the way to spin about the middle axis squares of changes leave binary64", "no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)", "motion_init has not made it"];
 const splitter = 134217729.0; // 2^27 + 1
 const rounder = 6755399441055744.0; // 3 2^51; in n + 3 2^51 the last bits are those of the whole number n, |n| < 2^51
 const least_whole = 4503599627370496.0; // 2^52: from here on numbers are whole
@@ -2216,7 +2216,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "a9d61acb546fa6580a114298d15a35a49028ad29ccbe9de4f3ff0459c9aa7e6e";
+    return "a8b26678025a00b6a40129d96144d5aae8fdebf50f1b25625fe78d5a14d43b76";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate javascript-step --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest 3bf8c064798cae178647bdba63b753d042c35f29da0de68f6fd8cec858bad2ae
+digest 5e1e0f55b3cf10f0d23925b4095329d9a2eee63893323141ba915e19e0d9f8ce
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -136,8 +136,8 @@ export const THIN = 3; // principal moments differ by more than binary64 can fol
 export const ATTITUDE = 4; // a zero quaternion is no attitude
 export const ANGLE = 5; // |omega dt| must be at most 8 rad; or a body that cannot exist turns faster still
 export const ARITHMETIC = 6; // sums are reordered or not rounded to nearest; by this build's options, or by the processor
-export const NONPHYSICAL = 7; // no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)
-export const UNPREPARED = 8; // torque_free_body_init has not made it
+export const NONPHYSICAL = 7; // no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)
+export const UNPREPARED = 8; // body_init has not made it
 const pi = pair(3.141592653589793, 1.2246467991473532e-16); // pi
 const unity = pair(1.0, 0.0); // 1
 const pi_hi = 3.141592653589793; // pi
@@ -162,9 +162,9 @@ const min_moment_ratio = 6.223015277861142e-61; // 2^-200, ratio of two principa
 const max_step = 8.0; // 2^3, |omega dt|, rad
 const CODES = 9;
 const UNKNOWN = "no such code";
-const MESSAGES = ["success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "q: a zero quaternion is no attitude", "dt: |omega dt| must be at most 8 rad", "arithmetic: sums are reordered or not rounded to nearest", "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "body: torque_free_body_init has not made it"];
+const MESSAGES = ["success", "every number must be finite", "inertia: principal moments must be positive", "inertia: principal moments differ by more than binary64 can follow", "q: a zero quaternion is no attitude", "dt: |omega dt| must be at most 8 rad", "arithmetic: sums are reordered or not rounded to nearest", "inertia: no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)", "body: body_init has not made it"];
 const FIELDS = ["", "", "inertia", "inertia", "q", "dt", "arithmetic", "inertia", "body"];
-const RULES = ["success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "|omega dt| must be at most 8 rad", "sums are reordered or not rounded to nearest", "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)", "torque_free_body_init has not made it"];
+const RULES = ["success", "every number must be finite", "principal moments must be positive", "principal moments differ by more than binary64 can follow", "a zero quaternion is no attitude", "|omega dt| must be at most 8 rad", "sums are reordered or not rounded to nearest", "no body has a principal moment larger than the sum of the other two (settings.ALLOW_NONPHYSICAL = true lets it pass)", "body_init has not made it"];
 const splitter = 134217729.0; // 2^27 + 1
 const rounder = 6755399441055744.0; // 3 2^51; in n + 3 2^51 the last bits are those of the whole number n, |n| < 2^51
 const PREPARED = 2135587861; // the mark of a prepared body: a number that memory hardly has by chance
@@ -946,7 +946,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "3bf8c064798cae178647bdba63b753d042c35f29da0de68f6fd8cec858bad2ae";
+    return "5e1e0f55b3cf10f0d23925b4095329d9a2eee63893323141ba915e19e0d9f8ce";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

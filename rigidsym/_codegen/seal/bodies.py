@@ -55,13 +55,15 @@ def check_outside(
 class Body:
     """Body of a function in a file, compared with the statements of its routine.
 
-    plain: returns syntax trees that are equal where the language says the same.
+    plain: returns syntax trees that are equal where the language says the same.  marks: what
+    stands before and after the comment on a derived line.
     """
 
     file: str
     lines: Sequence[str]
     one: Routine
     plain: Callable[[ast.AST], ast.AST] = lambda node: node
+    marks: tuple[str, str] = ("; /* ", " */")
 
     def check(self, read: Sequence[ast.stmt], wanted: Sequence[ast.stmt]) -> int:
         """Compare statements, and return the number of derived ones.
@@ -105,9 +107,10 @@ class Body:
         found = tuple(map(ast.unparse, targets)), ast.unparse(_Raised().visit(deepcopy(value)))
         if found != (let.targets, ast.unparse(wanted)):
             raise InputError(place, self._said(read), f"{let}: {DIFFERS}")
-        _, _, note = self.lines[read.lineno - 1].partition("; /* ")
-        if note.removesuffix(" */") != comment(let):
-            raise InputError(place, f"{let} /* {note}", f"is by {comment(let)}")
+        before, after = self.marks
+        _, _, note = self.lines[read.lineno - 1].partition(before)
+        if note.removesuffix(after) != comment(let):
+            raise InputError(place, f"{let}{before}{note}", f"is by {comment(let)}")
 
     def _head(self, node: ast.stmt) -> str:
         """Return the text of a condition, or of a loop's variable and range."""

@@ -7,8 +7,8 @@ from rigidsym._codegen import header, scalar
 from rigidsym._codegen.forms import PI, STEP, THETA, key, option
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Lines, Module, code_lines, handwritten, joined, shares
+from rigidsym._codegen.objects import LET, with_objects
 from rigidsym._codegen.routines import Program, cached
-from rigidsym._codegen.targets.javascript.objects import LET, with_objects
 from rigidsym._codegen.targets.javascript.printer import NAMES, Printer
 
 __all__ = ["FILES", "LET", "build", "program"]
@@ -16,6 +16,11 @@ __all__ = ["FILES", "LET", "build", "program"]
 FILES = {THETA: "torque_free.mjs", PI: "torque_free_pi.mjs", STEP: "torque_free_step.mjs"}
 # Routines that `preamble.mjs` has, without whole numbers of 64 bits, which are slow.
 _BROUGHT = ("alternating", "power_of_two")
+# What messages name by C's words, and what it is here.
+_WORDS = {
+    "-DALLOW_NONPHYSICAL": "settings.ALLOW_NONPHYSICAL = true",
+    **{f"torque_free_{name}_init": f"{name}_init" for name in ("motion", "body")},
+}
 _HEAD = """\
 /* Torque-free motion of rigid bodies in closed form, as an ES module without dependencies.
 
@@ -48,6 +53,8 @@ def build(
     lines = joined([Lines.plain(head.replace(header.SHARES, counts)), whole])
     types = FILES[form].replace(".mjs", ".d.mts")
     files = {FILES[form]: "\n".join(lines.text) + "\n", types: "\n".join(_types(made, form))}
+    for said, here in _WORDS.items():
+        files = {name: text.replace(said, here) for name, text in files.items()}
     files, digest = header.sealed(files, target)
     grown = files[FILES[form]].count("\n") - len(lines.text)
     lets = {number + grown: let for number, let in lines.lets.items()}

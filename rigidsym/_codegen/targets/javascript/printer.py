@@ -1,4 +1,4 @@
-"""Printer of routines in JavaScript, as `objects` says them, and of types in TypeScript."""
+"""Printer of routines in JavaScript, as `rigidsym._codegen.objects` says them, and of types."""
 
 import ast
 from collections.abc import Iterator, Sequence
@@ -6,9 +6,9 @@ from textwrap import wrap
 from typing import ClassVar
 
 from rigidsym._codegen import printer
+from rigidsym._codegen.objects import LET, zero
 from rigidsym._codegen.printer import ATOM, COMPARED, WIDTH
 from rigidsym._codegen.routines import Enumeration, Number, Routine, Struct, Type
-from rigidsym._codegen.targets.javascript.objects import LET, zero
 
 CALLS = {
     **{name: f"Math.{name}" for name in ("abs", "sqrt", "log", "log2")},

@@ -1,7 +1,8 @@
-"""Routines as JavaScript can say them, which has one kind of numbers, objects and views.
+"""Routines as languages say them whose names have no types and whose structs are objects.
 
-Structs are objects and arrays are arrays: they are made with zeros, and copied by calls.  Several
-results are an array.  Bits are a BigInt, cut off at 64.
+Declarations are `x: let = ...`, or `x: const = ...` if x never changes.  Structs and arrays are
+made with zeros, by `new_<struct>()`, and copied by `assign(to, from)` and `copy(to, from, count)`.
+Conversions to doubles are dropped, and bits are cut off at 64 by `cut(...)`.
 """
 
 import ast
@@ -15,12 +16,12 @@ from rigidsym._codegen.routines import Program, Routine, Scope, Type, annotation
 # Operations that may leave more than 64 bits.
 _WIDENING = (ast.Mult, ast.LShift)
 LET = "let"
-# Functions that are one in JavaScript.
+# Functions that are one without types.
 _SAME = {"dd_pair": "pair", "size": "int"}
 
 
 def with_objects(program: Program) -> Program:
-    """Replace what depends on types by what JavaScript says."""
+    """Replace what depends on types by calls, and types by `let` and `const`."""
     changed = {name: _Body(one, program).routine() for name, one in program.routines.items()}
     return replace(program, routines=changed)
 
@@ -44,7 +45,7 @@ def _call(name: str, *arguments: ast.expr) -> ast.Call:
 
 
 class _Body(ast.NodeTransformer):
-    """Statements of a routine, changed to those of JavaScript."""
+    """Statements of a routine, changed so that they need no types."""
 
     def __init__(self, one: Routine, program: Program) -> None:
         self.one, self.scope, self.changing = one, Scope(one, program), set_again(one, program)
@@ -150,7 +151,7 @@ class _Body(ast.NodeTransformer):
                 return self.visit(value)
             case ast.Call(func=ast.Name(id=name), args=given):
                 return _call(_SAME.get(name, name), *map(self.visit, given))
-        raise ValueError(f"{ast.unparse(node)}: JavaScript has no functions in structs")
+        raise ValueError(f"{ast.unparse(node)}: structs have no functions")
 
 
 def _big(node: ast.expr) -> ast.expr:
