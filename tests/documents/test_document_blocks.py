@@ -17,7 +17,10 @@ from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.manoeuvre._planning import solve
 
-KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "js", "text", "python no-run", "c no-run"}
+KINDS = {
+    *("sh", "python", "toml", "toml manoeuvre", "c", "c single", "js", "text"),
+    *("python no-run", "c no-run"),
+}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
 OF_PYTHON = (*NATIVE, ANY_MOMENTS, "-fPIC", "-shared")
 COMPILED_WITH = [flag for flag in FLAGS if flag not in OF_PYTHON]
@@ -93,6 +96,22 @@ def test_a_c_program_compiles_and_runs(program, tmp_path):
     found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
     expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
     assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-15)
+
+
+@pytest.mark.parametrize("program", blocks("c single"))
+def test_a_c_program_in_single_precision_compiles_and_runs(program, tmp_path):
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        pytest.skip("no C compiler here")
+    (tmp_path / "main.c").write_text(program)
+    rigidsym.generate("c_single").write(tmp_path)
+    sources = ["main.c", "torque_free_single.c"]
+    command = [compiler, "-std=c99", "-Os", *sources, "-lm", "-o", "main"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
+    expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
+    # The inputs are rounded to floats.
+    assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-5)
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="needs Node.js (Debian: nodejs)")
