@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -91,7 +92,7 @@ def replayed_once(monkeypatch, _checked):
     @contextmanager
     def beside():
         _checked()
-        yield
+        yield SimpleNamespace(map=map)
 
     monkeypatch.setattr("rigidsym._cli.proofs.replayed", _checked)
     monkeypatch.setattr("rigidsym._cli.code.replayed_beside", beside)

@@ -8,10 +8,14 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import get_context
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rigidsym._cli.output import say, say_written
 from rigidsym._cli.proofs import replayed
 from rigidsym.errors import InputError
+
+if TYPE_CHECKING:
+    from rigidsym._codegen import Generated
 
 
 def codegen(options: Namespace) -> int:
@@ -28,25 +32,19 @@ def codegen(options: Namespace) -> int:
     if options.single_file and not (options.output or options.stdout):
         rule = "is for copies: give -o DIR or --stdout; the package has the arithmetic once"
         raise InputError("single-file", "the package itself", rule)
-    with replayed_beside():
-        # Imported now, so that the other process has begun.
-        import rigidsym.generated
-        from rigidsym._codegen import generate
-        from rigidsym._codegen.seal import seal, seal_text
-        from rigidsym._codegen.targets import format_of
-        from rigidsym.solution import sealed
-
-        for form, binary in dict.fromkeys((form, format_of(target)) for target, form in chosen):
-            seal(sealed(), form, binary)
-        modules = [generate(target, form=form) for target, form in chosen]
-        for module in modules:
-            seal_text(module, sealed())
+    with replayed_beside() as pool:
+        if len(chosen) > 1:
+            modules = list(pool.map(_sealed_module, chosen))
+        else:
+            modules = list(map(_sealed_module, chosen))
         if options.single_file:
             modules = [module.single_file() for module in modules]
     if options.stdout:
         for module in modules:
             print("".join(module.files.values()), end="")
         return 0
+    import rigidsym.generated
+
     directory = options.output or Path(rigidsym.generated.__path__[0])
     if options.check:
         # Modules may share a file: each is compared.
@@ -55,6 +53,19 @@ def codegen(options: Namespace) -> int:
     for module in modules:
         say_written(module.write(directory))
     return 0
+
+
+def _sealed_module(chosen: tuple[str, str]) -> "Generated":
+    """Generate a module of a target and a form, and seal its formulas and its text."""
+    from rigidsym._codegen import generate
+    from rigidsym._codegen.seal import seal, seal_text
+    from rigidsym.solution import sealed
+
+    target, form = chosen
+    seal(sealed(), form)
+    module = generate(target, form=form)
+    seal_text(module, sealed())
+    return module
 
 
 def _profile(options: Namespace) -> int:
@@ -111,16 +122,18 @@ def _modules(options: Namespace) -> list[tuple[str, str]]:
 
 
 @contextmanager
-def replayed_beside() -> Generator[None]:
+def replayed_beside() -> Generator[ProcessPoolExecutor]:
     """Check the sealed ledger in another process during a `with` block.
 
-    The block ends when both are done.  Raises LedgerError if the ledger is refused.
+    Yields the pool of processes, one for each processor.  The block ends when both are done.
+    Raises LedgerError if the ledger is refused.
     """
+    ignored = (signal.SIGINT, signal.SIG_IGN)
     with ProcessPoolExecutor(
-        1, get_context("spawn"), initializer=signal.signal, initargs=(signal.SIGINT, signal.SIG_IGN)
+        None, get_context("spawn"), initializer=signal.signal, initargs=ignored
     ) as pool:
         checking = pool.submit(replayed)
-        yield
+        yield pool
         checking.result()
 
 
