@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import subprocess
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from importlib import resources
@@ -16,6 +17,7 @@ import mpmath
 import numpy as np
 import pytest
 from compilers import installed
+from test_seal_statements import edited
 
 from rigidsym import generate
 from rigidsym._codegen.flight import read_back, records, report
@@ -29,6 +31,7 @@ from rigidsym._codegen.functions import functions
 from rigidsym._codegen.lines import Lines, code_lines
 from rigidsym._codegen.passes import fuse
 from rigidsym._codegen.routines import let_of
+from rigidsym._codegen.targets.c import reader
 from rigidsym.errors import InputError
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution import sealed
@@ -282,6 +285,32 @@ def test_edits_of_the_text_are_refused(edit, printed):
     changed = Lines(tuple(text.replace(old, new, 1).split("\n")), {})
     with pytest.raises(InputError):
         read_back.check(replace(printed, source=changed))
+
+
+def survivors(made, every):
+    """Return the edits of one token that are accepted, and how many were made, of some lines."""
+    printer, accepted, count, place = FlightPrinter(made, PREFIX, names()), [], 0, 0
+    for one in made.routines.values():
+        lines = list(printer.routine(one).text)
+        for k in range(lines.index("{") + 1, len(lines) - 2):
+            place += 1
+            is_code = not lines[k].lstrip().startswith("/*") and re.search(r"[;{]", lines[k])
+            for line in edited(lines[k]) if is_code and place % every == 0 else ():
+                text = "\n".join([*lines[:k], line, *lines[k + 1 :]])
+                count += 1
+                with suppress(InputError, ValueError, KeyError):
+                    root = reader.parsed(read_back.plain(text))
+                    ((_, node),) = reader.functions(SOURCE, root)
+                    read_back.check_body(text, node, one, printer)
+                    accepted.append(f"{one.name}: {line.strip()}")
+    return accepted, count
+
+
+@pytest.mark.parametrize("every", [25, pytest.param(1, marks=pytest.mark.slow)])
+def test_no_edit_of_a_token_is_accepted(every, made):
+    accepted, count = survivors(made, every)
+    assert accepted == []
+    assert count > 2000 / every
 
 
 # --- records

@@ -5,11 +5,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
 
+from tree_sitter import Node
+
 from rigidsym._codegen.flight.module import SOURCE, Code
 from rigidsym._codegen.flight.printer import FlightPrinter, preconditions
 from rigidsym._codegen.flight.program import PREFIX, names
 from rigidsym._codegen.functions import constants
-from rigidsym._codegen.routines import is_same
+from rigidsym._codegen.routines import Routine, is_same
 from rigidsym._codegen.targets.c import read_back, reader
 from rigidsym.errors import InputError
 
@@ -35,31 +37,40 @@ def check(code: Code) -> int:
     """
     text = code.files[SOURCE]
     printer = FlightPrinter(code.program, PREFIX, names())
-    plain = reader.parsed(_plain(text))
-    values = {name: value.replace("{ ", "{") for name, value in reader.numbers(plain).items()}
+    root = reader.parsed(plain(text))
+    values = {name: value.replace("{ ", "{") for name, value in reader.numbers(root).items()}
     read_back.check_numbers(SOURCE, values, code.program, constants())
     read_back.check_structs(SOURCE, reader.structs(reader.parsed(text)), printer)
     routines = {printer.function_name(name): one for name, one in code.program.routines.items()}
-    asserted = _assertions(text)
     found = {}
-    for name, node in reader.functions(SOURCE, plain):
+    for name, node in reader.functions(SOURCE, root):
         body = node.child_by_field_name("body")
         if name not in routines or body is None:
             continue
         one = found[name] = routines[name]
-        if asserted.get(name, []) != list(preconditions(one)):
-            raise InputError(SOURCE, name, f"asserts {asserted.get(name)}")
         read_back.check_head(SOURCE, one, *reader.head(node))
         head = (node.text or b"")[: body.start_byte - node.start_byte].decode()
-        if head.split() != _plain(printer.head(one)).split():
+        if head.split() != plain(printer.head(one)).split():
             raise InputError(SOURCE, " ".join(head.split()), "has other types")
-        _compare(name, reader.Reader(SOURCE, one, printer).block(body), one.body)
+        check_body(text, node, one, printer)
     if missing := sorted(routines.keys() - found.keys()):
         raise InputError(SOURCE, ", ".join(missing), "are not there")
     return len(found)
 
 
-def _plain(text: str) -> str:
+def check_body(text: str, node: Node, one: Routine, printer: FlightPrinter) -> None:
+    """Compare the statements and assertions of a function with its routine.
+
+    text: what the function stands in.  Raises InputError for the first that differs.
+    """
+    name, body = printer.function_name(one.name), node.child_by_field_name("body")
+    asserted = _assertions(text).get(name, [])
+    if asserted != list(preconditions(one)) or body is None:
+        raise InputError(SOURCE, name, f"asserts {asserted}")
+    _compare(name, reader.Reader(SOURCE, one, printer).block(body), one.body)
+
+
+def plain(text: str) -> str:
     """Return a text as the C target would say it, without assertions; lines keep their numbers."""
     for pattern, replacement in _OTHERWISE:
         text = re.sub(pattern, replacement, text)
