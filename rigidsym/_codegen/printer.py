@@ -36,6 +36,8 @@ class Printer(ABC):
     calls: ClassVar[Mapping[str, str]] = {}
     comparisons: ClassVar[Mapping[type, str]] = COMPARISONS
     none: ClassVar[str] = "NULL"
+    # How a condition is written after `if`.
+    condition: ClassVar[str] = "({})"
     # What is between the head of a routine and its first line.
     opening: ClassVar[str] = "\n{"
 
@@ -194,11 +196,11 @@ class Printer(ABC):
                 yield f"{self._called(call)};"
 
     def _if(self, node: ast.If) -> Iterator[str | list[ast.stmt]]:
-        yield f"if ({self.text(node.test)}) {{"
+        yield f"if {self.condition.format(self.text(node.test))} {{"
         yield node.body
         rest = node.orelse
         while len(rest) == 1 and isinstance(rest[0], ast.If):
-            yield f"}} else if ({self.text(rest[0].test)}) {{"
+            yield f"}} else if {self.condition.format(self.text(rest[0].test))} {{"
             yield rest[0].body
             rest = rest[0].orelse
         if rest:

@@ -5,7 +5,7 @@ time read its constants from a struct, and `_<branch>_constants` writes these.
 """
 
 import ast
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 from rigidsym._codegen.formats import BINARY64, Format
@@ -43,10 +43,12 @@ def program(
     form: str = THETA,
     binary: Format = BINARY64,
     brought: Collection[str] = (),
+    more: Sequence[str] = (),
 ) -> Program:
     """Return all that a module without lanes and blocks has, in an order of use.
 
     brought: names of routines that the target's own text has.  It defines ALLOW_NONPHYSICAL, too.
+    more: files of runtimes that have what the target's language lacks.
     """
     own = {one.name: one for one in routines(functions)}
     made = Program(enumerations={"codes": codes.enumeration(form)})
@@ -55,7 +57,7 @@ def program(
     made.numbers = named_numbers(constants, form, binary)
     made.structs = {one.name: one for one in derived.structs(functions)}
     known = {**binary.numbers(), "DIGEST": DIGEST}
-    made = read(_RUNTIMES[form], replace(made, routines=own), known)
+    made = read((*_RUNTIMES[form], *more), replace(made, routines=own), known)
     for name, (value, meaning) in binary.arithmetic().items():
         number = made.numbers[name]
         made.numbers[name] = replace(number, value=ast.Constant(value), comment=meaning)

@@ -56,9 +56,10 @@ def told(place: str) -> list[str]:
     if colon and not (file and number.isdecimal()):
         raise InputError("trace", place, "must be FILE:LINE or FILE")
     known = {file.name: file for file in _files()}
-    name = Path(file if colon else place).name
-    if name not in known:
-        raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
+    path = Path(file if colon else place).as_posix()
+    name = next((name for name in known if f"/{path}".endswith(f"/{name}")), None)
+    if name is None:
+        raise TraceError(f"{path} is no generated file: these are {', '.join(known)}")
     if colon:
         return _of_line(known[name], int(number))
     return known[name].counts.splitlines()

@@ -1,7 +1,8 @@
 """Engines of targets that run in a process of their own, which is asked through pipes.
 
 A target brings the command that starts the process, in its folder of `rigidsym._codegen.targets`:
-`server.command(module)` returns it, or raises InputError where it cannot run on this machine.
+`server.command(module, home, cache)` returns it, or raises InputError where it cannot run on this
+machine.
 
 The process first writes a line of JSON, the field and the rule of each code.  A question is five
 doubles (its kind, the number of bodies B and of times N, the stride from a body's times to the
@@ -19,11 +20,13 @@ The answer is a code, the body that it is about, and the last time of the last m
 import json
 import os
 import subprocess
+import tempfile
 import threading
 import weakref
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from importlib import resources
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -34,6 +37,7 @@ from rigidsym._codegen.targets import server
 from rigidsym._engines import arrays
 from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
 from rigidsym._engines.base import Engine
+from rigidsym._engines.build import CacheError, cache_directory
 from rigidsym._engines.steps import Moments, Stepper
 from rigidsym.errors import EngineError, InputError
 
@@ -56,7 +60,11 @@ class _Process:
 
     def __init__(self, name: str) -> None:
         target, _ = split(name)
-        self._command = server(target)(name, resources.files("rigidsym.generated"))
+        try:
+            cache = cache_directory()
+        except CacheError:
+            cache = Path(tempfile.gettempdir(), "rigidsym")
+        self._command = server(target)(name, resources.files("rigidsym.generated"), cache)
         self._lock, self._owner = threading.Lock(), 0
         self._start()
 

@@ -104,9 +104,11 @@ def test_reproduce_leaves_what_is_sealed_and_committed(reproduced):
     ends = ("c", "h", "py", "mjs", "d.mts")
     generated = ["torque_free_arithmetic.h", *(f"torque_free.{x}" for x in ends)]
     generated += [f"{target}.map.json" for target in TARGETS]
+    crate = ("Cargo.toml", "src/lib.rs", "src/routines.rs", "tests/motions.rs", "tests/motions.txt")
+    generated += [f"torque-free/{name}" for name in crate]
     others = {name: package / "generated" / name for name in generated}
     others["ledger.json"] = package.parent / "derivations" / "ledger.json"
-    names = {path.name for path in files.iterdir()}
+    names = {path.relative_to(files).as_posix() for path in files.rglob("*") if path.is_file()}
     figures = {f"validation.{x}" for x in ("json", "md", "html")}
     assert names == {*others, "motion.svg", "report.md", "report.html", "errata.html", *figures}
     for name, other in others.items():
@@ -122,8 +124,9 @@ def test_reproduce_writes_the_same_bytes_twice(reproduced, tmp_path):
     """Run the whole main job under another hash seed."""
     found = process("reproduce", "-o", tmp_path, PYTHONHASHSEED="2")
     assert found.returncode == 0, found.stderr
-    for path in (reproduced / "files").iterdir():
-        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
+    for path in (path for path in (reproduced / "files").rglob("*") if path.is_file()):
+        name = path.relative_to(reproduced / "files")
+        assert path.read_bytes() == (tmp_path / name).read_bytes(), name
 
 
 WRITTEN = """
@@ -252,8 +255,10 @@ def test_the_package_itself_is_not_written_in_single_files(options, refused):
 def test_check_without_a_target_checks_all_modules(tmp_path, run):
     assert run("codegen --check").err == "current\n"
     home = Path(rigidsym.__path__[0]) / "generated"
-    names = [path.name for path in home.iterdir() if path.suffix != ".py" or "free" in path.name]
+    every = (path for path in home.rglob("*") if path.is_file() and "__" not in str(path))
+    names = [path.relative_to(home).as_posix() for path in every]
     for name in names:
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text((home / name).read_text() + "\n")
     said = run("codegen --check -o", tmp_path, status=1).out
     assert len(names) > 20

@@ -33,6 +33,7 @@ from rigidsym._codegen.targets.c_single import module as c_single
 from rigidsym._codegen.targets.javascript import module as javascript_module
 from rigidsym._codegen.targets.numpy import emit as numpy
 from rigidsym._codegen.targets.numpy import module as numpy_module
+from rigidsym._codegen.targets.rust import module as rust_module
 from rigidsym._codegen.trace import lines_of_equation
 from rigidsym.solution import sealed
 
@@ -42,11 +43,14 @@ SOURCES = {
     **{"numpy": numpy_module.FILES, "c": c_module.SOURCES},
     "javascript": javascript_module.FILES,
     "c_single": {form: f"{stem}.c" for form, stem in c_single.STEMS.items()},
+    "rust": {form: rust_module.source(form) for form in forms.FORMS},
 }
 HEADS = SOURCES | {
     "c": c_module.HEADERS,
     "c_single": {form: f"{stem}.h" for form, stem in c_single.STEMS.items()},
+    "rust": {form: f"{crate}/src/lib.rs" for form, crate in rust_module.CRATES.items()},
 }
+SCALAR = {"javascript": javascript_module, "rust": rust_module}
 every_module = pytest.mark.parametrize(
     ("target", "form"), [(t, f) for t in TARGETS for f in targets.forms_of(t)]
 )
@@ -61,15 +65,15 @@ def source(target, form="theta"):
 def count_of_lines(target, form):
     """Return how many lets a module prints: the discriminant for two kinds of numbers but in NumPy.
 
-    JavaScript and single precision have no sensitivities.
+    JavaScript, Rust and single precision have no sensitivities.
     """
     if target == "c_single":
         own = functions(sealed(), form, BINARY32), constants(BINARY32)
         routines = c_single.Files(*own, form).made.routines.values()
         return sum(len(x.function.lets) for x in routines if x.function)
     printed = [x for x in lets_of(form) if target != "numpy" or x.name != "_exponential"]
-    if target == "javascript":
-        own = javascript_module.program(lets_of(form), constants(), form).routines.values()
+    if target in SCALAR:
+        own = SCALAR[target].program(lets_of(form), constants(), form).routines.values()
         printed = [x for x in printed if any(one.prints(x) for one in own)]
     twice = [x for x in printed if target != "numpy" and x.name == "_discriminant"]
     return sum(len(function.lets) for function in (*printed, *twice))
@@ -87,9 +91,11 @@ def test_what_is_printed_reads_back_as_the_lets(target, form):
     assert seal_text(generated, sealed()) == count_of_lines(target, form) > 150
     assert generated.manifest["target"] == forms.key(target, form)
     for name, text in generated.files.items():
-        if name == c_module.ARITHMETIC:
+        first = Path(SOURCES[target][form]).parts[0]
+        if name != c_module.ARITHMETIC:
+            assert name.startswith(Path(first).stem)
+        if name == c_module.ARITHMETIC or ("/" in name and name != HEADS[target][form]):
             continue
-        assert name.startswith(Path(SOURCES[target][form]).stem)
         command = f"rigidsym codegen {target}{forms.option(form)}"
         assert f"{command}\n" in text or f"`{command}`" in text or name.endswith(".c")
 
@@ -180,7 +186,7 @@ def test_the_numpy_module_works_alone(tmp_path):
 @pytest.mark.parametrize(
     ("target", "form", "message"),
     [
-        ("fortran", "theta", "target = fortran: must be one of: numpy, c, javascript"),
+        ("fortran", "theta", "target = fortran: must be one of: numpy, c, javascript, rust"),
         ("numpy", "phi", r"form = 'phi': must be one of: theta, pi|phi"),
     ],
 )
@@ -294,7 +300,7 @@ def test_equation_36_has_lines_in_all_languages():
     every = {
         name for path in HOME.glob("*.map.json") for name in json.loads(path.read_text())["lines"]
     }
-    assert files == {name for name in every if re.search("_(pi|step)[.]", name)}
+    assert files == {name for name in every if re.search("[-_](pi|step)[./]", name)}
 
 
 def test_the_how_to_adds_a_target_and_takes_it_away(capsys):

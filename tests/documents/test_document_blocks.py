@@ -127,6 +127,21 @@ def test_the_javascript_runs(program, tmp_path):
     assert refused.startswith("inertia no body has")
 
 
+@pytest.mark.skipif(shutil.which("cargo") is None, reason="needs Rust (Debian: cargo, rustc)")
+@pytest.mark.parametrize("program", blocks("rust"))
+def test_the_rust_runs(program, tmp_path):
+    rigidsym.generate("rust").write(tmp_path)
+    examples = tmp_path / "torque-free" / "examples"
+    examples.mkdir()
+    (examples / "main.rs").write_text(program)
+    line = ["cargo", "run", "--quiet", "--offline", "--example", "main"]
+    found = subprocess.run(line, cwd=examples, capture_output=True, text=True, check=True)
+    state, refused = found.stdout.splitlines()
+    expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
+    assert list(map(float, state.split())) == pytest.approx(expected.tolist(), abs=1e-15)
+    assert refused.startswith("inertia no body has")
+
+
 def _flags():
     (line,) = re.findall(r"^cc (.*)$", TEXTS["code.md"], re.MULTILINE)
     return line.split()

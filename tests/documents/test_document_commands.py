@@ -47,6 +47,7 @@ _NOT_RUN = {
         "rigidsym codegen c --single-file -o src/attitude --check",
         "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
         "rigidsym codegen c --form step -o DIR", "rigidsym codegen javascript -o DIR",
+        "rigidsym codegen rust -o DIR",
         "rigidsym codegen c_single -o DIR",
     ),
     "tests/codegen/test_flight_profile.py writes these files, and runs the checks": (

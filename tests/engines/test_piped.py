@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion, _engines
-from rigidsym._codegen.targets.javascript import server
+from rigidsym._codegen.targets import server
 from rigidsym._engines.piped import PipedEngine, PipedStepper
 from rigidsym.errors import EngineError
 from rigidsym.validate import _same_bits
 from rigidsym.validate.strata import STRATA
 
 LANGUAGES = [name for name in _engines.SAME_BITS if name != "c"]
-NEEDS = {"javascript": "node"}
+NEEDS = {"javascript": "node", "rust": "rustc"}
 pytestmark = pytest.mark.skipif(
-    not all(shutil.which(NEEDS.get(name, "cargo")) for name in LANGUAGES),
-    reason="needs what runs the languages, such as Node.js (Debian: nodejs)",
+    not all(shutil.which(NEEDS[name]) for name in LANGUAGES),
+    reason="needs what runs the languages: Node.js and rustc (Debian: nodejs, rustc)",
 )
 BODY = (1.0, 2.0, 2.5), (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0)
 TIMES = np.linspace(-50.0, 400.0, 7)
@@ -127,7 +127,10 @@ def test_a_process_that_ends_is_told(language):
         stepper.one(*BODY[:1], BODY[2], BODY[1], 0.1)
 
 
-def test_without_node_javascript_says_so(monkeypatch, tmp_path):
+@pytest.mark.parametrize(
+    ("name", "needs"), [("javascript-pi", r"Node\.js"), ("rust-pi", r"Rust's compiler")]
+)
+def test_a_missing_tool_is_named(name, needs, monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(InputError, match=r"engine = javascript-pi: needs Node\.js"):
-        server.command("javascript-pi", tmp_path)
+    with pytest.raises(InputError, match=rf"engine = {name}: needs {needs}"):
+        server(name.partition("-")[0])(name, tmp_path, tmp_path)

@@ -8,10 +8,10 @@ The folder of a target `x` has
     read_back.py   check(files, functions, constants, form).  Input: the files as printed, and what
                    they print.  Output: how many lines read back as their lets.
 
-    server.py      command(module, home), of targets that compute states in a process of their own.
-                   Input: the key of a module, for example "javascript-pi", and the folder of
-                   generated files.  Output: the command that starts the process, which answers as
-                   `rigidsym._engines.piped` says.
+    server.py      command(module, home, cache), of targets that compute states in a process of
+                   their own.  Input: the key of a module, for example "javascript-pi", the folder
+                   of generated files, and one for what is compiled.  Output: the command that
+                   starts the process, which answers as `rigidsym._engines.piped` says.
 
 and whatever these use: a printer, and text written by hand.  TARGETS lists it.
 """
@@ -19,6 +19,7 @@ and whatever these use: a printer, and text written by hand.  TARGETS lists it.
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.resources.abc import Traversable
+from pathlib import Path
 
 from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import FORMS
@@ -28,9 +29,9 @@ from rigidsym.errors import InputError
 
 Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
 Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
-Command = Callable[[str, Traversable], list[str]]
+Command = Callable[[str, Traversable, Path], list[str]]
 
-TARGETS = ["numpy", "c", "javascript", "c_single"]
+TARGETS = ["numpy", "c", "javascript", "c_single", "rust"]
 # Sets of files for C that are more than modules: code, unit tests, checks and records.
 PROFILES = ("flight",)
 

@@ -9,7 +9,7 @@ from rigidsym._codegen.targets.javascript.module import FILES
 from rigidsym.errors import InputError
 
 
-def command(name: str, home: Traversable) -> list[str]:
+def command(name: str, home: Traversable, cache: Path) -> list[str]:
     """Return the command that starts the process.
 
     name: the key of the module, for example "javascript-pi".  home: the folder of generated files.

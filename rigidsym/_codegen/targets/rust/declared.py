@@ -1,0 +1,50 @@
+"""Routines that say which names they declare: Rust has a word for it, and the language has none."""
+
+import ast
+from collections.abc import Iterator, Sequence
+from copy import copy
+from dataclasses import replace
+
+from rigidsym._codegen.routines import Program, Scope, Type, declaration
+
+LET = "let"
+
+
+def declared(program: Program) -> Program:
+    """Mark results of calls that are new names, and declare those among others before."""
+    routines = {
+        name: replace(one, body=tuple(_block(one.body, Scope(one, program))))
+        for name, one in program.routines.items()
+    }
+    return replace(program, routines=routines)
+
+
+def _block(body: Sequence[ast.stmt], scope: Scope) -> list[ast.stmt]:
+    outside, found = dict(scope.types), []
+    for statement in body:
+        known = set(scope.types)
+        scope.declare(statement)
+        found += map(ast.fix_missing_locations, _changed(statement, scope, known))
+    scope.types = outside
+    return found
+
+
+def _changed(node: ast.stmt, scope: Scope, known: set[str]) -> Iterator[ast.stmt]:
+    node = copy(node)
+    match node:
+        case ast.If():
+            node.body, node.orelse = _block(node.body, scope), _block(node.orelse, scope)
+        case ast.For():
+            node.body = _block(node.body, scope)
+        case ast.Assign(targets=[ast.Tuple(elts=targets)]):
+            names = [x.id for x in targets if isinstance(x, ast.Name) and x.id not in known]
+            if len(names) == len(targets):
+                node.type_comment = LET
+            else:
+                yield from (declaration(name, scope.types[name].name, None) for name in names)
+    yield node
+
+
+def is_zero_at_first(type_: Type) -> bool:
+    """Return True for what is declared as zero, and not only before it is set."""
+    return bool(type_.shape) or type_.is_object
