@@ -138,6 +138,8 @@ def text(target: str, form: str, binary: Format = BINARY64) -> str:
     domain = _DOMAIN.format(reach=reach.format(**known), time=time, **known)
     lines = _LINES.format(shares=SHARES, grades=_GRADES[form])
     domain = domain.replace(BINARY64.name, binary.name)
+    if binary is not BINARY64:
+        lines = lines.replace("exact ones of doubles", "exact ones of floats")
     return "\n".join([domain, "", lines, *bounds, "", MEASURED, "", *ends])
 
 

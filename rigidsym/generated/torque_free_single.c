@@ -2047,6 +2047,6 @@ float torque_free_single_last_time(const torque_free_single_motion *motion)
 
 const char *torque_free_single_digest(void)
 {
-    return "8a305b80405c33ecfb7f8bc6ddb4bdca6e85c1398e7b9626f0df583325d5c842";
+    return "2ed24a769571afcbd0078c50606f1303bb6f026e1f96c33bd4947d43c324de65";
 }
 

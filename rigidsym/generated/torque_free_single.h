@@ -16,7 +16,7 @@ A comment says what its line is.  `fact`: the ledger has it, as a proved fact, a
 a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
 that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
 `classical`: a formula of the Digital Library of Mathematical Functions (DLMF).  `arithmetic`: sums,
-products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
+products, quotients, roots and reductions; exact ones of floats are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     226  12 %  follow facts of the ledger, each named on its line
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c_single --record`
 
 rigidsym 0.1.0, emitter c_single/2
-digest 8a305b80405c33ecfb7f8bc6ddb4bdca6e85c1398e7b9626f0df583325d5c842
+digest 2ed24a769571afcbd0078c50606f1303bb6f026e1f96c33bd4947d43c324de65
 
 Errors of the attitude stay below 1e-6 rad, as `rigidsym validate c_single` measures.  Angles that
 grow with time are computed with pairs of floats, all else with floats.  Re-entrant, without

@@ -957,6 +957,6 @@ int torque_free_single_step(const torque_free_single_body *body, float q[4], flo
 
 const char *torque_free_single_step_digest(void)
 {
-    return "61b14d9ea68765457175871dd4888d5acf5450445608b0b15bccaa5a2a8e7a47";
+    return "c3f6d6eba09bfd1e77c51a592ede8b8241d4ab15a7143d7944b9bd299c29236e";
 }
 

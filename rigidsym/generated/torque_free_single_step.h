@@ -15,7 +15,7 @@ A comment says what its line is.  `fact`: the ledger has it, as a proved fact, a
 a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
 that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
 `classical`: a formula of the Digital Library of Mathematical Functions (DLMF).  `arithmetic`: sums,
-products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
+products, quotients, roots and reductions; exact ones of floats are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     132  16 %  follow facts of the ledger, each named on its line
@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c_single-step --record`
 
 rigidsym 0.1.0, emitter c_single/2
-digest 61b14d9ea68765457175871dd4888d5acf5450445608b0b15bccaa5a2a8e7a47
+digest c3f6d6eba09bfd1e77c51a592ede8b8241d4ab15a7143d7944b9bd299c29236e
 
 Errors of the attitude stay below 1e-6 rad, as `rigidsym validate c_single-step` measures.  Angles that
 grow with time are computed with pairs of floats, all else with floats.  Re-entrant, without
