@@ -33,7 +33,7 @@ def made(module):
 @pytest.fixture(autouse=True)
 def functions_once(monkeypatch):
     """Derive the functions of each form once, since edits change the text alone."""
-    monkeypatch.setattr(text, "functions", lambda _, form: lets_and_numbers(form)[0])
+    monkeypatch.setattr(text, "functions", lambda _, form, *more: lets_and_numbers(form)[0])
 
 
 def edited(target, edit):

@@ -8,7 +8,8 @@ import pytest
 from rigidsym import InputError
 from rigidsym._codegen.forms import FORMS
 from rigidsym._codegen.functions import constants, functions
-from rigidsym._codegen.targets.c import module, read_back, reader
+from rigidsym._codegen.seal.bodies import Body
+from rigidsym._codegen.targets.c import module, reader
 from rigidsym._codegen.targets.c.program import program
 from rigidsym.solution import sealed
 
@@ -52,9 +53,8 @@ def is_sealed(form, one, text):
     try:
         ((_, node),) = reader.functions("f.c", reader.parsed(text))
         reads = reader.Reader("f.c", one, printer(form))
-        extended = one.function.all_extended() if one.function else frozenset()
-        lines = read_back._Lines("f.c", text.split("\n"), reads, one, extended)
-        lines.check(reads.block(node.child_by_field_name("body")), one.body)
+        read = reads.block(node.child_by_field_name("body"))
+        Body("f.c", text.split("\n"), one).check(read, one.body)
     except (InputError, ValueError, KeyError):
         return False
     return True

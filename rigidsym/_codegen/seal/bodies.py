@@ -6,14 +6,13 @@ statement; a derived statement is the one of its assignment in the representatio
 
 import ast
 from collections.abc import Callable, Iterable, Sequence
-from copy import deepcopy
 from dataclasses import dataclass
 from itertools import zip_longest
 
 from rigidsym._codegen.ir import Function, Let, is_extended
 from rigidsym._codegen.lines import comment
 from rigidsym._codegen.passes import fuse, unfused
-from rigidsym._codegen.routines import KINDS, Routine, let_of, syntax
+from rigidsym._codegen.routines import KINDS, Routine, copied, is_same, let_of, syntax
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym.errors import InputError
 from rigidsym.language._expression import Call, Expression, children, rebuild
@@ -55,12 +54,12 @@ def check_outside(
 class Body:
     """Body of a function in a file, compared with the statements of its routine.
 
-    plain: returns syntax trees that are equal where the language says the same.  marks: what
-    stands before and after the comment on a derived line.
+    plain: returns trees that are equal where the language says the same.  marks: what stands
+    before and after the comment on a derived line.
     """
 
     file: str
-    lines: Sequence[str]
+    text: Sequence[str]
     one: Routine
     plain: Callable[[ast.AST], ast.AST] = lambda node: node
     marks: tuple[str, str] = ("; /* ", " */")
@@ -74,21 +73,24 @@ class Body:
         for one, other in zip_longest(read, [x for x in wanted if not isinstance(x, ast.Pass)]):
             place = f"{self.file}:{one.lineno}" if one else f"{self.file}: {self.one.name}"
             if one is None or other is None or type(one) is not type(other):
-                raise InputError(place, self._said(one), f"is not {self._said(other)}")
+                raise InputError(place, _said(one), f"is not {_said(other)}")
             if isinstance(one, ast.If | ast.For) and isinstance(other, ast.If | ast.For):
-                self._check_same(place, *map(self._head, (one, other)))
+                for name in ("test",) if isinstance(one, ast.If) else ("target", "iter"):
+                    self._check_same(place, getattr(one, name), getattr(other, name, None))
                 decided += self.check(one.body, other.body)
                 decided += self.check(one.orelse, other.orelse)
                 continue
-            self._check_same(place, self._said(one), self._said(other))
+            self._check_same(place, one, other)
             if let := let_of(other):
                 self._check_derived(place, one, let)
                 decided += 1
         return decided
 
-    def _check_same(self, place: str, read: str, wanted: str) -> None:
-        if read != wanted:
-            raise InputError(place, read[:160], f"is not {wanted[:160]}: {DIFFERS}")
+    def _check_same(self, place: str, read: ast.AST, wanted: ast.AST | None) -> None:
+        read, wanted = self.plain(read), wanted and self.plain(wanted)
+        words = (getattr(node, "type_comment", None) for node in (read, wanted))
+        if not is_same(read, wanted) or len({*words}) > 1:
+            raise InputError(place, _said(read), f"is not {_said(wanted)}: {DIFFERS}")
 
     def _check_derived(self, place: str, read: ast.stmt, let: Let) -> None:
         """Raise InputError unless a statement, and its comment, are those of an assignment."""
@@ -103,25 +105,15 @@ class Body:
                 count = len(given) - len(let.targets)
                 targets, value = given[count:], ast.Call(called, given[:count], [])
             case _:
-                raise InputError(place, self._said(read), f"sets no name: {let}")
-        found = tuple(map(ast.unparse, targets)), ast.unparse(_Raised().visit(deepcopy(value)))
-        if found != (let.targets, ast.unparse(wanted)):
-            raise InputError(place, self._said(read), f"{let}: {DIFFERS}")
+                raise InputError(place, _said(read), f"sets no name: {let}")
+        names = tuple(target.id for target in targets if isinstance(target, ast.Name))
+        # The statement was compared as it is before.
+        if names != let.targets or not is_same(_Raised().visit(value), wanted):
+            raise InputError(place, _said(read), f"{let}: {DIFFERS}")
         before, after = self.marks
-        _, _, note = self.lines[read.lineno - 1].partition(before)
+        _, _, note = self.text[read.lineno - 1].partition(before)
         if note.removesuffix(after) != comment(let):
             raise InputError(place, f"{let}{before}{note}", f"is by {comment(let)}")
-
-    def _head(self, node: ast.stmt) -> str:
-        """Return the text of a condition, or of a loop's variable and range."""
-        if isinstance(node, ast.If):
-            return ast.unparse(self.plain(node.test))
-        assert isinstance(node, ast.For)
-        return f"{ast.unparse(node.target)} in {ast.unparse(self.plain(node.iter))}"
-
-    def _said(self, node: ast.stmt | None) -> str:
-        """Return the text of a statement."""
-        return ast.unparse(self.plain(node)) if node else "the end"
 
 
 def _without_rounding(expression: Expression, extended: frozenset[str]) -> Expression:
@@ -152,3 +144,10 @@ class _Raised(ast.NodeTransformer):
         if verb == "neg":
             return ast.UnaryOp(ast.USub(), node.args[0])
         return ast.Call(ast.Name(_OF_PAIRS[verb], ast.Load()), node.args, [])
+
+
+def _said(node: ast.AST | None) -> str:
+    """Return the text of a statement or an expression, in one line."""
+    if node is None:
+        return "the end"
+    return " ".join(ast.unparse(ast.fix_missing_locations(copied(node))).split())[:160]
