@@ -304,15 +304,18 @@ for old, new in ((" - v_other", " + v_other"), ("<= motion.max_angle", "< motion
 # Bodies of all kinds: asymmetric, on both branches; symmetric; at rest; and one that cannot exist.
 
 # %%
-board = {}
-exec(compile(text, "motions.py", "exec"), board)
+from types import SimpleNamespace
+
+scope = {}
+exec(compile(text, "motions.py", "exec"), scope)
+board = SimpleNamespace(**scope)
 
 
 def state(motion, t):
     """Attitude and rates at a time, in plain floats."""
     q, omega = [0.0] * 4, [0.0] * 3
-    code = board["state_at"](motion, t, q, omega)
-    return [*q, *omega] if code == board["OK"] else board["message"](code)
+    code = board.state_at(motion, t, q, omega)
+    return [*q, *omega] if code == board.OK else board.message(code)
 
 
 bodies = [
@@ -323,8 +326,8 @@ bodies = [
 ]
 times, apart = (0.0, 0.5, 60.0, 180.0), 0.0
 for inertia, omega0 in bodies:
-    motion = board["new_motion"]()
-    assert board["motion_init"](motion, inertia, omega0, (1.0, 0.0, 0.0, 0.0)) == board["OK"]
+    motion = board.new_motion()
+    assert board.motion_init(motion, inertia, omega0, (1.0, 0.0, 0.0, 0.0)) == board.OK
     for t in times:
         q, omega = rigidsym.TorqueFreeMotion(inertia, omega0)(t)
         found = state(motion, t)
@@ -332,8 +335,8 @@ for inertia, omega0 in bodies:
 print("apart by less than 2e-15:", apart < 2e-15)
 assert apart < 2e-15
 print(state(motion, 1e300) == [*q, *omega])
-code = board["motion_init"](motion, (3.0, 1.0, 1.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0, 0.0))
-print(board["message"](code))
+code = board.motion_init(motion, (3.0, 1.0, 1.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0, 0.0))
+print(board.message(code))
 
 # %% [markdown]
 # ## Steps in the project

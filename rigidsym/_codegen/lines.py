@@ -145,9 +145,14 @@ def beside(target: str) -> int:
 
 @cache
 def texts_by_hand(target: str) -> tuple[str, ...]:
-    """Return all texts in the folder of a target that are written by hand, for its modules."""
+    """Return all texts in the folder of a target that are written by hand, for its modules.
+
+    The server of its process, and types of TypeScript, are not of a module.
+    """
     home = resources.files("rigidsym._codegen.targets").joinpath(target)
     files = sorted((x for x in home.iterdir() if x.is_file()), key=lambda x: x.name)
+    apart = re.compile(r"server\.\w+$|.*\.d\.mts$")
+    files = [file for file in files if not apart.match(file.name)]
     # What stands above such a mark makes the file a module of Python, and is not printed.
     parts = (re.split(r"# --- [a-z-]+ ---\n", file.read_text("utf-8")) for file in files)
     named = ((file.name.endswith(".py"), part) for file, part in zip(files, parts, strict=True))
