@@ -30,9 +30,9 @@ def program(form):
 def is_sealed(one, lines):
     """Return True if the seal accepts lines as the text of a routine."""
     try:
-        ((_, node),) = read_back._bodies("f.rs", "\n".join(lines), {one.name: one})
-        body = Body("f.rs", lines, one, read_back._plain)
-        body.check(list(read_back._Reader("f.rs").block(node)), one.body)
+        ((_, node),) = read_back.bodies("f.rs", "\n".join(lines), {one.name: one})
+        reader = read_back.RustReader("f.rs")
+        Body("f.rs", lines, one, reader.plain).check(list(reader.block(node)), one.body)
     except (InputError, ValueError, KeyError):
         return False
     return True

@@ -186,7 +186,7 @@ def test_the_numpy_module_works_alone(tmp_path):
 @pytest.mark.parametrize(
     ("target", "form", "message"),
     [
-        ("fortran", "theta", "target = fortran: must be one of: numpy, c, javascript, rust"),
+        ("fortran", "theta", f"target = fortran: must be one of: {', '.join(TARGETS)}"),
         ("numpy", "phi", r"form = 'phi': must be one of: theta, pi|phi"),
     ],
 )
