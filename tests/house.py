@@ -21,7 +21,10 @@ ROOT = Path(__file__).parents[1]
 APART = {
     *("rigidsym.generated.torque_free", "rigidsym.generated.torque_free_pi"),
     "rigidsym.generated.torque_free_step",
-    *(f"rigidsym.codegen.targets.numpy.{name}" for name in ("runtime", "sensitivity", "step")),
+    *(
+        f"rigidsym.codegen.targets.numpy.{name}"
+        for name in ("runtime", "sensitivity", "shared", "step")
+    ),
 }
 Graph = Mapping[str, set[str]]
 

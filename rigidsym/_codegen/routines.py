@@ -554,6 +554,16 @@ class _Expansion(ast.NodeTransformer):
             return ast.IfExp(test, self.visit(node.body), self.visit(node.orelse))
         return self.visit(node.body if known else node.orelse)
 
+    def visit_BoolOp(self, node: ast.BoolOp) -> ast.expr:
+        """Leave out what is known, or keep it alone where it decides."""
+        decides = isinstance(node.op, ast.Or)
+        values = [self.visit(value) for value in node.values]
+        known = [bool(x.value) for x in values if isinstance(x, ast.Constant)]
+        rest = [value for value in values if not isinstance(value, ast.Constant)]
+        if decides in known or not rest:
+            return ast.Constant(decides in known if decides else decides not in known)
+        return rest[0] if len(rest) == 1 else ast.BoolOp(node.op, rest)
+
     def visit_For(self, node: ast.For) -> Any:
         """Write a loop over the members of a struct out."""
         match node:

@@ -30,7 +30,7 @@ from rigidsym._codegen.targets.c import codes, derived
 from rigidsym._codegen.targets.c.program import named_numbers
 
 _MOTIONS = ("arithmetic", "exact", "bodies", "decisions", "one_by_one", "messages")
-_RUNTIMES = {
+RUNTIMES = {
     THETA: _MOTIONS,
     PI: _MOTIONS,
     STEP: ("arithmetic", "bodies", "step_decisions", "steps_one_by_one", "messages"),
@@ -57,7 +57,7 @@ def program(
     made.numbers = named_numbers(constants, form, binary)
     made.structs = {one.name: one for one in derived.structs(functions)}
     known = {**binary.numbers(), "DIGEST": DIGEST}
-    made = read((*_RUNTIMES[form], *more), replace(made, routines=own), known)
+    made = read((*RUNTIMES[form], *more), replace(made, routines=own), known)
     for name, (value, meaning) in binary.arithmetic().items():
         number = made.numbers[name]
         made.numbers[name] = replace(number, value=ast.Constant(value), comment=meaning)

@@ -2842,11 +2842,19 @@ static int scale_of(double x, double y, double z)
     return exponent_of(largest) - 1;
 }
 
+/* Return the exponent of a quaternion's largest component; -1 for zeros. */
+static int scale_of_attitude(const double q[4])
+{
+    const double first = fabs(q[0]) >= fabs(q[1]) ? fabs(q[0]) : fabs(q[1]);
+    return scale_of(first, q[2], q[3]);
+}
+
 /* Return x 2^n, or the least double of its sign where that is zero but x is not. */
 static double scaled_rate(double x, int n)
 {
     const double y = scaled_by(x, n);
-    return is_zero(y) && !is_zero(x) ? copysign(5e-324, x) : y;
+    const double least = x < 0.0 ? -5e-324 : 5e-324;
+    return is_zero(y) && !is_zero(x) ? least : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -2860,7 +2868,7 @@ static int broken_rule(const double inertia[3], const double_double c[3], const 
     const int no_attitude = is_zero(attitude0[0]) && is_zero(attitude0[1]) && is_zero(attitude0[2]) && is_zero(attitude0[3]);
     const int attitude = no_attitude ? TORQUE_FREE_ATTITUDE : TORQUE_FREE_OK;
     const int thin = thinnest < min_moment_ratio ? TORQUE_FREE_THIN : attitude;
-    const int nonphysical = can_exist(c) ? thin : TORQUE_FREE_NONPHYSICAL;
+    const int nonphysical = ALLOW_NONPHYSICAL || can_exist(c) ? thin : TORQUE_FREE_NONPHYSICAL;
     return smallest > 0.0 ? nonphysical : TORQUE_FREE_INERTIA;
 }
 
@@ -2954,7 +2962,7 @@ static double_double discriminant_of(const double_double c[3], const double_doub
     const double_double over = discriminant_dd(c[a], c[d], c_ab, c_bd, rate_a, zero);
     const double_double under = discriminant_dd(c[a], c[d], c_ab, c_bd, zero, rate_d);
     double_double E_b = dd_add_xx(over, under);
-    if (!(fabs(E_b.hi) > (over.hi - under.hi) / 1024.0)) {
+    if (!(fabs(E_b.hi) > (over.hi - under.hi) / 1024.0) && !is_zero(over.hi)) {
         E_b = exact_discriminant(c[a].hi, c[b].hi, c[d].hi, rate_a.hi, rate_d.hi);
     }
     return scaled(E_b, 2 * scale);
@@ -3557,8 +3565,7 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
     }
     const int c_scale = scale_of(inertia[0], inertia[1], inertia[2]);
     const int scale = scale_of(omega0[0], omega0[1], omega0[2]);
-    const double first = fabs(attitude0[0]) >= fabs(attitude0[1]) ? fabs(attitude0[0]) : fabs(attitude0[1]);
-    const int q_scale = scale_of(first, attitude0[2], attitude0[3]);
+    const int q_scale = scale_of_attitude(attitude0);
     double_double c[3];
     double_double apart[3];
     double_double omega[3];
@@ -4511,6 +4518,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "16afb5ca7119a6763ab7c2500ed1d834730c7eee58efef9aef40a118df7bb7ef";
+    return "3c18d752d0e65244f609508f4ff161c55bceccf6dfeafbbd46ec9769f754dd2f";
 }
 

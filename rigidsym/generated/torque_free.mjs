@@ -22,7 +22,7 @@ Lines of code:
     227  12 %  follow facts of the ledger, each named on its line
     320  17 %  follow classical formulas, each with its reference
      42   2 %  are arithmetic: sums, products, quotients, roots, reductions
-   1192  63 %  are the runtime, printed from its one representation
+   1199  63 %  are the runtime, printed from its one representation
     101   5 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate javascript --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest f2ac948baa42e35628dd4e3f457d4eadd7897328c51acacf0f6a46d3e30e059c
+digest 33d2d081903ee440f478ed3a4e10fa5cac28d841d93ad864fed9d7e3d9b8c71c
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -420,10 +420,12 @@ function split_product_error(a, b, p) {
     const b1 = upper_half(b);
     const a2 = a - a1;
     const b2 = b - b1;
-    const e1 = a1 * b1 - p;
-    const e2 = e1 + a1 * b2;
-    const e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    let error = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return a b exactly. */
@@ -570,7 +572,8 @@ function dd_sqrt(x) {
     const s = Math.sqrt(x.hi);
     const r = two_product(s, s);
     const rest = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
+    const divisor = s > 0.0 ? 2.0 * s : 1.0;
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return x rounded to a double. */
@@ -1511,10 +1514,17 @@ function scale_of(x, y, z) {
     return exponent(largest) - 1;
 }
 
+/* Return the exponent of a quaternion's largest component; -1 for zeros. */
+function scale_of_attitude(q) {
+    const first = Math.abs(q[0]) >= Math.abs(q[1]) ? Math.abs(q[0]) : Math.abs(q[1]);
+    return scale_of(first, q[2], q[3]);
+}
+
 /* Return x 2^n, or the least double of its sign where that is zero but x is not. */
 function scaled_rate(x, n) {
     const y = scaled_by(x, n);
-    return is_zero(y) && !is_zero(x) ? copysign(5e-324, x) : y;
+    const least = x < 0.0 ? -5e-324 : 5e-324;
+    return is_zero(y) && !is_zero(x) ? least : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -1527,7 +1537,7 @@ function broken_rule(inertia, c, attitude0) {
     const no_attitude = is_zero(attitude0[0]) && is_zero(attitude0[1]) && is_zero(attitude0[2]) && is_zero(attitude0[3]);
     const attitude = no_attitude ? ATTITUDE : OK;
     const thin = thinnest < min_moment_ratio ? THIN : attitude;
-    const nonphysical = can_exist(c) ? thin : NONPHYSICAL;
+    const nonphysical = settings.ALLOW_NONPHYSICAL || can_exist(c) ? thin : NONPHYSICAL;
     return smallest > 0.0 ? nonphysical : INERTIA;
 }
 
@@ -1596,7 +1606,7 @@ function discriminant_of(c, apart, omega, a, b, d) {
     const over = discriminant_dd(c[a], c[d], c_ab, c_bd, rate_a, zero);
     const under = discriminant_dd(c[a], c[d], c_ab, c_bd, zero, rate_d);
     let E_b = dd_add_xx(over, under);
-    if (!(Math.abs(E_b.hi) > (over.hi - under.hi) / 1024.0)) {
+    if (!(Math.abs(E_b.hi) > (over.hi - under.hi) / 1024.0) && !is_zero(over.hi)) {
         E_b = exact_discriminant(c[a].hi, c[b].hi, c[d].hi, rate_a.hi, rate_d.hi);
     }
     return scaled(E_b, 2 * scale);
@@ -1885,8 +1895,7 @@ export function motion_init(motion, inertia, omega0, attitude0) {
     }
     const c_scale = scale_of(inertia[0], inertia[1], inertia[2]);
     const scale = scale_of(omega0[0], omega0[1], omega0[2]);
-    const first = Math.abs(attitude0[0]) >= Math.abs(attitude0[1]) ? Math.abs(attitude0[0]) : Math.abs(attitude0[1]);
-    const q_scale = scale_of(first, attitude0[2], attitude0[3]);
+    const q_scale = scale_of_attitude(attitude0);
     const c = [ZERO, ZERO, ZERO];
     const apart = [ZERO, ZERO, ZERO];
     const omega = [ZERO, ZERO, ZERO];
@@ -2164,7 +2173,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "f2ac948baa42e35628dd4e3f457d4eadd7897328c51acacf0f6a46d3e30e059c";
+    return "33d2d081903ee440f478ed3a4e10fa5cac28d841d93ad864fed9d7e3d9b8c71c";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

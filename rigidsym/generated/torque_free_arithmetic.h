@@ -152,10 +152,12 @@ static INLINED double split_product_error(double a, double b, double p)
     const double b1 = upper_half(b);
     const double a2 = a - a1;
     const double b2 = b - b1;
-    const double e1 = a1 * b1 - p;
-    const double e2 = e1 + a1 * b2;
-    const double e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    double error = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return the nearest whole number, for |x| < 2^51. */
@@ -312,7 +314,8 @@ static INLINED double_double dd_sqrt(double_double x)
     const double s = sqrt(x.hi);
     const double_double r = two_product(s, s);
     const double rest = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
+    const double divisor = s > 0.0 ? 2.0 * s : 1.0;
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return |x|. */

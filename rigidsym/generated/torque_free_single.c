@@ -206,10 +206,12 @@ static float split_product_error(float a, float b, float p)
     const float b1 = upper_half(b);
     const float a2 = a - a1;
     const float b2 = b - b1;
-    const float e1 = a1 * b1 - p;
-    const float e2 = e1 + a1 * b2;
-    const float e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    float error = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return a b exactly. */
@@ -375,7 +377,8 @@ static torque_free_pair dd_sqrt(torque_free_pair x)
     const float s = sqrtf(x.hi);
     const torque_free_pair r = two_product(s, s);
     const float rest = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0f ? rest / (2.0f * s) : 0.0f);
+    const float divisor = s > 0.0f ? 2.0f * s : 1.0f;
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return x rounded to a float. */
@@ -1440,11 +1443,19 @@ static int scale_of(float x, float y, float z)
     return exponent_of(largest) - 1;
 }
 
+/* Return the exponent of a quaternion's largest component; -1 for zeros. */
+static int scale_of_attitude(const float q[4])
+{
+    const float first = fabsf(q[0]) >= fabsf(q[1]) ? fabsf(q[0]) : fabsf(q[1]);
+    return scale_of(first, q[2], q[3]);
+}
+
 /* Return x 2^n, or the least float of its sign where that is zero but x is not. */
 static float scaled_rate(float x, int n)
 {
     const float y = scaled_by(x, n);
-    return is_zero(y) && !is_zero(x) ? copysignf(1.401298464324817e-45f, x) : y;
+    const float least = x < 0.0f ? -1.401298464324817e-45f : 1.401298464324817e-45f;
+    return is_zero(y) && !is_zero(x) ? least : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -1458,7 +1469,7 @@ static int broken_rule(const float inertia[3], const torque_free_pair c[3], cons
     const int no_attitude = is_zero(attitude0[0]) && is_zero(attitude0[1]) && is_zero(attitude0[2]) && is_zero(attitude0[3]);
     const int attitude = no_attitude ? TORQUE_FREE_SINGLE_ATTITUDE : TORQUE_FREE_SINGLE_OK;
     const int thin = thinnest < min_moment_ratio ? TORQUE_FREE_SINGLE_THIN : attitude;
-    const int nonphysical = can_exist(c) ? thin : TORQUE_FREE_SINGLE_NONPHYSICAL;
+    const int nonphysical = ALLOW_NONPHYSICAL || can_exist(c) ? thin : TORQUE_FREE_SINGLE_NONPHYSICAL;
     return smallest > 0.0f ? nonphysical : TORQUE_FREE_SINGLE_INERTIA;
 }
 
@@ -1552,7 +1563,7 @@ static torque_free_pair discriminant_of(const torque_free_pair c[3], const torqu
     const torque_free_pair over = discriminant_dd(c[a], c[d], c_ab, c_bd, rate_a, zero);
     const torque_free_pair under = discriminant_dd(c[a], c[d], c_ab, c_bd, zero, rate_d);
     torque_free_pair E_b = dd_add_xx(over, under);
-    if (!(fabsf(E_b.hi) > (over.hi - under.hi) / 1024.0f)) {
+    if (!(fabsf(E_b.hi) > (over.hi - under.hi) / 1024.0f) && !is_zero(over.hi)) {
         E_b = exact_discriminant(c[a].hi, c[b].hi, c[d].hi, rate_a.hi, rate_d.hi);
     }
     return scaled(E_b, 2 * scale);
@@ -1878,8 +1889,7 @@ int torque_free_single_motion_init(torque_free_single_motion *motion, const floa
     }
     const int c_scale = scale_of(inertia[0], inertia[1], inertia[2]);
     const int scale = scale_of(omega0[0], omega0[1], omega0[2]);
-    const float first = fabsf(attitude0[0]) >= fabsf(attitude0[1]) ? fabsf(attitude0[0]) : fabsf(attitude0[1]);
-    const int q_scale = scale_of(first, attitude0[2], attitude0[3]);
+    const int q_scale = scale_of_attitude(attitude0);
     torque_free_pair c[3];
     torque_free_pair apart[3];
     torque_free_pair omega[3];
@@ -2047,6 +2057,6 @@ float torque_free_single_last_time(const torque_free_single_motion *motion)
 
 const char *torque_free_single_digest(void)
 {
-    return "2ed24a769571afcbd0078c50606f1303bb6f026e1f96c33bd4947d43c324de65";
+    return "98b080d08699a77191a46d23c493607a5061d2d966ab28fa6a776aa2c62f0f62";
 }
 

@@ -22,7 +22,7 @@ Lines of code:
     226  12 %  follow facts of the ledger, each named on its line
     265  14 %  follow classical formulas, each with its reference
      87   5 %  are arithmetic: sums, products, quotients, roots, reductions
-   1215  66 %  are the runtime, printed from its one representation
+   1223  66 %  are the runtime, printed from its one representation
      55   3 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c_single --record`
 
 rigidsym 0.1.0, emitter c_single/2
-digest 2ed24a769571afcbd0078c50606f1303bb6f026e1f96c33bd4947d43c324de65
+digest 98b080d08699a77191a46d23c493607a5061d2d966ab28fa6a776aa2c62f0f62
 
 Errors of the attitude stay below 1e-6 rad, as `rigidsym validate c_single` measures.  Angles that
 grow with time are computed with pairs of floats, all else with floats.  Re-entrant, without

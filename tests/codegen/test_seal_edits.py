@@ -20,7 +20,7 @@ from rigidsym.validate.faults._printed import faulty
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
-STEPS = {"c-step": "torque_free_step.c"}
+STEPS = {"numpy-step": "torque_free_step.py", "c-step": "torque_free_step.c"}
 CASES = [pytest.param(t, e, id=f"{t}: {e['name']}") for t, edits in EDITS.items() for e in edits]
 
 
@@ -67,7 +67,8 @@ def test_a_line_says_what_it_is_by(target):
 
 def test_how_many_edits_there_are():
     assert {target: len(edits) for target, edits in EDITS.items()} == {
-        "numpy": 32,
+        "numpy": 38,
+        "numpy-step": 4,
         "c": 36,
         "c-step": 8,
     }

@@ -169,6 +169,7 @@ def test_the_numpy_module_works_alone(tmp_path):
     ]
     assert [ast.unparse(node) for node in found] == [
         "import math",
+        "from fractions import Fraction",
         "from typing import Any",
         "import numpy as np",
     ]

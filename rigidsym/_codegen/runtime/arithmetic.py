@@ -47,10 +47,12 @@ def split_product_error(a: double, b: double, p: double) -> double:
     b1: double = upper_half(b)
     a2: double = a - a1
     b2: double = b - b1
-    e1: double = a1 * b1 - p
-    e2: double = e1 + a1 * b2
-    e3: double = e2 + a2 * b1
-    return e3 + a2 * b2
+    error: double = a1 * b1
+    error -= p
+    error += a1 * b2
+    error += a2 * b1
+    error += a2 * b2
+    return error
 
 
 @inline
@@ -202,7 +204,8 @@ def dd_sqrt(x: pair) -> pair:
     s: double = sqrt(x.hi)
     r: pair = two_product(s, s)
     rest: double = (x.hi - r.hi) + (x.lo - r.lo)
-    return quick_sum(s, rest / (2.0 * s) if s > 0.0 else 0.0)
+    divisor: double = 2.0 * s if s > 0.0 else 1.0
+    return quick_sum(s, rest / divisor)
 
 
 @inline

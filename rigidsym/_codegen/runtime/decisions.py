@@ -32,10 +32,17 @@ def scale_of(x: double, y: double, z: double) -> int:
     return exponent(largest) - 1
 
 
+def scale_of_attitude(q: double[4]) -> int:
+    """Return the exponent of a quaternion's largest component; -1 for zeros."""
+    first: double = max(abs(q[0]), abs(q[1]))
+    return scale_of(first, q[2], q[3])
+
+
 def scaled_rate(x: double, n: int) -> double:
     """Return x 2^n, or the least double of its sign where that is zero but x is not."""
     y: double = scaled_by(x, n)
-    return copysign(LEAST, x) if is_zero(y) and not is_zero(x) else y
+    least: double = -LEAST if x < 0.0 else LEAST
+    return least if is_zero(y) and not is_zero(x) else y
 
 
 def broken_rule(inertia: double[3], c: pair[3], attitude0: double[4]) -> int:
@@ -55,7 +62,7 @@ def broken_rule(inertia: double[3], c: pair[3], attitude0: double[4]) -> int:
     )
     attitude: int = ATTITUDE if no_attitude else OK
     thin: int = THIN if thinnest < min_moment_ratio else attitude
-    nonphysical: int = thin if can_exist(c) else NONPHYSICAL
+    nonphysical: int = thin if ALLOW_NONPHYSICAL or can_exist(c) else NONPHYSICAL
     return nonphysical if smallest > 0.0 else INERTIA
 
 
@@ -137,7 +144,7 @@ def discriminant_of(c: pair[3], apart: pair[3], omega: pair[3], a: int, b: int, 
     over: pair = discriminant_dd(c[a], c[d], c_ab, c_bd, rate_a, zero)
     under: pair = discriminant_dd(c[a], c[d], c_ab, c_bd, zero, rate_d)
     E_b: pair = over + under
-    if not abs(E_b.hi) > (over.hi - under.hi) / 1024.0:
+    if not abs(E_b.hi) > (over.hi - under.hi) / 1024.0 and not is_zero(over.hi):
         E_b = exact_discriminant(c[a].hi, c[b].hi, c[d].hi, rate_a.hi, rate_d.hi)
     return scaled(E_b, 2 * scale)
 

@@ -259,8 +259,7 @@ def begin_doubles(
         return NOT_FINITE
     c_scale: int = scale_of(inertia[0], inertia[1], inertia[2])
     scale: int = scale_of(omega0[0], omega0[1], omega0[2])
-    first: double = max(abs(attitude0[0]), abs(attitude0[1]))
-    q_scale: int = scale_of(first, attitude0[2], attitude0[3])
+    q_scale: int = scale_of_attitude(attitude0)
     c: pair[3]
     apart: pair[3]
     omega: pair[3]

@@ -55,15 +55,16 @@ def body_code(inertia: double[3], c: double[3]) -> int:
     smallest: double = min(inertia[0], less)
     is_number: bool = not isnan(inertia[0] + inertia[1] + inertia[2])
     is_positive: bool = inertia[0] > 0.0 and inertia[1] > 0.0 and inertia[2] > 0.0
+    divisor: double = largest if is_positive else 1.0
     return (
         (INERTIA if is_number else NOT_FINITE)
         if not is_positive
         else NOT_FINITE
         if not isfinite(largest)
         else NONPHYSICAL
-        if not is_possible(c)
+        if not (ALLOW_NONPHYSICAL or is_possible(c))
         else THIN
-        if smallest / largest < min_moment_ratio
+        if smallest / divisor < min_moment_ratio
         else OK
     )
 

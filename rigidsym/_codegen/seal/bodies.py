@@ -108,7 +108,7 @@ class Body:
                 raise InputError(place, _said(read), f"sets no name: {let}")
         names = tuple(target.id for target in targets if isinstance(target, ast.Name))
         # The statement was compared as it is before.
-        if names != let.targets or not is_same(_Raised().visit(value), wanted):
+        if names != let.targets or not is_same(Raised().visit(value), wanted):
             raise InputError(place, _said(read), f"{let}: {DIFFERS}")
         before, after = self.marks
         _, _, note = self.text[read.lineno - 1].partition(before)
@@ -126,7 +126,7 @@ def _without_rounding(expression: Expression, extended: frozenset[str]) -> Expre
             return other
 
 
-class _Raised(ast.NodeTransformer):
+class Raised(ast.NodeTransformer):
     """Operations in place of calls of the functions for extended numbers."""
 
     def visit_Call(self, node: ast.Call) -> ast.expr:
@@ -143,6 +143,8 @@ class _Raised(ast.NodeTransformer):
             return node.args[0]
         if verb == "neg":
             return ast.UnaryOp(ast.USub(), node.args[0])
+        if verb not in _OF_PAIRS:
+            return node
         return ast.Call(ast.Name(_OF_PAIRS[verb], ast.Load()), node.args, [])
 
 

@@ -1,21 +1,22 @@
-"""Check of the printed NumPy module, which is read back and compared with its functions.
+"""Check of the printed NumPy module, which is read back and compared with what it prints.
 
-The module holds numbers, functions, tables and limits in order.
+Derived functions are compared with their assignments, routines statement by statement, constants,
+tables and limits with their values, and everything else word for word.
 """
 
 import ast
 from collections.abc import Collection, Iterator, Mapping
-from copy import copy
+from itertools import chain
 
 from rigidsym._codegen import header
-from rigidsym._codegen.formats import BINARY64
-from rigidsym._codegen.forms import STEP, THETA, key, limits
+from rigidsym._codegen.forms import THETA, key, limits
 from rigidsym._codegen.ir import Constant, Function, Let, named
 from rigidsym._codegen.lines import comment, flat_results
 from rigidsym._codegen.passes import specialise
+from rigidsym._codegen.seal.bodies import Body, check_outside
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
-from rigidsym._codegen.seal.text import Between, between
 from rigidsym._codegen.targets.numpy import emit, module
+from rigidsym._codegen.targets.numpy.reader import read_routine, wanted_of
 from rigidsym.errors import InputError
 from rigidsym.language._expression import (
     Call,
@@ -42,55 +43,91 @@ def check(
     constants: tuple[Constant, ...],
     form: str = THETA,
 ) -> int:
-    """Check the printed Python file against its functions; return the number of derived lines.
+    """Check the printed Python file against what it prints; return the number of derived lines.
 
-    Raises InputError for a line that differs from its let.
+    Raises InputError for a line that differs.
     """
-    file, functions = module.FILES[form], emit.own(functions)
-    derived = _derived(files[file], functions, form)
-    statements = iter(_statements(derived))
-    for one in named(functions, constants):
-        pair = f"_DoubleDouble({one.hi!r}, {one.lo!r})"
-        expected = f"{one.name} = {repr(one.hi) if one.lo is None else pair}"
-        _check_statement(_next(statements, file, expected), file, expected)
+    file, of = module.FILES[form], key("numpy", form)
+    built = module.build(functions, constants, form)
+    if files.keys() != built.files.keys():
+        raise InputError("files", ", ".join(files), f"are not {file}")
+    text = header.unsealed(files[file], of, header.digest_in(file, files[file]))
+    wanted = header.unsealed(built.files[file], of, built.digest)
+    functions = emit.own(functions)
+    made = module.program(functions, constants, form)
+    routines = {module.printer.name_of(one): one for one in module.routines(made, form)}
+    derived = {function.name: function for function in functions}
+    found = _parsed(file, text)
+    printed = {*routines, *derived}
+    check_outside(
+        file,
+        _outside(text, _functions(found, printed)),
+        _outside(wanted, _functions(_parsed(file, wanted), printed)),
+    )
+    _check_values(file, found, functions, constants, form)
     known: set[str] = set()
-    for function in functions:
-        node = _next(statements, file, f"def {function.name}")
-        _check_function(function, node, known, derived)
-        known.add(function.name)
-    tables = [f"{name} = {table}" for name, table in emit.tables(functions).items()]
-    ends = [f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form)]
-    ends += [f"STEPS = {BINARY64.doublings}", f"LAST = {BINARY64.last}"] if form == STEP else []
-    for expected in (*tables, *ends):
-        _check_statement(_next(statements, file, expected), file, expected)
-    for left in statements:
-        raise InputError(_place(file, left), ast.unparse(left), "is no statement of this module")
+    lines = text.split("\n")
+    for node in _functions(found, printed):
+        if node.name in derived:
+            _check_function(derived[node.name], node, known, lines)
+            known.add(node.name)
+        else:
+            one = routines[node.name]
+            read = read_routine(file, node, one, made)
+            Body(file, lines, one).check(read, wanted_of(one))
     return sum(len(function.lets) for function in functions)
 
 
-def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
-    """Return the generated text between the hand-written parts of the module."""
-    file = module.FILES[form]
-    kinds = (let.kind for function in functions for let in function.lets)
-    first = module.first(form).replace(header.SHARES, module.counted(kinds, form))
-    return between(file, text, key("numpy", form), first, module.last(form))
-
-
-def _statements(derived: Between) -> list[ast.stmt]:
+def _parsed(file: str, text: str) -> ast.Module:
     try:
-        tree = ast.parse(derived.text)
+        return ast.parse(text)
     except SyntaxError as error:
-        place = f"{derived.file}:{derived.line - 1 + (error.lineno or 1)}"
+        place = f"{file}:{error.lineno or 1}"
         raise InputError(place, (error.text or "").strip(), f"is no Python: {error.msg}") from None
     except ValueError as error:
-        raise InputError(derived.file, "its text", f"is no Python: {error}") from None
-    return list(ast.increment_lineno(tree, derived.line - 1).body)
+        raise InputError(file, "its text", f"is no Python: {error}") from None
 
 
-def _next(statements: Iterator[ast.stmt], file: str, expected: str) -> ast.stmt:
-    for statement in statements:
-        return statement
-    raise InputError(file, expected, "is not there")
+def _functions(tree: ast.Module, names: Collection[str]) -> list[ast.FunctionDef]:
+    """Return the functions that print something, by their names."""
+    return [x for x in tree.body if isinstance(x, ast.FunctionDef) and x.name in names]
+
+
+def _outside(text: str, printed: list[ast.FunctionDef]) -> Iterator[tuple[int, str]]:
+    """Yield the lines with their numbers, but for those of statements of printed functions."""
+    inside = {
+        number
+        for one in printed
+        for number in range(one.body[0].lineno, (one.end_lineno or one.lineno) + 1)
+        if number > (one.body[0].end_lineno or 0)
+    }
+    yield from ((k, line) for k, line in enumerate(text.split("\n"), 1) if k not in inside)
+
+
+def _check_values(
+    file: str,
+    tree: ast.Module,
+    functions: tuple[Function, ...],
+    constants: tuple[Constant, ...],
+    form: str,
+) -> None:
+    """Raise InputError for a constant, table or limit with another value than it has."""
+    assigned = {
+        x.targets[0].id: x
+        for x in tree.body
+        if isinstance(x, ast.Assign) and isinstance(x.targets[0], ast.Name)
+    }
+    pairs = (
+        (x.name, repr(x.hi) if x.lo is None else f"_DoubleDouble({x.hi!r}, {x.lo!r})")
+        for x in named(functions, constants)
+    )
+    tables = emit.tables(functions).items()
+    ends = ((x.name.upper(), f"2.0**{x.exponent}") for x in limits(form))
+    for name, value in chain(pairs, tables, ends):
+        expected = f"{name} = {value}"
+        if name not in assigned:
+            raise InputError(file, expected, "is not there")
+        _check_statement(assigned[name], file, expected)
 
 
 def _place(file: str, node: ast.stmt) -> str:
@@ -121,35 +158,22 @@ def _keys(table: ast.Dict) -> list[str]:
 
 
 def _check_function(
-    function: Function, node: ast.stmt, known: Collection[str], derived: Between
+    function: Function, node: ast.FunctionDef, known: Collection[str], text: list[str]
 ) -> None:
-    parameters = ", ".join(name for name in function.parameters if name != "t_lo")
-    head = f"def {function.name}({parameters}):"
-    if not isinstance(node, ast.FunctionDef) or _head(node) != head:
-        raise InputError(_place(derived.file, node), _head(node), f"is not {head}")
-    said, *lines, last = node.body
-    if ast.dump(said) != ast.dump(ast.Expr(ast.Constant(function.summary))):
-        rule = f"is not {function.summary!r}"
-        raise InputError(_place(derived.file, said), ast.unparse(said), rule)
+    parameters = [name for name in function.parameters if name != "t_lo"]
+    if ast.unparse(node.args) != ", ".join(parameters):
+        raise InputError(function.name, ast.unparse(node.args), f"are not {', '.join(parameters)}")
+    _, *lines, last = node.body
     if len(lines) != len(function.lets):
         raise InputError(function.name, f"{len(lines)} lines", f"has {len(function.lets)} lets")
     for line, let in zip(lines, function.lets, strict=True):
         _check_line(function, line, let, known)
-        _, _, note = derived.at(line.lineno).partition("  # ")
+        _, _, note = text[line.lineno - 1].partition("  # ")
         if note != comment(let):
             raise InputError(function.name, f"{let}  # {note}", f"is by {comment(let)}")
     results = flat_results(function) if function.rounds else list(function.results)
     if _returned(last) != results:
         raise InputError(function.name, ast.unparse(last), f"does not return {results}")
-
-
-def _head(node: ast.stmt) -> str:
-    """Return the signature of a function definition as text."""
-    if not isinstance(node, ast.FunctionDef):
-        return ast.unparse(node)
-    bare = copy(node)
-    bare.body = [ast.Pass()]
-    return ast.unparse(bare).removesuffix("\n    pass").strip()
 
 
 def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[str]) -> None:

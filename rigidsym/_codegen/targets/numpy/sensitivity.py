@@ -7,17 +7,30 @@ import math
 
 import numpy as np
 
-from rigidsym._codegen.targets.numpy.double_double import _DoubleDouble
+from rigidsym._codegen.targets.numpy.double_double import (
+    _DoubleDouble,
+    _power,
+    _reversed,
+    _where,
+)
 from rigidsym._codegen.targets.numpy.runtime import (
-    _BLOCK,
+    _blocks,
+    _by_axis,
     _called,
-    _differences,
-    _of,
-    _plain,
-    _RefusedError,
+    _column,
+    _row_or_rows,
+    _rows,
     states,
 )
-from rigidsym._codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY, never
+from rigidsym._codegen.targets.numpy.shared import _RefusedError
+from rigidsym._codegen.targets.numpy.stubs import (
+    GROWTH,
+    MAX_REAL,
+    RULES,
+    SENSITIVITY,
+    _difference,
+    never,
+)
 
 # --- runtime ---
 # The changes at t = 0: of the attitude with a small turn, of the rates with those.
@@ -44,80 +57,74 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
     # Where in a row the columns of each begin, and which those are of all nine.
     first = {name: 3 * k for k, name in enumerate(asked) if name != "t"}
     chosen = [3 * COLUMNS.index(name) + k for name in first for k in range(3)]
-    by_t = (3,) if "t" in asked else (0,)
     # One time of one body as a number, which has the shortest way.
     if np.ndim(t) == 0 and prepared["shape"] == ():
         t = float(t)
     q, omega = states(prepared, t, None, errors)
-    given, count = np.asarray(t, float), len(prepared["unit"])
-    # One row of times for all motions, or one for each.
-    given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
-    shapes = (4,), (3,), (3, len(chosen)), (3, len(chosen)), by_t, by_t
-    found = _together(omega.shape[:-1], shapes[2:])
+    given = _row_or_rows(np.asarray(t, float), len(prepared["unit"]))
+    by_t = (3 * ("t" in asked),)
+    ends = (3, len(chosen)), (3, len(chosen)), by_t, by_t
+    # In one block of memory: allocators return several to the system page by page.
+    sizes = [math.prod((*omega.shape[:-1], *end)) for end in ends]
+    block, found = np.zeros(sum(sizes)), []
+    for size, end in zip(sizes, ends, strict=True):
+        found.append(block[:size].reshape(*omega.shape[:-1], *end))
+        block = block[size:]
+    shape = len(prepared["unit"]), given.shape[1]
     rows = [
-        x.reshape(count, given.shape[1], *shape)
-        for x, shape in zip((q, omega, *found), shapes, strict=True)
+        x.reshape(*shape, *end)
+        for x, end in zip((q, omega, *found), ((4,), (3,), *ends), strict=True)
     ]
     if "elapsed" not in prepared:
         prepared["elapsed"] = _elapsed(prepared)
     # While blocks are in the cache it is seen whether any number is lost.
-    lost = [
-        _fill_sensitivities(prepared, group, given, rows, first) for group in prepared["elapsed"]
-    ]
+    lost = [_fill_sensitivities(prepared, one, given, rows, first) for one in prepared["elapsed"]]
     at_once = [x[:, chosen] for x in _AT_ONCE]
     _at_rest(prepared, given, rows, first, at_once)
-    _unchanged(given, rows, at_once)
+    # The exact initial derivatives where t = 0.
+    for body, time in np.argwhere(given == 0):
+        some = slice(None) if len(given) == 1 else body
+        rows[2][some, time], rows[3][some, time] = at_once
     if any(lost):
         _check_held(rows, errors)
     return (q, omega, *found)
 
 
-def _together(shape, ends):
-    """Allocate arrays of zeros of several shapes in one block of memory.
-
-    Allocators keep one piece where they would return several to the system, page by page.
-    """
-    sizes = [math.prod((*shape, *end)) for end in ends]
-    piece, found, begin = np.zeros(sum(sizes)), [], 0
-    for end, size in zip(ends, sizes, strict=True):
-        found.append(piece[begin : begin + size].reshape(*shape, *end))
-        begin += size
-    return found
-
-
 def _elapsed(prepared):
     """Compute the constants of sensitivities, grouped by nome and order of axes."""
     c, apart, omega, discriminant = prepared["given"]
-    axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
+    is_plain = isinstance(discriminant.hi, float)
+    axes = prepared["axes"][0].tolist() if is_plain else [*prepared["axes"].T]
     # Where rates are constant, too, a is the axis with p >= r.
-    apart = [apart[:, k] for k in range(3)]
-    turned = _differences(apart, axes.T)[1].hi * discriminant.hi < 0
-    axes = np.where(turned[:, None], axes[:, ::-1], axes)
-    known = {"E_b": discriminant}
-    for k, x in enumerate("abd"):
-        known[f"c_{x}"] = c[rows, axes[:, k]]
-        known[f"Omega_{x}0"] = omega[rows, axes[:, k]]
-        known[f"axis_{x}"] = axes[:, k]
-    known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes.T), strict=True))
+    turned = _difference(apart, axes[0], axes[2]).hi * discriminant.hi < 0
+    axes = _reversed(turned, axes)
+    known = _by_axis(c, apart, omega, axes, "0") | {"E_b": discriminant} | _phases(prepared)
     for k in range(3):
-        known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
-    for name, x in zip(("c12", "c13", "c23"), _differences(apart, range(3)), strict=True):
-        known[name] = x.hi
+        known |= {f"c{k + 1}": c[k].hi, f"Omega{k + 1}_0": omega[k].hi}
+    for j, k in ((0, 1), (0, 2), (1, 2)):
+        known[f"c{j + 1}{k + 1}"] = _difference(apart, j, k).hi
     # At rest nothing comes of it.
-    known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
+    known["Omega1_0"] = _where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
-    known |= _phases(prepared)
-    if len(axes) == 1:
+    if len(prepared["unit"]) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(SENSITIVITY["moduli"], known)
-    small = np.reshape(known["modulus"].hi ** 2 <= MAX_REAL, -1)
-    groups = []
-    for order in sorted(set(map(tuple, axes.tolist()))):
-        ordered = np.all(axes == order, axis=-1)
-        for name, chosen in (("real", small & ordered), ("imaginary", ~small & ordered)):
-            if np.any(chosen):
-                groups.append((name, order, *_of_group(name, np.flatnonzero(chosen), known)))
+    is_real = np.reshape(known["modulus"].hi ** 2 <= MAX_REAL, -1)
+    groups, orders = [], _rows(axes)
+    for order in sorted(set(map(tuple, orders.tolist()))):
+        ordered = np.all(orders == order, axis=-1)
+        for name, chosen in (("real", is_real & ordered), ("imaginary", ~is_real & ordered)):
+            index = np.flatnonzero(chosen)
+            if index.size:
+                groups.append((name, order, index, _of_group(name, index, known)))
     return groups
+
+
+def _plain(value):
+    """Convert an array of one number to a Python float, which is faster to compute with."""
+    if isinstance(value, _DoubleDouble):
+        return _DoubleDouble(_plain(value.hi), _plain(value.lo))
+    return float(np.reshape(value, -1)[0])
 
 
 def _phases(prepared):
@@ -131,64 +138,37 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """Return the indices of a group's bodies, and its constants by the function using them.
-
-    Constants are arrays, or Python's floats of one body.
-    """
-    if len(np.shape(known["c1"])):
+    """Return a group's constants by the function using them: arrays, or floats of one body."""
+    if np.ndim(known["c1"]):
         known = {key: value[index] for key, value in known.items()}
     made = {}
     for part in (name, "along", "columns", "turn"):
-        constants = _called(SENSITIVITY[part], known)
-        made[part] = {
-            key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
-            for key, value in constants.items()
-        }
-    return index, _of_one(made, 0) if index.size == 1 else made
+        constants = _called(SENSITIVITY[part], known).items()
+        made[part] = {key: np.full(index.size, value, float) for key, value in constants}
+    return _of_some(made, 0) if index.size == 1 else made
 
 
-def _of_one(made, number):
-    """Return the constants of one body as Python floats."""
+def _of_some(made, bodies):
+    """Return the constants of some bodies as columns, or those of one as floats."""
     return {
-        part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
+        part: {key: _column(x, bodies) for key, x in known.items()} for part, known in made.items()
     }
 
 
 def _fill_sensitivities(prepared, group, t, rows, first_of):
     """Write the sensitivities of one group to the output arrays block by block.
 
-    Blocks are of times, or of bodies where times are few.  Returns True if any number is lost.
+    Returns True if any number is lost.
     """
     name, order, index, made = group
-    size, lost = t.shape[1], False
-    if index.size > 1 and size < _BLOCK // 4:
-        step = max(1, _BLOCK // max(1, size))
-        for first in range(0, index.size, step):
-            some = slice(first, first + step)
-            constants = {
-                part: {key: x[some, None] for key, x in known.items()}
-                for part, known in made.items()
-            }
-            units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
-            times = _of(t, index[some])
-            place = (index[some],)
-            lost |= _write_sensitivities(
-                name, order, constants, units, times, rows, place, first_of
-            )
-        return lost
-    for number, body in enumerate(index):
-        constants = made if index.size == 1 else _of_one(made, number)
-        units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
-        step = max(1, -(-size // max(1, -(-size // _BLOCK))))
-        for first in range(0, size, step):
-            some = slice(first, first + step)
-            # One time as a number: operations on such arrays take ten times as long.
-            where = some if size > 1 else 0
-            times = t[body if len(t) > 1 else 0, where]
-            place = body, where
-            lost |= _write_sensitivities(
-                name, order, constants, units, times, rows, place, first_of
-            )
+    lost = False
+    for bodies, blocks in _blocks(index.size, t.shape[1]):
+        body = index[bodies]
+        known = made if index.size == 1 else _of_some(made, bodies)
+        units = [_column(prepared[x], body) for x in ("unit", "moment_unit")]
+        for some in blocks:
+            times, place = t[body if len(t) > 1 else 0, some], (body, some)
+            lost |= _write_sensitivities(name, order, known, units, times, rows, place, first_of)
     return lost
 
 
@@ -198,46 +178,43 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
     Returns True if any number is lost.
     """
     unit, moment_unit = units
-    known = {"t": unit * t}
     q, omega = (x[place] for x in rows[:2])
     scale = unit + (unit == 0)
-    for k in range(3):
-        known[f"Omega{k + 1}"] = omega[..., k] / scale
-    known |= {f"q{k}": q[..., k][()] for k in range(4)}
-    known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
+    known = {"t": unit * t} | {f"q{k}": q[..., k][()] for k in range(4)}
+    known |= {f"Omega{k + 1}": omega[..., k] / scale for k in range(3)}
+    letters = [*zip("abd", order, strict=True)]
+    known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in letters}
     entry = SENSITIVITY[name]
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
     known |= dict(zip(entry["timed"], by_time, strict=False))
-    known |= _stated(entry, known, constants[name])
-    known |= _stated(SENSITIVITY["along"], known, constants["along"])
-    columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
-    for one, i in zip("abd", order, strict=True):
+    for part in (name, "along"):
+        known |= _stated(part, known, constants)
+    columns = _stated("columns", known, constants)
+    for one, i in letters:
         known[f"excess{i + 1}"] = columns[f"excess_{one}"]
-        for other, j in zip("abd", order, strict=True):
-            for of in ("Omega", "c"):
-                change = columns[f"Omega_{one}_by_{of}_{other}"]
-                known[f"Omega{i + 1}_by_{of}{j + 1}"] = change
-    known |= _stated(SENSITIVITY["turn"], known, constants["turn"])
+        for of in ("Omega", "c"):
+            for other, j in letters:
+                known[f"Omega{i + 1}_by_{of}{j + 1}"] = columns[f"Omega_{one}_by_{of}_{other}"]
+    known |= _stated("turn", known, constants)
     # A unit of rates over one of moments may leave binary64 where no rate by a moment does.
-    half = np.ldexp(1.0, (np.frexp(scale)[1] - np.frexp(moment_unit)[1]) // 2)
-    scales = {
-        ("eta", "Omega"): 1 / scale,
-        ("eta", "c"): 1 / moment_unit,
-        ("Omega", "Omega"): 1.0,
-        ("Omega", "c"): scale / half / moment_unit,
+    half = np.ldexp(1.0, (_power(scale) - _power(moment_unit)) // 2)
+    factors = {
+        ("eta", "omega0"): (None, 1 / scale),
+        ("eta", "inertia"): (None, 1 / moment_unit),
+        ("Omega", "omega0"): (None, 1.0),
+        ("Omega", "inertia"): (half, scale / half / moment_unit),
     }
     lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
         block = found[place]
-        for of, first in (("Omega", first_of.get("omega0")), ("c", first_of.get("inertia"))):
-            if first is None:
-                continue
-            factor = scales[changed, of]
-            for i in range(3):
-                for j in range(3):
-                    value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
-                    value = value * half if (changed, of) == ("Omega", "c") else value
-                    np.multiply(value, factor, out=block[..., i, first + j])
+        for given, of in (("omega0", "Omega"), ("inertia", "c")):
+            if given in first_of:
+                before, after = factors[changed, given]
+                for i in range(3):
+                    for j in range(3):
+                        value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
+                        value = value if before is None else value * before
+                        np.multiply(value, after, out=block[..., i, first_of[given] + j])
         if changed == "eta" and "attitude0" in first_of:
             for k in range(3):
                 block[..., k, k] = 1.0
@@ -251,9 +228,10 @@ def _write_sensitivities(name, order, constants, units, t, rows, place, first_of
     return lost
 
 
-def _stated(entry, known, constants):
+def _stated(part, known, constants):
     """Call a function of the elapsed time and return its results by name."""
-    given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
+    entry = SENSITIVITY[part]
+    given = (*(known[n] for n in entry["timed"]), *(constants[part][n] for n in entry["shape"]))
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
@@ -273,13 +251,6 @@ def _at_rest(prepared, t, rows, first_of, at_once):
             rows[2][body, :, :, k : k + 3] = times * np.array(start)
 
 
-def _unchanged(t, rows, at_once):
-    """Write the exact initial derivatives where t = 0."""
-    for body, time in np.argwhere(t == 0):
-        some = slice(None) if len(t) == 1 else body
-        rows[2][some, time], rows[3][some, time] = at_once
-
-
 def _check_held(rows, errors):
     """Refuse times at which squares of derivatives overflow binary64, or write NaN there."""
     lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows], axis=0)
@@ -287,7 +258,6 @@ def _check_held(rows, errors):
         return
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
-        rule = "on the way to spin about the middle axis squares of changes leave binary64"
-        raise _RefusedError("t", rule, int(body), int(time))
+        raise _RefusedError(*RULES[GROWTH], int(body), int(time))
     for found in rows[2:]:
         found[lost] = np.nan

@@ -121,10 +121,12 @@ pub(crate) fn split_product_error(a: f64, b: f64, p: f64) -> f64 {
     let b1: f64 = upper_half(b);
     let a2: f64 = a - a1;
     let b2: f64 = b - b1;
-    let e1: f64 = a1 * b1 - p;
-    let e2: f64 = e1 + a1 * b2;
-    let e3: f64 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    let mut error: f64 = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return a b exactly. */
@@ -259,7 +261,8 @@ pub(crate) fn dd_sqrt(x: Pair) -> Pair {
     let s: f64 = sqrt(x.hi);
     let r: Pair = two_product(s, s);
     let rest: f64 = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, if s > 0.0 { rest / (2.0 * s) } else { 0.0 });
+    let divisor: f64 = if s > 0.0 { 2.0 * s } else { 1.0 };
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return x rounded to a double. */
@@ -692,7 +695,8 @@ pub(crate) fn body_code(inertia: &[f64; 3], c: &[f64; 3]) -> i32 {
     let smallest: f64 = if inertia[0] <= less { inertia[0] } else { less };
     let is_number: bool = !f64::is_nan(inertia[0] + inertia[1] + inertia[2]);
     let is_positive: bool = inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0;
-    return if !is_positive { if is_number { INERTIA } else { NOT_FINITE } } else { if !f64::is_finite(largest) { NOT_FINITE } else { if !is_possible(c) { NONPHYSICAL } else { if smallest / largest < min_moment_ratio { THIN } else { OK } } } };
+    let divisor: f64 = if is_positive { largest } else { 1.0 };
+    return if !is_positive { if is_number { INERTIA } else { NOT_FINITE } } else { if !f64::is_finite(largest) { NOT_FINITE } else { if !(ALLOW_NONPHYSICAL || is_possible(c)) { NONPHYSICAL } else { if smallest / divisor < min_moment_ratio { THIN } else { OK } } } };
 }
 
 /* Return the axes by their moments, the largest first, and 1, or -1 where they are left-handed. Of
@@ -979,6 +983,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "072f1c146eb829b380467e0751ca84e1a70377344b24cb4e682289923cb2a362";
+    return "c35bfb34b7e1ef3ac9ba2e192cacc0e83e7e97e4efcfabb9b92882ff05201c83";
 }
 

@@ -22,7 +22,7 @@ Lines of code:
     227  10 %  follow facts of the ledger, each named on its line
     320  15 %  follow classical formulas, each with its reference
      42   2 %  are arithmetic: sums, products, quotients, roots, reductions
-   1565  72 %  are the runtime, printed from its one representation
+   1567  72 %  are the runtime, printed from its one representation
      19   1 %  are written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate rust --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest fe2115222dc4e166b61ef7eeb44427475459485933cc9f6607285e9d88b60c73
+digest 9007f47a3efeddae65b2956fb13f197908c13bf4abb8cb1f13f4ac6eef724dfe
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

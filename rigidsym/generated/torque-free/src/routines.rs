@@ -500,10 +500,12 @@ pub(crate) fn split_product_error(a: f64, b: f64, p: f64) -> f64 {
     let b1: f64 = upper_half(b);
     let a2: f64 = a - a1;
     let b2: f64 = b - b1;
-    let e1: f64 = a1 * b1 - p;
-    let e2: f64 = e1 + a1 * b2;
-    let e3: f64 = e2 + a2 * b1;
-    return e3 + a2 * b2;
+    let mut error: f64 = a1 * b1;
+    error -= p;
+    error += a1 * b2;
+    error += a2 * b1;
+    error += a2 * b2;
+    return error;
 }
 
 /* Return a b exactly. */
@@ -697,7 +699,8 @@ pub(crate) fn dd_sqrt(x: Pair) -> Pair {
     let s: f64 = sqrt(x.hi);
     let r: Pair = two_product(s, s);
     let rest: f64 = x.hi - r.hi + (x.lo - r.lo);
-    return quick_sum(s, if s > 0.0 { rest / (2.0 * s) } else { 0.0 });
+    let divisor: f64 = if s > 0.0 { 2.0 * s } else { 1.0 };
+    return quick_sum(s, rest / divisor);
 }
 
 /* Return x rounded to a double. */
@@ -1700,17 +1703,17 @@ pub(crate) fn scale_of(x: f64, y: f64, z: f64) -> i32 {
     return exponent(largest) - 1;
 }
 
-/* Return the size of x with the sign of y. */
-#[inline]
-pub(crate) fn copysign(x: f64, y: f64) -> f64 {
-    let sign: u64 = f64::to_bits(y) >> sign_place;
-    return f64::from_bits((f64::to_bits(x) & size_bits) | (sign << sign_place));
+/* Return the exponent of a quaternion's largest component; -1 for zeros. */
+pub(crate) fn scale_of_attitude(q: &[f64; 4]) -> i32 {
+    let first: f64 = if abs(q[0]) >= abs(q[1]) { abs(q[0]) } else { abs(q[1]) };
+    return scale_of(first, q[2], q[3]);
 }
 
 /* Return x 2^n, or the least double of its sign where that is zero but x is not. */
 pub(crate) fn scaled_rate(x: f64, n: i32) -> f64 {
     let y: f64 = scaled_by(x, n);
-    return if is_zero(y) && !is_zero(x) { copysign(5e-324, x) } else { y };
+    let least: f64 = if x < 0.0 { -5e-324 } else { 5e-324 };
+    return if is_zero(y) && !is_zero(x) { least } else { y };
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -1723,7 +1726,7 @@ pub(crate) fn broken_rule(inertia: &[f64; 3], c: &[Pair; 3], attitude0: &[f64; 4
     let no_attitude: bool = is_zero(attitude0[0]) && is_zero(attitude0[1]) && is_zero(attitude0[2]) && is_zero(attitude0[3]);
     let attitude: i32 = if no_attitude { ATTITUDE } else { OK };
     let thin: i32 = if thinnest < min_moment_ratio { THIN } else { attitude };
-    let nonphysical: i32 = if can_exist(c) { thin } else { NONPHYSICAL };
+    let nonphysical: i32 = if ALLOW_NONPHYSICAL || can_exist(c) { thin } else { NONPHYSICAL };
     return if smallest > 0.0 { nonphysical } else { INERTIA };
 }
 
@@ -1796,7 +1799,7 @@ pub(crate) fn discriminant_of(c: &[Pair; 3], apart: &[Pair; 3], omega: &[Pair; 3
     let over: Pair = discriminant_dd(c[a as usize], c[d as usize], c_ab, c_bd, rate_a, zero);
     let under: Pair = discriminant_dd(c[a as usize], c[d as usize], c_ab, c_bd, zero, rate_d);
     let mut E_b: Pair = dd_add_xx(over, under);
-    if !(abs(E_b.hi) > (over.hi - under.hi) / 1024.0) {
+    if !(abs(E_b.hi) > (over.hi - under.hi) / 1024.0) && !is_zero(over.hi) {
         E_b = exact_discriminant(c[a as usize].hi, c[b as usize].hi, c[d as usize].hi, rate_a.hi, rate_d.hi);
     }
     return scaled(E_b, 2 * scale);
@@ -2105,8 +2108,7 @@ pub(crate) fn motion_init(motion: &mut Motion, inertia: &[f64; 3], omega0: &[f64
     }
     let c_scale: i32 = scale_of(inertia[0], inertia[1], inertia[2]);
     let scale: i32 = scale_of(omega0[0], omega0[1], omega0[2]);
-    let first: f64 = if abs(attitude0[0]) >= abs(attitude0[1]) { abs(attitude0[0]) } else { abs(attitude0[1]) };
-    let q_scale: i32 = scale_of(first, attitude0[2], attitude0[3]);
+    let q_scale: i32 = scale_of_attitude(attitude0);
     let mut c: [Pair; 3] = [Pair::ZERO; 3];
     let mut apart: [Pair; 3] = [Pair::ZERO; 3];
     let mut omega: [Pair; 3] = [Pair::ZERO; 3];
@@ -2364,6 +2366,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "fe2115222dc4e166b61ef7eeb44427475459485933cc9f6607285e9d88b60c73";
+    return "9007f47a3efeddae65b2956fb13f197908c13bf4abb8cb1f13f4ac6eef724dfe";
 }
 
