@@ -1,9 +1,7 @@
-"""Checks of printed files: hand-written text, digests, and the map of derived lines."""
+"""Checks of printed files: their text, digests, and the map of derived lines."""
 
 import hashlib
 import re
-from dataclasses import dataclass
-from functools import cached_property
 
 from rigidsym._codegen import header
 from rigidsym._codegen.forms import split
@@ -32,50 +30,6 @@ def seal_text(generated: Generated, solution: Solution) -> int:
     _check_digests(generated)
     _check_places(generated)
     return decided
-
-
-@dataclass(frozen=True)
-class Between:
-    """Text between two hand-written parts of a file, with the number of its first line."""
-
-    file: str
-    line: int
-    text: str
-
-    @cached_property
-    def _lines(self) -> list[str]:
-        return self.text.split("\n")
-
-    def at(self, line: int) -> str:
-        """Return the line with a given number in the file."""
-        return self._lines[line - self.line]
-
-
-def between(file: str, text: str, module: str, first: str, last: str) -> Between:
-    """Return the generated text between the hand-written first and last part of a file.
-
-    module: the key of the module.  Placeholders for digest and measured errors in both parts are
-    filled as in the text.  Raises InputError, naming the line, where a part is not there word
-    for word.
-    """
-    digest = header.digest_in(file, text)
-    first, last = (header.filled(part, module, digest) for part in (first, last))
-    lines, head, tail = (x.split("\n") for x in (text, first.removesuffix("\n"), last))
-    for number, wanted in enumerate(head):
-        _check_by_hand(file, lines, number, wanted)
-    for back, wanted in enumerate(reversed(tail), 1):
-        _check_by_hand(file, lines, len(lines) - back, wanted)
-    if len(head) + len(tail) > len(lines):
-        raise InputError(file, f"{len(lines)} lines", "are too few for what is written by hand")
-    middle = lines[len(head) : len(lines) - len(tail)]
-    return Between(file, len(head) + 1, "".join(f"{line}\n" for line in middle))
-
-
-def _check_by_hand(file: str, lines: list[str], number: int, wanted: str) -> None:
-    line = lines[number] if 0 <= number < len(lines) else "the end of the file"
-    if line != wanted:
-        rule = f"is not the line written by hand, {wanted.strip() or 'an empty one'}"
-        raise InputError(f"{file}:{number + 1}", line.strip() or "an empty line", rule)
 
 
 def _check_digests(generated: Generated) -> None:
