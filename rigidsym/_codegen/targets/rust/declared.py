@@ -1,22 +1,47 @@
-"""Routines that say which names they declare: Rust has a word for it, and the language has none."""
+"""Routines that say which names they declare: Rust has a word for it, and the language has none.
+
+A name that is that of a number, too, gets another: Rust would compare with the number.
+"""
 
 import ast
 from collections.abc import Iterator, Sequence
 from copy import copy
 from dataclasses import replace
 
-from rigidsym._codegen.routines import Program, Scope, Type, declaration
+from rigidsym._codegen.routines import (
+    Program,
+    Routine,
+    Scope,
+    Type,
+    copied,
+    declaration,
+    parts,
+)
 
 LET = "let"
 
 
 def declared(program: Program) -> Program:
     """Mark results of calls that are new names, and declare those among others before."""
-    routines = {
-        name: replace(one, body=tuple(_block(one.body, Scope(one, program))))
-        for name, one in program.routines.items()
-    }
+    routines = {}
+    for name, one in program.routines.items():
+        own = _renamed(one, program)
+        routines[name] = replace(own, body=tuple(_block(own.body, Scope(own, program))))
     return replace(program, routines=routines)
+
+
+def _renamed(one: Routine, program: Program) -> Routine:
+    """Give the names of a routine that are those of numbers, too, an end of their own."""
+    stored = (x.id for x in parts(one.body) if isinstance(x, ast.Name) and type(x.ctx) is ast.Store)
+    taken = {*stored, *one.parameters} & program.numbers.keys()
+    if not taken:
+        return one
+    body = tuple(map(copied, one.body))
+    for node in parts(body):
+        if isinstance(node, ast.Name) and node.id in taken:
+            node.id += "_"
+    given = {f"{x}_" if x in taken else x: type_ for x, type_ in one.parameters.items()}
+    return replace(one, body=body, parameters=given)
 
 
 def _block(body: Sequence[ast.stmt], scope: Scope) -> list[ast.stmt]:

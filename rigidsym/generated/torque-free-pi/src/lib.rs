@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate rust-pi --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest cb6a01975a6729a9d256892841f73e3fa6e7e5895e311426ffab7d9efd48d32c
+digest 1e02336c0c5315d8878759cef4d65cca3f8fbf3f1202b5ea7bd80776e2de2e73
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate rust --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest 9007f47a3efeddae65b2956fb13f197908c13bf4abb8cb1f13f4ac6eef724dfe
+digest 18c9af762fb2b5fd1f34c1b876c7056ac875c4ec102925d5f6e384c8d4c5b7cc
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 
