@@ -210,7 +210,7 @@ table(
 # ## Does it detect faults?
 #
 # A validation that has never failed has not been tested. Therefore faults are put into the code: small
-# changes of the generated text, each wrong only in some motions or at some times, for instance a constant
+# changes of what it is printed from, each wrong only in some motions or at some times, for instance a constant
 # off by $10^{-12}$, a dropped last term of a series, a forgotten winding. Some are written by hand; others
 # are drawn from the derived lines, as one change in the tree of a formula.
 
@@ -223,7 +223,7 @@ faults = all_faults()
 kinds = Counter(fault.kind for fault in faults)
 print(f"{len(faults)} faults of {len(kinds)} kinds")
 fault = next(f for f in faults if f.line == "numpy: the last term of theta_1 dropped, circular")
-print(f"{fault.line}:\n    {fault.old}\n    {fault.new}")
+print(f"{fault.line}: {fault.place}\n    {fault.old}\n    {fault.new}")
 
 # %% [markdown]
 # That term is the smallest of its series: in most motions it is far below rounding. These strata detect
@@ -276,7 +276,7 @@ assert finding.share("numpy") <= 1
 assert finding.share("peer dop853") > 1e6
 assert beside.passed
 assert all(beside.share("peer dop853", name) > beside.share("numpy", name) for name in AMONG)
-assert {fault.target for fault in faults} == {
+assert {fault.target for fault in faults} >= {
     "numpy",
     "c",
     "numpy-pi",

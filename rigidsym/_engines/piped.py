@@ -26,6 +26,7 @@ import weakref
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from importlib import resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -45,6 +46,7 @@ if TYPE_CHECKING:
     from rigidsym._engines.exact_inputs import ExactInputs
 
 _MOTIONS, _EXACT, _STEPS = range(3)
+_INSTALLED = resources.files("rigidsym.generated")
 
 
 class Prepared(NamedTuple):
@@ -58,13 +60,15 @@ class Prepared(NamedTuple):
 class _Process:
     """Process that answers one question at a time; each process of Python has its own."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, home: Traversable) -> None:
         target, _ = split(name)
         try:
             cache = cache_directory()
         except CacheError:
             cache = Path(tempfile.gettempdir(), "rigidsym")
-        self._command = server(target)(name, resources.files("rigidsym.generated"), cache)
+        # What was changed on purpose is built beside its files, and goes with them.
+        cache = home if home != _INSTALLED and isinstance(home, Path) else cache
+        self._command = server(target)(name, home, cache)
         self._lock, self._owner = threading.Lock(), 0
         self._start()
 
@@ -118,8 +122,8 @@ class PipedEngine(Engine):
 
     __slots__ = ("_process",)
 
-    def __init__(self, name: str) -> None:
-        self._process = _Process(name)
+    def __init__(self, name: str, home: Traversable = _INSTALLED) -> None:
+        self._process = _Process(name, home)
 
     @property
     def has_sensitivities(self) -> bool:
@@ -222,8 +226,8 @@ class PipedStepper(Stepper):
 
     __slots__ = ("_process",)
 
-    def __init__(self, name: str) -> None:
-        self._process = _Process(name)
+    def __init__(self, name: str, home: Traversable = _INSTALLED) -> None:
+        self._process = _Process(name, home)
 
     def _ask(self, *given: np.ndarray) -> tuple[int, int, np.ndarray, np.ndarray]:
         count = len(given[1])

@@ -1,6 +1,5 @@
 """Faults written by hand, each for all targets that print its place."""
 
-import json
 import re
 import tomllib
 from collections.abc import Iterator
@@ -12,10 +11,9 @@ from rigidsym._codegen.functions.sensitivity import sensitivity
 from rigidsym._codegen.ir import Function
 from rigidsym._codegen.lines import texts_by_hand
 from rigidsym._codegen.routines import defined, files
-from rigidsym._codegen.targets.numpy import emit
 from rigidsym.solution import sealed
-from rigidsym.validate.faults._fault import FILES, KINDS, Fault
-from rigidsym.validate.faults._printed import functions_of
+from rigidsym.validate.faults._fault import KINDS, TARGETS, Fault
+from rigidsym.validate.faults._printed import functions_of, installed
 
 _TABLE = resources.files("rigidsym.validate.faults").joinpath("by_hand.toml").read_text("utf-8")
 # Between places of which a target has the first that it prints.
@@ -37,14 +35,13 @@ def by_hand() -> tuple[Fault, ...]:
                     found.append(
                         Fault(target, kind, name, place, old, new, tuple(options), in_sensitivities)
                     )
-    order = list(FILES)
-    return tuple(sorted(found, key=lambda fault: order.index(fault.target)))
+    return tuple(sorted(found, key=lambda fault: TARGETS.index(fault.target)))
 
 
 def _everywhere(places: list[str]) -> Iterator[tuple[str, str]]:
     """Yield the first target of each language that prints one of some places, and that place."""
     languages = set[str]()
-    for target in FILES:
+    for target in TARGETS:
         language, _ = split(target)
         own = next((place for place in places if _prints(target, place)), None)
         if language not in languages and own:
@@ -58,10 +55,12 @@ def _of_sensitivities() -> frozenset[str]:
     return frozenset(("sensitivity", *(x.name[1:] for x in sensitivity(sealed()))))
 
 
+@cache
 def derived(target: str) -> tuple[Function, ...]:
     """Return the derived functions that a target prints."""
-    language, form = split(target)
-    return emit.own(functions_of(form)) if language == "numpy" else functions_of(form)
+    text = "\n".join(installed(target).values())
+    heads = {*re.findall(r"\b_?(\w+?)(?:_dd)?\(", text)}
+    return tuple(one for one in functions_of(split(target)[1]) if one.name[1:] in heads)
 
 
 def _prints(target: str, place: str) -> bool:
@@ -80,9 +79,7 @@ def _prints(target: str, place: str) -> bool:
 @cache
 def _routines(target: str) -> frozenset[str]:
     """Return the names of routines of the runtime that an installed module has."""
-    home = resources.files("rigidsym.generated")
-    manifest = json.loads(home.joinpath(f"{target}.map.json").read_text("utf-8"))["manifest"]
-    text = "\n".join(home.joinpath(name).read_text("utf-8") for name in manifest["sha256"])
+    text = "\n".join(installed(target).values())
     for part in texts_by_hand(split(target)[0]):
         text = text.replace(part, "")
     heads = re.findall(r"^\w.*?\b(?:_|torque_free_(?:pi_|step_)?)?(\w+)\(", text, re.MULTILINE)

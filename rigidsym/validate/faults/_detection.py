@@ -19,6 +19,7 @@ from rigidsym._engines.build import FLAGS, compile_library, find
 from rigidsym._engines.c_engine import CEngine
 from rigidsym._engines.library import load
 from rigidsym._engines.numpy_engine import NumpyEngine
+from rigidsym._engines.piped import PipedEngine, PipedStepper
 from rigidsym._engines.steps import CStepper, NumpyStepper
 from rigidsym.validate import _sensitivities as sensitivities
 from rigidsym.validate._bounds import BOUNDS, bounds_of
@@ -26,18 +27,19 @@ from rigidsym.validate._implementations import Steps
 from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate._sensitivities import ColumnsReference
-from rigidsym.validate.faults._fault import FILES, Fault
+from rigidsym.validate.faults._fault import Fault
 from rigidsym.validate.faults._printed import faulty
+from rigidsym.validate.faults._pushed import PushedReference
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.strata import count, draw, stepped
 
 # Detections without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
-# The measure of faults in sensitivities.
-COLUMNS = "sensitivities"
-# Columns have so many numbers that few cases of a stratum are enough.
+# The measures of faults in sensitivities, and in motions under torques.
+COLUMNS, TORQUES = "sensitivities", "torques"
+# These have so many numbers that few cases of a stratum are enough.
 MOST_CASES = 4
-AnyReference = Reference | ColumnsReference
+AnyReference = Reference | ColumnsReference | PushedReference
 # Every faulty module is compiled for a second of use.  What decides the last digits stays.
 _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
@@ -56,10 +58,17 @@ def on_files(
     """
     language, form = split(target)
     if language == "numpy":
+        ((name, text),) = files.items()
         module: Any = ModuleType("torque_free")
-        exec(compile(files[FILES[target]], FILES[target], "exec"), module.__dict__)
+        exec(compile(text, name, "exec"), module.__dict__)
         return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+        if language != "c":
+            for name, text in files.items():
+                Path(work, name).write_text(text, "utf-8")
+            # The process has read the files when this returns.
+            home = Path(work)
+            return Steps(PipedStepper(target, home)) if form == STEP else PipedEngine(target, home)
         built = compile_library(find(), files, Path(work), (*_QUICK, *options))
         library: Any = load(built, files)
         return Steps(CStepper(library)) if form == STEP else CEngine(library)
@@ -83,12 +92,14 @@ def references(
     """Compute the true states or sensitivities of a stratum's cases.
 
     shown_in: "states" and "steps" have a `Reference` for each case, "sensitivities" a
-    `ColumnsReference`; see `Fault.shown_in`.
+    `ColumnsReference`, "torques" a `PushedReference`; see `Fault.shown_in`.
     """
-    most = min(cases, MOST_CASES) if shown_in == "sensitivities" else cases
+    most = min(cases, MOST_CASES) if shown_in in (COLUMNS, TORQUES) else cases
     samples = [draw(stratum, index, seed) for index in range(count(stratum, most))]
-    if shown_in == "sensitivities":
+    if shown_in == COLUMNS:
         return [ColumnsReference.of(sample, digits) for sample in samples]
+    if shown_in == TORQUES:
+        return [PushedReference.of(sample) for sample in samples]
     asked = map(stepped, samples) if shown_in == "steps" else samples
     return [enclose(sample, digits, with_condition=False) for sample in asked]
 
@@ -122,6 +133,8 @@ def broken(
                 # Only engines with sensitivities have faults there.
                 share = sensitivities.share(cast("Engine", engine), reference)
                 return (COLUMNS,) if share > 1 else ()
+            if isinstance(reference, PushedReference):
+                return (TORQUES,) if reference.is_missed(cast("Steps", engine)) else ()
             errors = measure(reference, engine, bounds)
     except Exception:
         # A fault may raise anything, and any error is a detection.

@@ -35,7 +35,7 @@ from rigidsym.language._expression import (
 from rigidsym.solution import sealed
 from rigidsym.validate._bounds import BOUND, ULP
 from rigidsym.validate.faults._by_hand import by_hand, derived
-from rigidsym.validate.faults._fault import FILES, Fault
+from rigidsym.validate.faults._fault import TARGETS, Fault
 from rigidsym.validate.faults._printed import functions_of, number_text
 
 # Calls whose value is replaced by a constant, and the kind of fault that makes.
@@ -94,7 +94,7 @@ def all_faults() -> tuple[Fault, ...]:
 
     Generating them takes a second or two.
     """
-    return (*by_hand(), *(fault for target in FILES for fault in drawn(target)))
+    return (*by_hand(), *(fault for target in TARGETS for fault in drawn(target)))
 
 
 @cache
@@ -103,9 +103,9 @@ def drawn(target: str) -> tuple[Fault, ...]:
 
     Up to EACH faults are taken of each kind, without those that are harmless.
     """
-    counts, chosen = Counter[tuple[str, bool]](), []
+    counts, chosen = Counter[tuple[str, str]](), []
     for fault in every(target):
-        kind = fault.kind, fault.in_sensitivities
+        kind = fault.kind, fault.shown_in
         counts[kind] += 1
         if counts[kind] <= EACH and fault.change not in HARMLESS:
             chosen.append(fault)

@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass
 
 from rigidsym._codegen.forms import STEP, split
+from rigidsym._engines import EVERY, STEPPERS
 
 KINDS = {
     "constant": "a constant off by one part in 1e12, or by its last digits",
@@ -25,17 +26,15 @@ KINDS = {
     "entry_points": "a wrong state by one entry point of several",
     "build": "a build by options that reorder or approximate, and that asks nothing of itself",
     "ulps": "an error of some units in the last place",
+    "torques": "a wrong torque, orbit, or order of drifts and kicks",
 }
-FILES = {
-    "numpy": "torque_free.py",
-    "c": "torque_free.c",
-    "numpy-pi": "torque_free_pi.py",
-    "c-pi": "torque_free_pi.c",
-    "numpy-step": "torque_free_step.py",
-    "c-step": "torque_free_step.c",
-}
+TARGETS = (*EVERY, *STEPPERS)
 # Text of a target that might not end: a fault must not make or change it.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
+# A loop of the runtime ends, unless a bound falls below zero or its step is zero.
+_ENDLESS = re.compile(r"range\([^)]*(-|, 0\))")
+# The file of the runtime, and the derived function, that only motions under torques show.
+_OF_TORQUES = ("kick", "step_kick")
 # A place in the representation: of a derived function and its assignment, of a file of the runtime
 # and a routine there, or a named number.
 _PLACE = re.compile(r"\w+(\.\w+)?")
@@ -69,7 +68,9 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """The kind of results that the fault changes: states, sensitivities or steps."""
+        """What shows the fault: states, sensitivities, steps or torques."""
+        if self.place.partition(".")[0] in _OF_TORQUES:
+            return "torques"
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 
@@ -79,11 +80,11 @@ class Fault:
         return not _PLACE.fullmatch(self.place)
 
     def __post_init__(self) -> None:
-        if self.target not in FILES or self.kind not in KINDS:
+        if self.target not in TARGETS or self.kind not in KINDS:
             raise ValueError(f"{self.line}: no such target or kind")
-        is_endless = self.is_of_text and (_LOOPS.search(self.old) or _LOOPS.search(self.new))
-        if self.old == self.new or is_endless:
-            raise ValueError(f"{self.line}: must change something, and no loop")
+        is_endless = _LOOPS.search(f"{self.old} {self.new}") if self.is_of_text else None
+        if self.old == self.new or is_endless or _ENDLESS.search(self.new):
+            raise ValueError(f"{self.line}: must change something, and make no endless loop")
 
     @property
     def line(self) -> str:
@@ -97,7 +98,7 @@ class Fault:
         """
         begin, end, where = 0, len(text), self.place
         if self.is_of_text:
-            begin = self._only(text, self.place, FILES[self.target])
+            begin = self._only(text, self.place, "the module")
             end = text.find("\n\n", begin) if "\n\n" in text[begin:] else end
             where = f"the paragraph of {self.place!r}"
         at = begin + self._only(text[begin:end], self.old, where)

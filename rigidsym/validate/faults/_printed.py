@@ -1,6 +1,7 @@
 """Files of modules that are printed after a fault was put into what they are printed from."""
 
 import ast
+import json
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
@@ -14,7 +15,7 @@ from rigidsym._codegen.lines import Module
 from rigidsym._codegen.targets import builder
 from rigidsym.language._expression import parse, to_text
 from rigidsym.solution import sealed
-from rigidsym.validate.faults._fault import FILES, Fault, StaleFaultError
+from rigidsym.validate.faults._fault import Fault, StaleFaultError
 
 
 @cache
@@ -26,7 +27,8 @@ def functions_of(form: str) -> tuple[Function, ...]:
 def installed(target: str) -> dict[str, str]:
     """Return the generated files of a target that are installed with the package, by name."""
     home = resources.files("rigidsym.generated")
-    return {name: home.joinpath(name).read_text("utf-8") for name in sound(target).files}
+    manifest = json.loads(home.joinpath(f"{target}.map.json").read_text("utf-8"))["manifest"]
+    return {name: home.joinpath(name).read_text("utf-8") for name in manifest["sha256"]}
 
 
 def faulty(fault: Fault) -> Mapping[str, str]:
@@ -59,8 +61,9 @@ def sound(target: str) -> Module:
 
 
 def _with_text(fault: Fault) -> dict[str, str]:
-    name, files = FILES[fault.target], installed(fault.target)
-    return files | {name: fault.applied(files[name])}
+    # Text is written by hand in modules of one file.
+    ((name, text),) = installed(fault.target).items()
+    return {name: fault.applied(text)}
 
 
 Changed = tuple[

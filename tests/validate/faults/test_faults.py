@@ -12,8 +12,10 @@ import pytest
 
 from rigidsym import InputError, generate
 from rigidsym._codegen.ir import Constant
+from rigidsym._engines import STEPPERS
 from rigidsym.language._expression import parse, to_text
 from rigidsym.validate._bounds import bounds_of
+from rigidsym.validate._implementations import missing
 from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import Reference
 from rigidsym.validate._sensitivities import share
@@ -29,11 +31,10 @@ from rigidsym.validate.faults._detection import (
     references,
 )
 from rigidsym.validate.faults._drawn import HARMLESS, changes, drawn, every, is_lost
-from rigidsym.validate.faults._fault import FILES
+from rigidsym.validate.faults._fault import TARGETS
 from rigidsym.validate.faults._printed import check, faulty, installed, sound
 from rigidsym.validate.strata import STRATA
 
-TARGETS = tuple(FILES)
 FAULTS = all_faults()
 DIGITS, SEED = 30, 1
 # Enough of the strata to notice every fault; a report takes them all.
@@ -61,6 +62,7 @@ CHOSEN = {
     "states": STRATA_CHOSEN,
     "sensitivities": dict.fromkeys(COLUMNS_CHOSEN, 3),
     "steps": STEPS_CHOSEN,
+    "torques": {"uniform": 1},
 }
 
 
@@ -76,17 +78,33 @@ def chosen():
     return enclosed
 
 
-# The first fault of every kind for each target, of those by hand and of those that are drawn; of
-# those in sensitivities NumPy's, which are not compiled; of those in steps the one that was there.
+# The first fault of every kind for each target, of those by hand and of those that are drawn, but
+# few of targets that share most; of those in sensitivities NumPy's, which are not compiled.
 SHOWN = {
     ("numpy", "sensitivities"),
-    *((target, "states") for target in TARGETS if target != "c-pi"),
+    *((target, "states") for target in ("numpy", "c", "numpy-pi")),
 }
-QUICK = [f for f in FAULTS if (f.target, f.shown_in) in SHOWN]
+BY_HAND_SHOWN = {("javascript", "states"), ("c-step", "torques")}
+QUICK = [
+    f
+    for f in FAULTS
+    if (f.target, f.shown_in) in SHOWN or ((f.target, f.shown_in) in BY_HAND_SHOWN and not f.change)
+]
 SAMPLE = [
-    *{(f in by_hand(), f.target, f.kind, f.shown_in): f for f in reversed(QUICK)}.values(),
+    *{(bool(f.change), f.target, f.kind, f.shown_in): f for f in reversed(QUICK)}.values(),
     *(f for f in by_hand() if (f.target, f.kind) == ("c-step", "scale")),
 ]
+
+
+@pytest.fixture(autouse=True)
+def can_run(request):
+    """Skip a test of a target that this machine cannot run."""
+    given = getattr(request.node, "callspec", None)
+    target = given and (
+        given.params.get("target") or getattr(given.params.get("fault"), "target", 0)
+    )
+    if target and (reason := missing([target])[target]):
+        pytest.skip(reason)
 
 
 def test_there_are_many_faults_of_every_kind():
@@ -124,17 +142,16 @@ def test_a_fault_is_noticed(fault, chosen):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_a_fault_drawn_changes_no_line_but_that_of_its_let(target):
-    text = without_digest(sound(target).files[FILES[target]])
+def test_a_fault_drawn_changes_few_lines(target):
+    text = without_digest(sound(target).files)
     for fault in (*drawn(target)[::12], *every(target)[:: len(every(target)) // 4]):
-        changed = without_digest(faulty(fault)[FILES[target]])
-        # Beside it there may be the load of a number that is not used any more; a number may stand
-        # in the arithmetic that forms of C share.
-        assert len({*text} ^ {*changed}) <= 4
+        changed = without_digest(faulty(fault))
+        # Beside the line of the let: where a number was handed on that is not used any more.
+        assert len({*text} ^ {*changed}) <= 10
 
 
-def without_digest(text):
-    return re.sub("[0-9a-f]{64}", "", text).splitlines()
+def without_digest(files):
+    return re.sub("[0-9a-f]{64}", "", "\n".join(files.values())).splitlines()
 
 
 def test_no_fault_is_stale():
@@ -153,10 +170,10 @@ def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
         of = [f for f in every(target) if f.change not in HARMLESS]
         kinds = {(fault.kind, fault.in_sensitivities) for fault in of}
         assert {(fault.kind, fault.in_sensitivities) for fault in drawn(target)} == kinds
-        least = {"pi": 30, "step": 12}
-        assert len(drawn(target)) >= least.get(target.partition("-")[2], 60)
+        has_columns = target in ("numpy", "c")
+        assert len(drawn(target)) >= (12 if target in STEPPERS else 60 if has_columns else 30)
         found = sum(fault.in_sensitivities for fault in drawn(target))
-        assert (found >= 25) == ("-" not in target)
+        assert (found >= 25) == has_columns
     known = {fault.change for target in TARGETS for fault in every(target)}
     assert HARMLESS.keys() <= known
     assert not {fault.change for fault in FAULTS} & HARMLESS.keys()
@@ -240,7 +257,7 @@ FAULT = Fault("numpy", "constant", "a third is a half", "over_3", "0.33333333333
         ({"place": "rungs.K0"}, "rungs.K0 is not assigned"),
         ({"place": "ladder.K0"}, "'0.3333333333333333' is 0 times in ladder.K0, not once"),
         ({"place": "motion.start"}, "motion.start is no routine"),
-        ({"place": "def nothing("}, "'def nothing(' is 0 times in torque_free.py, not once"),
+        ({"place": "def nothing("}, "'def nothing(' is 0 times in the module, not once"),
         (
             {"place": "def _begin("},
             "'0.3333333333333333' is 0 times in the paragraph of 'def _begin(', not once",
