@@ -21,6 +21,7 @@ from rigidsym._engines.library import load
 from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym._engines.piped import PipedEngine, PipedStepper
 from rigidsym._engines.steps import CStepper, NumpyStepper
+from rigidsym.io._files import write_all
 from rigidsym.validate import _sensitivities as sensitivities
 from rigidsym.validate._bounds import BOUNDS, bounds_of
 from rigidsym.validate._implementations import Steps
@@ -64,10 +65,9 @@ def on_files(
         return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
         if language != "c":
-            for name, text in files.items():
-                Path(work, name).write_text(text, "utf-8")
             # The process has read the files when this returns.
             home = Path(work)
+            write_all(home, files)
             return Steps(PipedStepper(target, home)) if form == STEP else PipedEngine(target, home)
         built = compile_library(find(), files, Path(work), (*_QUICK, *options))
         library: Any = load(built, files)

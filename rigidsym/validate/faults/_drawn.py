@@ -40,8 +40,10 @@ from rigidsym.validate.faults._printed import functions_of, number_text
 
 # Calls whose value is replaced by a constant, and the kind of fault that makes.
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
-# How many faults of each kind are drawn for a target.
-EACH = 5
+# How many faults of each kind are drawn for a target: fewer for those that share a program of
+# scalars, whose modules some compilers take long for.
+EACH = {"numpy": 5, "c": 5}
+FEW = 1
 # Parts of expressions are shortened to this length where faults are named by them.
 _SHOWN = 50
 _TABLE = resources.files("rigidsym.validate.faults").joinpath("harmless.toml").read_text("utf-8")
@@ -101,13 +103,14 @@ def all_faults() -> tuple[Fault, ...]:
 def drawn(target: str) -> tuple[Fault, ...]:
     """Return a sample of the generated faults of a target.
 
-    Up to EACH faults are taken of each kind, without those that are harmless.
+    Some faults are taken of each kind, without those that are harmless.
     """
+    most = EACH.get(split(target)[0], FEW)
     counts, chosen = Counter[tuple[str, str]](), []
     for fault in every(target):
         kind = fault.kind, fault.shown_in
-        counts[kind] += 1
-        if counts[kind] <= EACH and fault.change not in HARMLESS:
+        counts[kind] += fault.change not in HARMLESS or most > FEW
+        if counts[kind] <= most and fault.change not in HARMLESS:
             chosen.append(fault)
     return tuple(chosen)
 
