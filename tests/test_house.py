@@ -51,6 +51,7 @@ ALLOWED = {
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
     "rigidsym.validate.torques": "errors quaternions splitting validate",
+    "rigidsym.validate.faults": f"{NUMBERS} codegen engines generated io splitting validate view",
     "rigidsym.splitting": "engines errors generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",
