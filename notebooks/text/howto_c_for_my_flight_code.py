@@ -107,7 +107,7 @@ else:
 # * The file's head states the domain, the bounds of every series and the worst errors measured.
 # * `rigidsym validate c` measures it again on your machine, with your compiler (`CC=…`).
 # * `rigidsym codegen c --single-file -o src/attitude --check` in your CI exits 1 if the files were edited.
-# * `rigidsym trace torque_free.c:900` shows a reviewer the equations and facts of a line.
+# * `rigidsym trace torque_free.c:800` shows a reviewer the equations and facts of a line.
 
 # %% tags=["hide-cell"]
 assert {"torque_free.h", "torque_free.c", "c.map.json"} == {path.name for path in written}

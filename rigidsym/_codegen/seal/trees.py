@@ -63,7 +63,7 @@ def _outside(
     inside = {
         number
         for _, body in bodies
-        for number in range(body.start_point.row + 2, body.end_point.row + 2)
+        for number in range(body.start_point.row + 2, body.end_point.row + 1)
     }
     lines = enumerate(text.split("\n"), 1)
     yield from ((number, line) for number, line in lines if number not in inside)

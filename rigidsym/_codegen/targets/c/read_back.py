@@ -62,20 +62,34 @@ def compared(
     """
     routines, decided = printer.program.routines, 0
     names = {printer.function_name(one): one for one in routines}
+    seen: set[str] = set()
+    numbers: set[str] = set()
     for file, (plain, expected) in texts.items():
-        root = reader.parsed(plain)
-        found = dict(reader.functions(file, root))
-        check_numbers(file, reader.numbers(root), printer.program, constants)
+        root, wanted = map(reader.parsed, (plain, expected))
+        found = {name: node for name, node in reader.functions(file, root) if name in names}
+        notes = {name: reader.comments(node) for name, node in reader.functions(file, wanted)}
+        read = reader.numbers(root)
+        check_numbers(file, read, printer.program, constants)
+        numbers |= read.keys()
         check_structs(file, reader.structs(root), printer)
-        outside = (reader.without_bodies(file, x) for x in (plain, expected))
-        check_outside(file, *outside)
+        check_outside(
+            file,
+            *(reader.without_bodies(file, text, names.keys()) for text in (plain, expected)),
+        )
         for name, node in found.items():
-            body = node.child_by_field_name("body")
-            if name in names and body is not None:
-                one = routines[names[name]]
-                check_head(file, one, *reader.head(node))
-                read = reader.Reader(file, one, printer).block(body)
-                decided += Body(file, plain.split("\n"), one).check(read, one.body)
+            one = routines[names[name]]
+            check_head(file, one, *reader.head(node))
+            if reader.comments(node) != notes.get(name):
+                raise InputError(file, name, "has other comments")
+            body = Body(file, plain.split("\n"), one)
+            decided += body.check(reader.Reader(file, one, printer).statements(node), one.body)
+        seen |= found.keys()
+    for what, missing in (
+        ("functions", names.keys() - seen),
+        ("numbers", printer.program.numbers.keys() - numbers),
+    ):
+        if missing:
+            raise InputError(what, ", ".join(sorted(missing)), "are not there")
     for function in functions:
         check_function(function, [one for one in routines.values() if one.prints(function)])
     return decided
@@ -99,14 +113,21 @@ def check_numbers(
     Those of the derivation are compared with the derivation's own.
     """
     known = {constant.name: constant for constant in constants}
+    codes = {
+        of.names.get(x.name, x.name): _initial(x.value)
+        for one in of.enumerations.values()
+        for x in one.numbers
+    }
     for name, value in read.items():
         if name in known:
             hi, lo = known[name].hi, known[name].lo
             wanted = repr(hi) if lo is None else f"{{{hi!r}, {lo!r}}}"
         elif name in of.numbers:
             wanted = _initial(of.numbers[name].value)
+        elif name in codes:
+            wanted = codes[name]
         else:
-            continue
+            raise InputError(file, name, "is no number of this module")
         if value != wanted:
             raise InputError(file, f"{name} = {value[:80]}", f"is not {wanted[:80]}")
 
@@ -116,6 +137,8 @@ def _initial(node: ast.expr) -> str:
     match node:
         case ast.List(elts=parts) | ast.Call(func=ast.Name(id="pair"), args=parts):
             return f"{{{', '.join(map(_initial, parts))}}}"
+        case ast.IfExp(test=test, body=one, orelse=other):
+            return f"{ast.unparse(test)} ? {_initial(one)} : {_initial(other)}"
         case ast.Constant(value=str(text)):
             return '"' + text.replace('"', '\\"') + '"'
     return ast.unparse(node)
@@ -132,7 +155,9 @@ def check_structs(
             for x in known[name].fields
             if x.type.name in (*NUMBERS, "pair") and x.type.shape != ("...",)
         ]
-        members = [one for one in read[name] if one in wanted]
+        kinds = {kind for kind, _ in wanted}
+        pointers = {x.name for x in known[name].fields if x.type.shape == ("...",)}
+        members = [x for x in read[name] if x[0] in kinds and x[1].strip("*") not in pointers]
         if members != wanted:
             raise InputError(file, name, "has other members, or in another order")
 

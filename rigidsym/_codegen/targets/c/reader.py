@@ -5,7 +5,7 @@ what is not in it is refused.
 """
 
 import ast
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from functools import cache
 
 import tree_sitter
@@ -52,14 +52,24 @@ def functions(file: str, root: Node) -> Iterator[tuple[str, Node]]:
             yield _text(declarator), node
 
 
-def without_bodies(file: str, text: str) -> list[tuple[int, str]]:
-    """Return the lines of a C text outside the bodies of functions, with their numbers."""
+def without_bodies(file: str, text: str, names: Collection[str]) -> list[tuple[int, str]]:
+    """Return the lines of a C text outside the bodies of some functions, with their numbers.
+
+    The lines with the brackets of a body are outside.
+    """
     lines = dict(enumerate(text.split("\n"), 1))
-    for _, node in functions(file, parsed(text)):
-        if (body := node.child_by_field_name("body")) is not None:
-            for number in range(body.start_point.row + 1, body.end_point.row + 2):
+    for name, node in functions(file, parsed(text)):
+        body = node.child_by_field_name("body")
+        if name in names and body is not None:
+            for number in range(body.start_point.row + 2, body.end_point.row + 1):
                 del lines[number]
     return list(lines.items())
+
+
+def comments(node: Node) -> list[str]:
+    """Return the comments within a node, in their order."""
+    own = [_text(node)] if node.type == "comment" else []
+    return [*own, *(text for child in node.children for text in comments(child))]
 
 
 def numbers(root: Node) -> dict[str, str]:
@@ -68,8 +78,14 @@ def numbers(root: Node) -> dict[str, str]:
     for node in _all(root, "declaration"):
         for place in node.children_by_field_name("declarator"):
             if place.type == "init_declarator":
-                name = _text(_child(place, "declarator")).strip("* const").partition("[")[0]
-                found[name] = " ".join(_text(_child(place, "value")).split())
+                name = _child(place, "declarator")
+                while name.type != "identifier":
+                    name = next(x for x in name.named_children if x.type != "type_qualifier")
+                found[_text(name)] = " ".join(_text(_child(place, "value")).split())
+    for node in _all(root, "enum_specifier"):
+        for place in _child(node, "body").named_children:
+            if place.type == "enumerator" and (value := place.child_by_field_name("value")):
+                found[_text(_child(place, "name"))] = " ".join(_text(value).split())
     return found
 
 
@@ -125,6 +141,9 @@ class Reader:
         self.file, self.scope, self.printer = file, Scope(one, printer.program), printer
         self.names = {printed: name for name, printed in printer.names.items()}
         self.functions = {printer.function_name(name): name for name in printer.program.routines}
+        self.pointers = {
+            name for name, x in one.parameters.items() if x.is_struct or x.is_result or x.shape
+        }
         self.kinds = {printer.type_name(name): name for name in printer.program.structs} | _KINDS
         self._statements: dict[str, Callable[[Node], ast.stmt]] = {
             "declaration": self._declaration,
@@ -161,6 +180,19 @@ class Reader:
 
     # --- statements
 
+    def statements(self, function: Node) -> list[ast.stmt]:
+        """Read the statements of a function.
+
+        Raises InputError for what no routine has.
+        """
+        try:
+            return self.block(_child(function, "body"))
+        except (KeyError, IndexError, ValueError) as error:
+            if isinstance(error, InputError):
+                raise
+            place = f"{self.file}:{function.start_point.row + 1}"
+            raise InputError(place, _text(function)[:60], f"is not read: {error}") from None
+
     def block(self, node: Node) -> list[ast.stmt]:
         """Read the statements of a block; each knows its line."""
         found: list[ast.stmt] = []
@@ -185,7 +217,8 @@ class Reader:
     def _declaration(self, node: Node) -> ast.stmt:
         kind = self.kinds.get(_text(node.child_by_field_name("type")), "")
         declarators = node.children_by_field_name("declarator")
-        if len(declarators) != 1 or not kind:
+        others = [x for x in node.named_children if x not in declarators][:-1]
+        if len(declarators) != 1 or not kind or any(_text(x) != "const" for x in others):
             raise self._refuse(node)
         place, value = declarators[0], None
         if place.type == "init_declarator":
@@ -211,6 +244,8 @@ class Reader:
         if inner.type == "assignment_expression":
             place, value = _child(inner, "left"), _child(inner, "right")
             target = self.read(place)
+            if place.type == "identifier" and _text(place) in self.pointers:
+                raise self._refuse(place)
             symbol = _text(inner.child_by_field_name("operator"))
             if symbol == "=":
                 return ast.Assign([target], self.read(value), lineno=1)
@@ -273,7 +308,8 @@ class Reader:
         if not (isinstance(start, ast.Constant) and start.value == 0):
             given = [start, end]
         if step.type == "assignment_expression":
-            if _text(step.child_by_field_name("operator")) != "+=":
+            own = _text(step.child_by_field_name("left"))
+            if _text(step.child_by_field_name("operator")) != "+=" or own != name:
                 raise self._refuse(step)
             given = [start, end, self.read(_child(step, "right"))]
         elif _text(step) != f"{name}++":
@@ -297,6 +333,8 @@ class Reader:
 
     def _name(self, node: Node) -> ast.expr:
         text = _text(node)
+        if self.printer.names.get(text, text) != text:
+            raise self._refuse(node)
         return ast.Name(self.names.get(text, text), ast.Load())
 
     def _number(self, node: Node) -> ast.expr:
@@ -357,7 +395,7 @@ class Reader:
 
     def _cast(self, node: Node) -> ast.expr:
         kind, value = _text(_child(node, "type")), _child(node, "value")
-        if _text(value) == "NAN":
+        if (kind, _text(value)) == ("double", "NAN"):
             return ast.Name("nan", ast.Load())
         if kind not in _CAST:
             raise self._refuse(node)
@@ -372,6 +410,8 @@ class Reader:
         read = [self.read(one) for one in given]
         if function.type != "identifier":
             return ast.Call(self.read(function), read, [])
+        if CALLS.get(name, name) != name:
+            raise self._refuse(function)
         return _call(self.functions.get(name) or _CALLED.get(name, name), *read)
 
     def _sizeof(self, node: Node) -> ast.expr:
