@@ -79,10 +79,10 @@ def compared(
         for name, node in found.items():
             one = routines[names[name]]
             check_head(file, one, *reader.head(node))
-            if reader.comments(node) != notes.get(name):
-                raise InputError(file, name, "has other comments")
             body = Body(file, plain.split("\n"), one)
             decided += body.check(reader.Reader(file, one, printer).statements(node), one.body)
+            if reader.comments(node) != notes.get(name):
+                raise InputError(file, name, "has other comments")
         seen |= found.keys()
     for what, missing in (
         ("functions", names.keys() - seen),
