@@ -17,7 +17,7 @@ _MAX_ANGLE = 0.99 * 2.0 ** _LIMITS["max_angle"]
 _DIGITS = BINARY32.digits
 # Exponents that stay as they are, and by what the others are divided.
 _NEAR, _FAR = 40, 17
-_SHARE = 22
+_SHARE = 64
 
 
 def in_singles(sample: Sample, time_digits: int = 2 * _DIGITS) -> Sample:
