@@ -286,7 +286,7 @@ REFUSED = [
      "degrees = True: is about omega0, which is not given$"),
     (lambda _: TorqueFreeMotion(BODY, RATES, engine="fortran"),
      "engine = 'fortran': must be one of: numpy, c"),
-    (lambda _: propagate(BODY, RATES, 1.0, engine="rust"), "engine = 'rust': must be one of"),
+    (lambda _: propagate(BODY, RATES, 1.0, engine="fortran"), "engine = 'fortran': must be one of"),
     (lambda _: generate(["c"]), r"target = \['c'\]: must be one of: numpy, c"),
 ]  # fmt: skip
 

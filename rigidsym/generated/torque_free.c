@@ -2853,8 +2853,8 @@ static int scale_of_attitude(const double q[4])
 static double scaled_rate(double x, int n)
 {
     const double y = scaled_by(x, n);
-    const double least = x < 0.0 ? -5e-324 : 5e-324;
-    return is_zero(y) && !is_zero(x) ? least : y;
+    const double smallest = x < 0.0 ? -5e-324 : 5e-324;
+    return is_zero(y) && !is_zero(x) ? smallest : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -4518,6 +4518,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "3c18d752d0e65244f609508f4ff161c55bceccf6dfeafbbd46ec9769f754dd2f";
+    return "c988c90e12f1b299b6391121e5083d29a3565f23d52330cc7d70448e6e3f784a";
 }
 

@@ -1720,8 +1720,8 @@ static int scale_of_attitude(const double q[4])
 static double scaled_rate(double x, int n)
 {
     const double y = scaled_by(x, n);
-    const double least = x < 0.0 ? -5e-324 : 5e-324;
-    return is_zero(y) && !is_zero(x) ? least : y;
+    const double smallest = x < 0.0 ? -5e-324 : 5e-324;
+    return is_zero(y) && !is_zero(x) ? smallest : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -2974,6 +2974,6 @@ const char *torque_free_pi_rule(int code)
 
 const char *torque_free_pi_digest(void)
 {
-    return "e45b9174178c9abd2dc86ae48d8e6f5c0c9c4acb27d3c49d0a4fd47dd1549a7c";
+    return "0530d3625df69949efb0b2aedbaff2b49f71fc4a0bb466e2d859bcbf472fbb8c";
 }
 

@@ -1454,8 +1454,8 @@ static int scale_of_attitude(const float q[4])
 static float scaled_rate(float x, int n)
 {
     const float y = scaled_by(x, n);
-    const float least = x < 0.0f ? -1.401298464324817e-45f : 1.401298464324817e-45f;
-    return is_zero(y) && !is_zero(x) ? least : y;
+    const float smallest = x < 0.0f ? -1.401298464324817e-45f : 1.401298464324817e-45f;
+    return is_zero(y) && !is_zero(x) ? smallest : y;
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -2057,6 +2057,6 @@ float torque_free_single_last_time(const torque_free_single_motion *motion)
 
 const char *torque_free_single_digest(void)
 {
-    return "98b080d08699a77191a46d23c493607a5061d2d966ab28fa6a776aa2c62f0f62";
+    return "80634a38ea20a4dd49dc67099181c0ad257370e9ab1ce1eae63c577846d33ede";
 }
 

@@ -47,7 +47,7 @@ rotation angle in rad, |domega|/|omega|
   symmetric              3.4e-07  1.0e-07
   near prolate           3.2e-07  1.0e-07
   near oblate            3.6e-07  9.1e-08
-  nearest symmetric      3.8e-07  9.4e-08
+  nearest symmetric      3.9e-07  9.4e-08
   sphere                 3.4e-07  4.8e-08
   near sphere            3.3e-07  9.7e-08
   nearest sphere         3.0e-07  4.2e-08

@@ -18,7 +18,7 @@ from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.manoeuvre._planning import solve
 
 KINDS = {
-    *("sh", "python", "toml", "toml manoeuvre", "c", "c single", "js", "text"),
+    *("sh", "python", "toml", "toml manoeuvre", "c", "c single", "js", "rust", "text"),
     *("python no-run", "c no-run"),
 }
 # What a programme of one's own is compiled with: as the engine is, but for any machine.

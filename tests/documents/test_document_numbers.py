@@ -85,7 +85,7 @@ def test_the_table_of_the_readme():
     shares = [line.split()[0] for line in told("torque_free.py")[1:]]
     assert numbers(table["`rigidsym trace torque_free.py`"]) == shares
     errors = [max(column) for column in zip(*worst().values(), strict=True)]
-    row = table["`rigidsym validate numpy c --cases 100`"]
+    row = table["`rigidsym validate numpy c --cases 200`"]
     assert [float(number) for number in numbers(row)] == errors
     assert f"{len(STRATA)} strata" in row[0]
     assert numbers(table["`rigidsym validate --faults`"]) == [str(len(FAULTS))]

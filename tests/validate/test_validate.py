@@ -113,7 +113,7 @@ def test_what_tested_nothing_and_oracles_that_disagree_fail(report, key, worst, 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"targets": ["rust"]}, "target = rust: must be one of: numpy, c"),
+        ({"targets": ["fortran"]}, "target = fortran: must be one of: numpy, c"),
         ({"peers": ["nobody"]}, "peer = nobody: must be one of: heyoka"),
         ({"strata": ["moon"]}, "stratum = moon: must be one of: 'paper'"),
         ({"digits": 5}, "digits = 5: must be at least 20 and at most 1000"),

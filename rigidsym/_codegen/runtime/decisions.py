@@ -41,8 +41,8 @@ def scale_of_attitude(q: double[4]) -> int:
 def scaled_rate(x: double, n: int) -> double:
     """Return x 2^n, or the least double of its sign where that is zero but x is not."""
     y: double = scaled_by(x, n)
-    least: double = -LEAST if x < 0.0 else LEAST
-    return least if is_zero(y) and not is_zero(x) else y
+    smallest: double = -LEAST if x < 0.0 else LEAST
+    return smallest if is_zero(y) and not is_zero(x) else y
 
 
 def broken_rule(inertia: double[3], c: pair[3], attitude0: double[4]) -> int:

@@ -91,7 +91,7 @@ def single(text: str) -> str:
     >>> single("const double x = fabs(y) * 0.5; /* the double cover, in doubles */")
     'const float x = fabsf(y) * 0.5f; /* the double cover, in floats */'
     """
-    return _replaced(text, _SAID, _WORDS, _NUMBER, lambda number: f"{number}f")
+    return _replaced(text, _SAID, _WORDS, rf"{_NUMBER}(?!\w)", lambda number: f"{number}f")
 
 
 def doubled(text: str) -> str:

@@ -1764,8 +1764,8 @@ pub(crate) fn scale_of_attitude(q: &[f64; 4]) -> i32 {
 /* Return x 2^n, or the least double of its sign where that is zero but x is not. */
 pub(crate) fn scaled_rate(x: f64, n: i32) -> f64 {
     let y: f64 = scaled_by(x, n);
-    let least_: f64 = if x < 0.0 { -5e-324 } else { 5e-324 };
-    return if is_zero(y) && !is_zero(x) { least_ } else { y };
+    let smallest: f64 = if x < 0.0 { -5e-324 } else { 5e-324 };
+    return if is_zero(y) && !is_zero(x) { smallest } else { y };
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -2406,6 +2406,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "1e02336c0c5315d8878759cef4d65cca3f8fbf3f1202b5ea7bd80776e2de2e73";
+    return "a258ea8bdf86e1f9e959502de8b16e95ced97a384dc06ab6a0682bed115743cb";
 }
 

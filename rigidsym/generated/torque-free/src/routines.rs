@@ -1712,8 +1712,8 @@ pub(crate) fn scale_of_attitude(q: &[f64; 4]) -> i32 {
 /* Return x 2^n, or the least double of its sign where that is zero but x is not. */
 pub(crate) fn scaled_rate(x: f64, n: i32) -> f64 {
     let y: f64 = scaled_by(x, n);
-    let least_: f64 = if x < 0.0 { -5e-324 } else { 5e-324 };
-    return if is_zero(y) && !is_zero(x) { least_ } else { y };
+    let smallest: f64 = if x < 0.0 { -5e-324 } else { 5e-324 };
+    return if is_zero(y) && !is_zero(x) { smallest } else { y };
 }
 
 /* Return the code of the first rule that finite numbers of a body break, or OK. c: the moments in
@@ -2366,6 +2366,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "18c9af762fb2b5fd1f34c1b876c7056ac875c4ec102925d5f6e384c8d4c5b7cc";
+    return "09391499af4244cb3bd9b9d1412e74fd195e2de107ac913f0bd812bf82dac64e";
 }
 
