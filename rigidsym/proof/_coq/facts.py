@@ -174,10 +174,10 @@ class Printer:
             f"  {chapter.record(other, values)}.",
             f"Definition more_{name} (X : names) (t : R) : list R := {listed(more)}.",
             lambda: known(f"_{name}", theory, "theory", claim, f"known X H (more_{name} X)"),
-            claims_list(f"claims_{name}", rows),
+            claims_list(f"fields_{name}", rows),
             f"Lemma all_{name} {who} (t : R) :",
             f"  {_all(said)}.",
-            computed(f"decided _ theory_{name} (known_{name} X H{passed}) claims_{name} t _"),
+            computed(f"decided _ theory_{name} (known_{name} X H{passed}) fields_{name} t _"),
             f"Theorem models_{name} {who}{time} : {name}.holds ({here}).",
             f"Proof. exact ({suppose.replace('ALL', f'all_{name} X H{passed}')}). Qed.",
         )

@@ -22,7 +22,18 @@ sound conj proj1 proj2 eq_refl I or_introl or_intror exactly_one splits value st
 all_state claim expr list nil cons app step bool true false
 """
 RESERVED = frozenset(_WORDS.split())
-PREFIXES = ("fact_", "as_", "models_", "claims_", "steps_", "theory_", "runs_", "more_", "known_")
+PREFIXES = (
+    "fact_",
+    "as_",
+    "models_",
+    "claims_",
+    "fields_",
+    "steps_",
+    "theory_",
+    "runs_",
+    "more_",
+    "known_",
+)
 _OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)}
 
 

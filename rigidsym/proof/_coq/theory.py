@@ -10,7 +10,7 @@ from copy import copy
 from sympy.polys.rings import PolyElement
 
 from rigidsym.proof._coq.text import data, derivatives, divisors, listed, names_in, rational, terms
-from rigidsym.proof.algebra._normal_form import quotients
+from rigidsym.proof.algebra._normal_form import divide, quotients
 from rigidsym.proof.kernel import Context, Element, Ring
 from rigidsym.proof.kernel._language import Tree, parse
 
@@ -230,7 +230,11 @@ class Theory:
         """Divide a polynomial by all premises and relations.
 
         Returns the cofactors of the relations, then those of the premises, and the remainder.
+        The division uses premises only if the relations alone leave a remainder.
         """
+        cofactors, remainder = divide(self.ring, polynomial)
+        if not remainder or not self.extra:
+            return cofactors, remainder
         cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder

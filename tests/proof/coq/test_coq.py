@@ -4,6 +4,7 @@ import json
 import re
 import shutil
 import subprocess
+from collections import Counter
 from dataclasses import replace
 from importlib import resources
 from pathlib import Path
@@ -13,7 +14,8 @@ from document_texts import words
 from ledgers import prove, unchecked, written
 
 from rigidsym._cli import main
-from rigidsym.io.ledger import ledger_text
+from rigidsym.io.ledger import ledger_text, specification_text
+from rigidsym.language._specification import Unproved, require
 from rigidsym.proof._coq import export
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.kernel import Context, Fact, Grade, Ledger, replay
@@ -223,6 +225,50 @@ def test_coq_refuses_what_is_false(exported, stated, claimed):
     false = false.replace(*claimed) if claimed[0] else false
     (exported / "contexts" / "false.v").write_text(false)
     assert coqc(exported, "contexts/false.v") == "contexts/false.v"
+
+
+# The whole ledger.
+
+
+@pytest.fixture(scope="module")
+def everything(sealed_ledger):
+    """Return the export of the sealed ledger."""
+    return export(sealed_ledger)
+
+
+def without(facts, dropped):
+    """Return facts without the dropped ones and those that rest on them."""
+    kept, dropped = [], {*dropped}
+    for fact in facts:
+        if fact["id"] in dropped or dropped & {*fact["premises"]}:
+            dropped.add(fact["id"])
+        else:
+            kept.append(fact)
+    return kept
+
+
+def test_coq_has_all_that_the_specification_requires(everything):
+    data = json.loads(ledger_text())
+    data["facts"] = without(data["facts"], everything.left_out)
+    require(specification_text(), data)
+
+
+def test_a_fact_that_coq_lacks_is_noticed():
+    data = json.loads(ledger_text())
+    data["facts"] = without(data["facts"], ["halves.models_second_half"])
+    with pytest.raises(Unproved, match="theorem halves"):
+        require(specification_text(), data)
+
+
+def test_only_points_of_motions_are_left_out(everything):
+    assert {*everything.left_out.values()} == {"a point of a context that moves is no motion"}
+
+
+def test_no_file_defines_a_name_twice(everything):
+    for file, text in everything.files.items():
+        pattern = r"^ *(?:Definition|Lemma|Theorem|Record) (\w+)"
+        names = Counter(re.findall(pattern, text, re.MULTILINE))
+        assert [name for name, count in names.items() if count > 1] == [], file
 
 
 # Theorems in plain words.
