@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterable
+from functools import cache
 from typing import Any
 
 import pytest
@@ -12,12 +13,34 @@ from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.checker._records import Claim, Hypotheses, fill
 from rigidsym.proof.checker._specification import Catalogue
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, replay
+from rigidsym.proof.mutants import Edit, Forger, sign, turn
 
 # The sealed ledger.  Tests leave these as they are; for changes they take `json.loads(TEXT)`.
 TEXT = ledger_text()
 LEDGER = json.loads(TEXT)
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
+
+
+def defined(context: str, *names: str) -> list[tuple[str, str]]:
+    """Return definitions of a context, each with its name."""
+    return [(name, CONTEXTS[context]["definitions"][name]) for name in names]
+
+
+# What an outside attack changed together; `forger().forge(OUTSIDE[name])` is the forged ledger.
+OUTSIDE: dict[str, list[Edit]] = {
+    "step": [*map(sign, defined("step", "f", "g"))],
+    "doubling": [*map(sign, defined("doubling", "X_next", "Y_next"))],
+    "second_half": [turn(*defined("second_half", "V_re", "V_im"))],
+    "kick": [*map(sign, defined("kick", "v1", "v2", "v3"))],
+    "thirds": [turn(*defined("thirds", "cos_half_psi", "sin_half_psi"))],
+}
+
+
+@cache
+def forger() -> Forger:
+    """Return a forger of ledgers from the sealed one."""
+    return Forger(TEXT)
 
 
 def prove(ledger: Ledger, fact: Fact) -> Fact:

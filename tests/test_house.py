@@ -28,6 +28,7 @@ ALLOWED = {
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
     "rigidsym.proof.coq": "proof.algebra proof.kernel",
+    "rigidsym.proof.mutants": "language proof.algebra proof.kernel",
     "rigidsym.proof.paper": "language view.proofs",
     "rigidsym.proof.audit": "language",
     "rigidsym.proof.claims": "io.ledger language view.cards",
