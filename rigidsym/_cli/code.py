@@ -79,7 +79,7 @@ def _profile(options: Namespace) -> int:
 
     if options.profile not in PROFILES:
         raise InputError("profile", options.profile, f"must be one of: {', '.join(PROFILES)}")
-    command = "rigidsym codegen c --profile flight -o DIR"
+    command = f"rigidsym codegen c --profile {options.profile} -o DIR"
     if options.target is None or known(options.target) != "c":
         raise InputError("profile", options.profile, f"is one of C alone: {command}")
     if options.form is not None:

@@ -16,16 +16,24 @@ from mpmath import mpf
 class Format:
     """Floating-point format, and the number of terms or steps of each special function.
 
-    digits: bits of a number; a pair of numbers has twice as many.  largest: finite numbers are
-    below 2^largest.  never: an exponent that stands for infinity.  is_wide: constants of a motion
-    are computed as pairs even where nothing grows from them with time.
+    The format:
 
-    arctangent: extended terms, and all terms.  log_2: bits of the first part of log 2, so that its
-    products with exponents are exact.  doublings: of a step's shortest time; in so many of them,
-    `last`, the projection is extended.  elapsed, third_kind: terms of a step's series.  moderate:
-    the exponent from which on rates of a step are scaled.  circular, hyperbolic: the largest index
-    of thetas in a state, the one of their slopes, and the largest power of the nome in what rates
-    need.
+    * digits: bits of a number; a pair of numbers has twice as many.
+    * largest: all finite numbers are below 2^largest.
+    * never: a number that stands for an infinite exponent.
+    * is_wide: True if all constants of a motion are computed as pairs; False if only those are
+      whose errors grow with time.
+
+    Lengths of series, and numbers of steps:
+
+    * arctangent: the terms computed as pairs, and all terms.
+    * log_2: bits of the first part of log 2, so few that its products with exponents are exact.
+    * doublings: how often the shortest time of a step is doubled; in the `last` of these doublings
+      the projection is computed as pairs.
+    * elapsed, third_kind: terms of the series of a step.
+    * moderate: rates of a step from 2^moderate on, or below its inverse, are scaled.
+    * circular, hyperbolic: the largest index of the thetas in a state, that of their slopes, and
+      the largest power of the nome that rates need.
     """
 
     name: str
@@ -60,13 +68,15 @@ class Format:
     def numbers(self) -> dict[str, float]:
         """Return the numbers of this format that runtimes name.
 
-        LEAST and LARGEST are finite numbers, LEAST_EXPONENT and MOST_EXPONENT those of normal
-        powers of two.  HALF_ULP times a number reaches the next, rounded up.  ROUNDING: so far,
-        relative to the smallest, may the largest moment be beyond the sum of the others.  MODERATE:
-        a power of two from whose inverse to which rates of a step are not scaled.  NORMALISES: a
-        state is divided by its length at the end.  HIGH_IS_ROUNDED: the first of a pair stands for
-        the pair, but for ties.  The others mix words of bits, from which three
-        random numbers are taken.
+        * LEAST, LARGEST: the least and largest positive numbers that scales are computed from.
+        * LEAST_EXPONENT, MOST_EXPONENT: the exponents of the normal powers of two.
+        * HALF_ULP: a number plus HALF_ULP times itself rounds to the next number.
+        * ROUNDING: how far the largest moment may exceed the sum of the others, relative to the
+          smallest.
+        * MODERATE: rates of a step between its inverse and it are not scaled.
+        * NORMALISES: whether a state is divided by its length at the end.
+        * HIGH_IS_ROUNDED: whether the first number of a pair stands for the pair, except for ties.
+        * The others mix words of bits, from which three random numbers are taken.
         """
         turn, chance = self.word // 3, (self.word - 2) // 3
         return {

@@ -6,7 +6,7 @@ from rigidsym._codegen.formats import BINARY32, BINARY64, Format
 from rigidsym.errors import InputError
 
 THETA, PI, STEP = "theta", "pi", "step"
-# What a module flies by; the first is the default.
+# The forms, with what states are computed from; the first is the default.
 FORMS = {
     THETA: "two theta functions of a shifted time",
     PI: "one integral of the third kind, and no theta function",

@@ -1,4 +1,4 @@
-"""Routines as languages say them whose names have no types and whose structs are objects.
+"""Routines for languages without types, in which structs are objects.
 
 Declarations are `x: let = ...`, or `x: const = ...` if x never changes.  Structs and arrays are
 made with zeros, by `new_<struct>()`, and copied by `assign(to, from)` and `copy(to, from, count)`.

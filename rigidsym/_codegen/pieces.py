@@ -1,6 +1,6 @@
-"""Cutting of long routines into short ones, which are called in turn.
+"""Division of long routines into short ones, which are called one after another.
 
-Numbers that several pieces need are members of a struct, `<name>_work`, that a routine hands on to
+Numbers that several pieces need are members of a struct, `<name>_work`, which a routine passes to
 its pieces.  A statement that ends a routine or a loop stays where it is.
 """
 
@@ -23,11 +23,11 @@ from rigidsym._codegen.routines import (
     let_of,
 )
 
-# How many lines a routine of a program has in some target.
+# Returns the number of lines that a routine of a program has in some target.
 Lines = Callable[[Routine, Program], int]
 # Lines of a piece beside its statements, and the fewest statements' lines that are worth a piece.
 _FRAME, _LEAST = 10, 8
-# What a piece costs more than a name that it shares.
+# The cost of a piece, in names that pieces share.
 _PIECE = 2
 _ENDS = (ast.Return, ast.Break, ast.Continue)
 
@@ -51,7 +51,7 @@ def shortened(program: Program, lines: Lines, most: int) -> Program:
 
 
 def read_in_place(one: Routine) -> Routine:
-    """Replace the names of numbers read from structs by the members.
+    """Replace names that only copy members of structs by these members.
 
     Input: a routine that begins by reading members.  Output: the same without these statements.
     """

@@ -1,4 +1,4 @@
-"""Programs of targets that compute one body and one time after the other.
+"""Programs that compute one body and one time after another, without lanes and blocks.
 
 Derived functions are routines with plain arguments and tuples as results.  Those of a branch at a
 time read its constants from a struct, and `_<branch>_constants` writes these.

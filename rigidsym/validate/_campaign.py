@@ -13,8 +13,8 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
+from rigidsym._codegen.forms import STEP, split
 from rigidsym._version import __version__
 from rigidsym.errors import InputError
 from rigidsym.io._files import write_text
@@ -79,8 +79,8 @@ class Campaign:
         )
         for target in targets:
             check_target(target)
-        if len({target in engines.STEPPERS for target in targets}) > 1:
-            rule = "steps go a turn at most, and motions all the way: validate them apart"
+        if len({split(target)[1] == STEP for target in targets}) > 1:
+            rule = "steps are measured within a turn: validate modules of steps in another call"
             raise InputError("target", ", ".join(targets), rule)
         for name in strata:
             if name not in STRATA:

@@ -316,3 +316,20 @@ def test_the_how_to_adds_a_target_and_takes_it_away(capsys):
     assert f"{count_of_lines('javascript', 'theta')} lines read back" in said
     assert said.count("not what was derived") == 2
     assert "apart by less than 2e-15: True" in said
+
+
+@pytest.mark.parametrize("find", [targets.reader, targets.server])
+def test_a_missing_package_is_not_a_missing_reader(find, monkeypatch):
+    """The error for a package that a target's module imports names the package."""
+
+    def importing(name):
+        raise ModuleNotFoundError("No module named 'tree_sitter'", name="tree_sitter")
+
+    monkeypatch.setattr(targets, "import_module", importing)
+    with pytest.raises(ModuleNotFoundError, match="tree_sitter"):
+        find("javascript")
+
+
+def test_a_target_without_a_server_is_refused():
+    with pytest.raises(InputError, match=r"target = c: has no server\.py: it computes no states"):
+        targets.server("c")

@@ -320,7 +320,8 @@ def test_samples_of_steps_are_doubles_within_a_turn():
 @pytest.mark.parametrize(
     ("targets", "line"),
     [
-        (["numpy", "c-step"], r"^target = numpy, c-step: steps go a turn at most"),
+        (["numpy", "c-step"], r"^target = numpy, c-step: steps are measured within a turn"),
+        (["c_single", "c_single-step"], r"^target = c_single, c_single-step: steps are"),
         (["fortran"], r"^target = 'fortran'|^target = fortran: must be one of"),
     ],
 )

@@ -15,7 +15,7 @@ from rigidsym._codegen.routines import Routine, is_same
 from rigidsym._codegen.targets.c import read_back, reader
 from rigidsym.errors import InputError
 
-# What the profile says otherwise than the C target: patterns, and what they are there.
+# Differences of the profile from the C target: patterns, and their replacements.
 _OTHERWISE = (
     (r"\(void\)(memcpy|memset)\(", r"\1("),
     (r"\b(0x[0-9a-f]+)ULL\b", r"UINT64_C(\1)"),

@@ -6,8 +6,7 @@ Muller, Picot and Rideau, ACM TOMS 49(1), 2023).
 
 A target brings `fused`, `product_error`, `sqrt`, `bits_of`, `from_bits` and `hidden` itself;
 without fused multiply-add, `product_error` is `split_product_error`.  The constants below are those
-of binary64; in single precision they are, in this order, 2^12 + 1, 3 2^22, 2^23, 127, 31, 23, and
-the bits 0x3f800000, 0x3f000000, 0x4b000000 and 0x007fffff.
+of binary64; `Format.arithmetic` has those of every format.
 """
 
 splitter: double = 134217729.0

@@ -1,4 +1,4 @@
-"""Tests of this very build's arithmetic in functions of motions."""
+"""Tests of compiled arithmetic in functions of motions, before motions are computed."""
 
 TIMES: size = 8
 "times that `angles_hold` computes"

@@ -1,7 +1,4 @@
-"""Motions one after the other, and their states one time after the other.
-
-For targets without lanes and blocks.
-"""
+"""Motions one after another, and their states one time after another, without lanes and blocks."""
 
 PREPARED: int = 0x7F4A7C15
 "the mark of a prepared motion: a number that memory hardly has by chance"

@@ -1,6 +1,7 @@
-"""Tests of the arithmetic of this very build, which the compiler's options can spoil.
+"""Tests of compiled arithmetic, which the compiler's options can spoil.
 
-A hidden zero is in all numbers, so that no compiler can compute the outcome.
+A zero that the compiler cannot see is added to all numbers, so that no compiler can compute the
+outcome.
 """
 
 quotient_cases: double[6, 4] = [

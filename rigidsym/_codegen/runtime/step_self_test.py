@@ -1,4 +1,4 @@
-"""Tests of this very build's arithmetic in functions of steps."""
+"""Tests of compiled arithmetic in functions of steps, before steps are computed."""
 
 lane_cases: double[4] = [
     0.7260104308260092,

@@ -1,7 +1,4 @@
-"""Steps of bodies, one after the other.
-
-For targets without lanes.
-"""
+"""Steps of bodies, one after another, without lanes."""
 
 PREPARED: int = 0x7F4A7C15
 "the mark of a prepared body: a number that memory hardly has by chance"

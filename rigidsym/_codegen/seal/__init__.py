@@ -8,13 +8,17 @@ these and compares with the ledger, or with what a special function states:
                are the formulas that ledger and special functions state
     facts      every formula that cites a fact, definition or reading of the ledger equals it
     states     rows, gains and states together give the ledger's attitude and rates
-    text       printed files read back: numbers, signatures, lines and tables are what they print,
-               in order, and all else is what the package has written by hand, word for word;
-               digests are those of the files, and the map says of each line what its comment says
+    text       printed files read back: statements, numbers, signatures and tables, runtimes
+               included, are those of the representation, in order, and all else is what the
+               package has written by hand, word for word; digests are those of the files, and the
+               map says of each line what its comment says
+    bodies     statements of functions read back, compared with their routines, for every language
+    trees      readers of languages with the operators of C, and their files
 
-The seal does not cover two things.  Whether a special function (nome, theta series, angles and
-their reduction) is the standard one is shown by its proved bounds and by tests.  The hand-written
-runtimes are only tested; their double-double arithmetic is compared with exact arithmetic.
+The seal does not cover two things.  Proved bounds and tests show that a special function (nome,
+theta series, angles and their reduction) is the standard one.  Tests and validation measure the
+representation of the runtimes, which is written, not derived; double-double arithmetic is compared
+with exact arithmetic.
 """
 
 from rigidsym._codegen.formats import BINARY64, Format

@@ -20,6 +20,7 @@ from collections.abc import Callable, Mapping
 from importlib import import_module
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from types import ModuleType
 
 from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import FORMS
@@ -75,10 +76,7 @@ def reader(target: str) -> Check:
 
     Raises InputError for a target that has none.
     """
-    try:
-        return import_module(f"{__name__}.{target}.read_back").check
-    except ModuleNotFoundError:
-        raise InputError("target", target, "has no read_back.py: it cannot be sealed") from None
+    return _module(target, "read_back", "it cannot be sealed").check
 
 
 def server(target: str) -> Command:
@@ -86,7 +84,16 @@ def server(target: str) -> Command:
 
     Raises InputError for a target that has none.
     """
+    return _module(target, "server", "it computes no states").command
+
+
+def _module(target: str, part: str, lack: str) -> ModuleType:
+    """Import a module of a target's folder; raise InputError where the folder does not have it."""
+    name = f"{__name__}.{target}.{part}"
     try:
-        return import_module(f"{__name__}.{target}.server").command
-    except ModuleNotFoundError:
-        raise InputError("target", target, "has no server.py: it computes no states") from None
+        return import_module(name)
+    except ModuleNotFoundError as error:
+        # A package that the module itself imports may be missing instead.
+        if error.name not in (name, f"{__name__}.{target}"):
+            raise
+        raise InputError("target", target, f"has no {part}.py: {lack}") from None

@@ -1,4 +1,4 @@
-"""Files of modules that are printed after a fault was put into what they are printed from."""
+"""Files of modules with a fault in an assignment, a routine, a named number or a text."""
 
 import ast
 import json

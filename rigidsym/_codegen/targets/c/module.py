@@ -15,9 +15,9 @@ from rigidsym._codegen.targets.c.program import arithmetic, program
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h", STEP: "torque_free_step.h"}
 SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c", STEP: "torque_free_step.c"}
-# What names begin with that the linker sees, or that the header has: a form's own, so that modules
-# of several forms go into one programme.  Text written by hand, and what is emitted, has the first;
-# that of steps names itself.
+# The prefix of all names that the linker sees or the header has.  Text is written and printed with
+# this one; `named` replaces it by the form's own, so that a program can link the modules of several
+# forms.  The runtime of steps has its own prefix from the start.
 _PLAIN = PurePath(HEADERS[THETA]).stem
 # In a compiler's option -D stands before a name.
 _BEGIN = r"(?:\b|(?<=-D))"

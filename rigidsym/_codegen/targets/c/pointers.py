@@ -1,4 +1,4 @@
-"""Routines as C can say them: several results are written through pointers.
+"""Routines for C, where a function with several results writes them through pointers.
 
 A routine of the interface returns its first result; pairs are set part by part.
 """
@@ -60,7 +60,7 @@ class _Body:
     def __init__(self, one: Routine, program: Program) -> None:
         self.one, self.program = one, program
         self.outputs = _outputs(one)
-        # Names of the routine's own that a pointer has now.
+        # Local names that equal that of a result, which is a pointer now: they are renamed.
         self.taken = {name for name, _ in self.outputs}
 
     def statements(self) -> list[ast.stmt]:
@@ -134,7 +134,7 @@ def _set(target: ast.expr, value: ast.expr) -> Iterator[ast.stmt]:
 
 
 class _Apart(ast.NodeTransformer):
-    """Names of a routine's own that differ from those of its pointers."""
+    """Renaming of local names that equal those of pointers."""
 
     def __init__(self, taken: set[str]) -> None:
         self.taken = taken

@@ -1,7 +1,7 @@
 """Printer of routines as C99 code.
 
 Structs and arrays are handed on by reference, numbers and double-doubles by value.  Several
-results are written through pointers, as `pointers` says it.
+results are written through pointers (`pointers`).
 """
 
 import ast

@@ -1,4 +1,4 @@
-"""Check of the printed module in single precision, which is read back as C for doubles is."""
+"""Check of the printed C in single precision, by the reader of C for doubles."""
 
 import re
 from collections.abc import Mapping

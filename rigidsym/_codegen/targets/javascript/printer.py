@@ -1,4 +1,4 @@
-"""Printer of routines in JavaScript, as `rigidsym._codegen.objects` says them, and of types."""
+"""Printer of JavaScript, from the routines of `rigidsym._codegen.objects`, and of its types."""
 
 import ast
 from collections.abc import Iterator, Sequence

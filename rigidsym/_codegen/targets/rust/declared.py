@@ -1,6 +1,7 @@
-"""Routines that say which names they declare: Rust has a word for it, and the language has none.
+"""Routines for Rust, in which every statement that declares a name is marked.
 
-A name that is that of a number, too, gets another: Rust would compare with the number.
+A local name that equals that of a named number is changed: in a pattern, Rust would take it for
+the number.
 """
 
 import ast
