@@ -10,8 +10,6 @@ import pytest
 from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused, check
-from rigidsym.proof.checker._records import Claim, Hypotheses, fill
-from rigidsym.proof.checker._specification import Catalogue
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, replay
 from rigidsym.proof.mutants import Edit, Forger, sign, turn
 
@@ -99,13 +97,6 @@ def both_refuse(text: str, match: str | None = None) -> str:
         assert str(refusal.value).isascii()
         assert str(refusal.value).isprintable()
     return str(second.value)
-
-
-def require_again(ledger: Any, specification: str) -> None:
-    """Compare a ledger with the specification, both as read by the second checker."""
-    contexts = {entry["name"]: fill(Hypotheses, entry) for entry in ledger["contexts"]}
-    facts = {entry["id"]: fill(Claim, entry) for entry in ledger["facts"]}
-    Catalogue(contexts, facts, ledger["published"]).require(specification)
 
 
 # No names of contexts and quantities: D is d/dt, and the rest are other letters or none.

@@ -196,6 +196,7 @@ COMMANDS = (
         _value("ledger", "LEDGER", _LEDGER, nargs="?", type=as_path),
         _switch("--independent", "use the second checker, on python-flint"),
         _switch("--facts", "check no specification, as for another derivation"),
+        _switch("--mutants", "count changed ledgers that would be accepted, which takes minutes"),
     ),
     Command(
         "export",

@@ -3,9 +3,9 @@
 import json
 import sys
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.commands import SETTING
 from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
@@ -16,6 +16,7 @@ from rigidsym.io._files import read_text, write_text
 if TYPE_CHECKING:
     from rigidsym.proof._coq import Export
     from rigidsym.proof.derivation import Derivation
+    from rigidsym.proof.mutants import Campaign
     from rigidsym.proof.paper import Verdict
     from rigidsym.proof.paper._prose import Judged
 
@@ -126,6 +127,8 @@ def check(options: Namespace) -> int:
     Returns 1 if the ledger is not accepted.
     """
 
+    if options.mutants:
+        return _mutants_noticed(_ledger_text(options.ledger), stored.specification_text())
     grades = _independent_grades if options.independent else _kernel_grades
     specification = "" if options.facts else stored.specification_text()
     found = grades(_ledger_text(options.ledger), specification)
@@ -138,6 +141,44 @@ def check(options: Namespace) -> int:
     if assumed := found.get("ASSUMED"):
         say(f"rigidsym check: {assumed} ASSUMED: facts must be ENCLOSED at least")
     return 1 if assumed else 0
+
+
+def campaign(text: str, specification: str) -> "Campaign":
+    """Return the campaign of mutants of a ledger, decided by all that `check` decides by."""
+    from rigidsym.language import _specification as first
+    from rigidsym.proof import checker as second
+    from rigidsym.proof.mutants import Campaign
+
+    def refusal(reader: Callable[[str, Any], None]) -> Callable[[Any], str]:
+        def decide(ledger: Any) -> str:
+            try:
+                reader(specification, ledger)
+            except (first.Unproved, second.Refused) as error:
+                return str(error)
+            return ""
+
+        return decide
+
+    readers = [refusal(first.require), refusal(second.require)]
+    return Campaign(text, specification, readers, lambda _: "")
+
+
+def _mutants_noticed(text: str, specification: str) -> int:
+    """Print how many mutants of a ledger each check notices.
+
+    Returns 1 if one goes unnoticed.
+    """
+    from rigidsym.proof.mutants import FATES
+
+    tally = campaign(text, specification).run()
+    rows = [
+        (kind, *(str(fates[fate]) for fate in FATES), str(fates.total()))
+        for kind, fates in tally.counts.items()
+    ]
+    table("rigidsym check --mutants", ("changed", *FATES, "in all"), rows)
+    for told in tally.unnoticed:
+        say(f"unnoticed: {told}")
+    return 1 if tally.unnoticed else 0
 
 
 def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:

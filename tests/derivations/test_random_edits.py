@@ -8,13 +8,14 @@ from collections import Counter
 import pytest
 from document_texts import words
 from edits import edited
-from ledgers import LEDGER, TEXT, require_again, written
+from ledgers import LEDGER, TEXT, written
 
 from rigidsym._cli import proofs
 from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.checker import Refused, check
+from rigidsym.proof.checker import require as require_again
 from rigidsym.proof.kernel import KernelError, replay
 
 SPECIFICATION = specification_text()
@@ -29,7 +30,7 @@ def by_the_kernel(ledger):
 
 def by_the_other(ledger):
     """Decide as `rigidsym check --independent` does, the quick part first."""
-    require_again(ledger, SPECIFICATION)
+    require_again(SPECIFICATION, ledger)
     check(written(ledger), SPECIFICATION)
 
 
@@ -54,7 +55,7 @@ def accepted(seeds):
 def test_the_ledger_itself_is_accepted(sealed_ledger):
     """Check the ledger as it is; kernel and second checker decide it once in this process."""
     require(SPECIFICATION, LEDGER)
-    require_again(LEDGER, SPECIFICATION)
+    require_again(SPECIFICATION, LEDGER)
     assert sealed_ledger.to_text() == written(LEDGER) == proofs.replayed()
 
 

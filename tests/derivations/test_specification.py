@@ -5,9 +5,8 @@ import random
 from types import SimpleNamespace
 
 import pytest
-from attacks import changes, definitions
 from document_texts import rows, words
-from ledgers import LEDGER, OUTSIDE, TEXT, forger, require_again, written
+from ledgers import LEDGER, OUTSIDE, TEXT, forger, written
 
 from rigidsym._codegen import TARGETS
 from rigidsym._codegen.lines import beside
@@ -17,6 +16,7 @@ from rigidsym.language._specification import Unproved, read, require, sequences,
 from rigidsym.proof._audit import audit, totals
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused
+from rigidsym.proof.checker import require as require_again
 from rigidsym.proof.checker._specification import blocks
 from rigidsym.proof.derivation import DerivationError, require_specified
 from rigidsym.proof.mutants import Edit
@@ -41,10 +41,10 @@ def refused(ledger):
     try:
         require(SPECIFICATION, ledger)
     except Unproved as error:
-        with pytest.raises((Refused, LookupError)):
-            require_again(ledger, SPECIFICATION)
+        with pytest.raises(Refused):
+            require_again(SPECIFICATION, ledger)
         return str(error)
-    require_again(ledger, SPECIFICATION)
+    require_again(SPECIFICATION, ledger)
     return ""
 
 
@@ -215,37 +215,6 @@ def test_what_is_only_assumed_is_no_success(checker, tmp_path, run):
     told = run("check", path, *checker, status=1)
     assert "1 ASSUMED facts" in told.out
     assert told.err == "rigidsym check: 1 ASSUMED: facts must be ENCLOSED at least\n"
-
-
-def drawn(count):
-    """Draw changed definitions that no `let` of a theorem rules out at once."""
-    said = {pair for t in theorems(SPECIFICATION).values() for pair in t.let.items()}
-    every = [
-        (name, text, changed)
-        for name, text in definitions(SPECIFICATION, LEDGER)
-        if (name, text.replace(" ", "")) not in said
-        for changed in changes(text).values()
-    ]
-    return random.Random(18).sample(every, min(count, len(every)))
-
-
-def test_the_page_counts_changed_definitions():
-    found = definitions(SPECIFICATION, LEDGER)
-    count = sum(len(changes(text)) for _, text in found)
-    text = words("trust.md")
-    assert f"Each of the {len(found)} definitions under the specification" in text
-    assert f"of {count} changed ledgers none may go unnoticed" in text
-
-
-@pytest.mark.parametrize(("name", "text", "changed"), drawn(6))
-def test_a_changed_definition_is_noticed(name, text, changed):
-    assert refused(redefined(name, text, changed))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "text", "changed"), drawn(10_000))
-def test_every_changed_definition_is_noticed(name, text, changed):
-    assert refused(redefined(name, text, changed))
 
 
 def edit(ledger, random):

@@ -8,6 +8,6 @@ theorems that have to be among the facts.  The checker reads ledgers; it cannot 
 """
 
 from rigidsym.proof.checker._records import Refused
-from rigidsym.proof.checker._rules import check, grades
+from rigidsym.proof.checker._rules import check, grades, require
 
-__all__ = ["Refused", "check", "grades"]
+__all__ = ["Refused", "check", "grades", "require"]

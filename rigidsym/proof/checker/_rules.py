@@ -3,7 +3,7 @@
 A rule raises Refused, or returns the grade of the fact for premises of the best grade.
 """
 
-from collections.abc import Callable, Container, Generator
+from collections.abc import Callable, Container, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
@@ -342,6 +342,17 @@ def grades(text: str, specification: str = "") -> dict[str, int]:
         Catalogue(given, accepted.facts, published).require(specification)
     found = [fact.grade for fact in accepted.facts.values()]
     return {grade: found.count(grade) for grade in reversed(WORST_TO_BEST) if grade in found}
+
+
+def require(specification: str, ledger: Mapping[str, Any]) -> None:
+    """Check that the facts of a ledger, whose proofs are not looked at, state a specification.
+
+    Raises Refused for the first theorem that they do not state.
+    """
+    with _naming("specification"):
+        given = {entry["name"]: fill(Hypotheses, entry) for entry in ledger["contexts"]}
+        facts = {entry["id"]: fill(Claim, entry) for entry in ledger["facts"]}
+        Catalogue(given, facts, ledger["published"]).require(specification)
 
 
 @contextmanager

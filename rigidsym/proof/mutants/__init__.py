@@ -5,10 +5,13 @@ another one.  Here an attacker changes up to three definitions, meanings or publ
 and carries the change through the ledger, so that the kernel has nothing to refuse.  Then the
 specification, or an evaluation of the published formulas, has to refuse the ledger.
 
-`edits` lists the changes, and `forger` makes a ledger with some of them.
+`edits` lists changes of definitions, and `forger` makes a ledger with some of them.  `field`
+evaluates a context modulo a prime, and `screen` refutes most mutants at such points.
+`publications` has the mutants of everything else, and `campaign` decides them all.
 """
 
+from rigidsym.proof.mutants._campaign import FATES, Campaign, Tally
 from rigidsym.proof.mutants._edits import Edit, double, exchange, sign, turn
 from rigidsym.proof.mutants._forger import Forger
 
-__all__ = ["Edit", "Forger", "double", "exchange", "sign", "turn"]
+__all__ = ["FATES", "Campaign", "Edit", "Forger", "Tally", "double", "exchange", "sign", "turn"]

@@ -28,11 +28,10 @@ class Edit(NamedTuple):
     @property
     def texts(self) -> dict[Definition, str]:
         """The new text of each changed definition."""
+        said = {1: "{}", -1: "-({})"}
         return {
-            place: " + ".join(
-                text if factor == 1 else f"{factor}*({text})" for text, factor in sum_
-            )
-            for place, sum_ in self.terms
+            place: " + ".join(said.get(n, f"{n}*({{}})").format(text) for text, n in terms)
+            for place, terms in self.terms
         }
 
     def __str__(self) -> str:
@@ -65,7 +64,7 @@ def edits(definitions: Mapping[str, str]) -> list[Edit]:
     """Return the changes of signs, the exchanges and the turns of definitions in a context."""
     found = [sign(place) for place in definitions.items()]
     for name in definitions:
-        for other, is_complex in _partners(name, definitions):
+        for other, is_complex in partners(name, definitions):
             one, two = (name, definitions[name]), (other, definitions[other])
             used = {*_reach(one[1], definitions), *_reach(two[1], definitions)}
             if not used & {name, other}:  # a definition in terms of itself is none
@@ -75,7 +74,38 @@ def edits(definitions: Mapping[str, str]) -> list[Edit]:
     return found
 
 
-def _partners(name: str, definitions: Mapping[str, str]) -> Iterator[tuple[str, bool]]:
+def alone(definitions: Mapping[str, str]) -> list[Edit]:
+    """Return edits inside single definitions: a factor 2, a term's sign, a lost term or factor."""
+    found = []
+    for place in definitions.items():
+        found.append(double(place))
+        match parse(place[1]):
+            case (_, *_, "+" | "-" | "*" | "/" as operator, last) as tree:
+                begun = written(tree[0] if len(tree) == 3 else tree[:-2])
+                found.append(Edit("lost term of", ((place, ((begun, 1),)),)))
+                if other := {"+": "-", "-": "+"}.get(str(operator), ""):
+                    other = f"{begun} {other} ({written(last)})"
+                    found.append(Edit("sign in", ((place, ((other, 1),)),)))
+    return found
+
+
+def written(tree: Any) -> str:
+    """Return an expression as text, with brackets around each part."""
+    match tree:
+        case (function, "(", *arguments):
+            return f"{function}({', '.join(map(written, arguments))})"
+        case ("-", operand):
+            return f"-({written(operand)})"
+        case (base, "**", exponent):
+            return f"({written(base)})**{exponent}"
+        case (first, *rest):
+            pairs = zip(rest[::2], rest[1::2], strict=True)
+            return f"({written(first)})" + "".join(f" {x} ({written(y)})" for x, y in pairs)
+    return str(tree)
+
+
+def partners(name: str, definitions: Mapping[str, str]) -> Iterator[tuple[str, bool]]:
+    """Yield names that form a pair with a name, and whether as parts of a complex number."""
     for patterns in (_COMPLEX, _AXES):
         for one, two in patterns:
             found = re.fullmatch(one, name)
