@@ -3,6 +3,7 @@
 `document_texts.commands` collects them.  What is not run here stands in `NOT_RUN` with the reason.
 """
 
+import json
 import re
 import shlex
 import shutil
@@ -91,8 +92,11 @@ _NOT_RUN = {
 }  # fmt: skip
 NOT_RUN = {command: reason for reason, named in _NOT_RUN.items() for command in named}
 NOT_RUN |= {command: "it runs tests" for command in commands() if TESTS.match(command)}
+# A line with facts, whatever is generated above it.
+_TRACED = json.loads((ROOT / "rigidsym" / "generated" / "c.map.json").read_text("utf-8"))["lines"]
+_LINE = next(one["line"] for one in _TRACED["torque_free.c"] if one["facts"])
 # What stands for a placeholder.
-GIVEN = {"LINE": "900", "NUMBER": "10", "FILE": "torque_free.py", "TARGET": "c",
+GIVEN = {"LINE": str(_LINE), "NUMBER": "10", "FILE": "torque_free.py", "TARGET": "c",
          "COMMAND": "check", "NAME": "dop853"}  # fmt: skip
 # By beginning: the options that are given last, and so count, to what takes sizes.
 SMALL = {
