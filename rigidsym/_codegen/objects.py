@@ -11,7 +11,7 @@ from copy import copy
 from dataclasses import replace
 
 from rigidsym._codegen.printer import set_again
-from rigidsym._codegen.routines import Program, Routine, Scope, Type, annotation
+from rigidsym._codegen.routines import Program, Routine, Scope, Struct, Type, annotation
 
 # Operations that may leave more than 64 bits.
 _WIDENING = (ast.Mult, ast.LShift)
@@ -38,6 +38,12 @@ def zero(type_: Type) -> ast.expr:
     if type_.is_pair:
         return ast.Name("ZERO", ast.Load())
     return ast.Constant(False if type_.name == "bool" else 0)
+
+
+def members(struct: Struct) -> ast.Dict:
+    """Return the members of a struct with zeros."""
+    names: list[ast.expr | None] = [ast.Constant(x.name) for x in struct.fields]
+    return ast.Dict(names, [zero(x.type) for x in struct.fields])
 
 
 def _call(name: str, *arguments: ast.expr) -> ast.Call:

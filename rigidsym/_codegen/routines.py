@@ -20,7 +20,7 @@ from functools import cache, wraps
 from importlib import resources
 from typing import Any, TypeVar
 
-from rigidsym._codegen.ir import Function, Let, is_extended
+from rigidsym._codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.language._expression import Call, Expression, Name, Operation, to_text
 from rigidsym.language._expression import Number as Whole
 
@@ -222,6 +222,14 @@ class Number:
     type: Type
     value: ast.expr
     comment: str = ""
+
+
+def numbered(constant: Constant) -> Number:
+    """Return a named number of the derivation as one of a program."""
+    if constant.lo is None:
+        return Number(constant.name, DOUBLE, ast.Constant(constant.hi), constant.meaning)
+    value = ast.parse(f"pair({constant.hi!r}, {constant.lo!r})", mode="eval").body
+    return Number(constant.name, PAIR, value, constant.meaning)
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,7 +36,7 @@ def printed(form):
 def is_sealed(one, lines):
     """Return True if the seal accepts lines as a routine."""
     try:
-        ((_, node),) = read_back.bodies("f.mjs", "\n".join(lines), {one.name: one})
+        ((_, node),) = read_back.JavaScriptReader.bodies("f.mjs", "\n".join(lines), {one.name: one})
         read = list(read_back.JavaScriptReader("f.mjs").block(node))
         Body("f.mjs", lines, one).check(read, one.body)
     except (InputError, ValueError, KeyError):

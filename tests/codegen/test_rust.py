@@ -30,7 +30,7 @@ def program(form):
 def is_sealed(one, lines):
     """Return True if the seal accepts lines as the text of a routine."""
     try:
-        ((_, node),) = read_back.bodies("f.rs", "\n".join(lines), {one.name: one})
+        ((_, node),) = read_back.RustReader.bodies("f.rs", "\n".join(lines), {one.name: one})
         reader = read_back.RustReader("f.rs")
         Body("f.rs", lines, one, reader.plain).check(list(reader.block(node)), one.body)
     except (InputError, ValueError, KeyError):

@@ -17,7 +17,9 @@ from rigidsym._codegen.seal.states import claims as of_states
 from rigidsym._codegen.special_functions import landen
 from rigidsym._codegen.targets.c import derived
 from rigidsym._codegen.targets.c.printer import Printer
+from rigidsym._codegen.targets.javascript.printer import Printer as JavaScript
 from rigidsym._codegen.targets.numpy import emit as numpy_emit
+from rigidsym._codegen.targets.rust.printer import Printer as Rust
 from rigidsym.language._expression import Call, Number, names, parse
 from rigidsym.solution import sealed
 
@@ -355,6 +357,32 @@ EMITTERS = [
             ("double_double k, double_double kc", "double_double kc, double_double k"),
         )
     ),
+]
+
+
+def replacing(old, new):
+    """Change a piece of a printed definition."""
+
+    def changed(print_, *given):
+        found = print_(*given)
+        return found.replace(old, new) if isinstance(found, str) else [found_in(found)]
+
+    def found_in(lines):
+        return "\n".join(lines).replace(old, new)
+
+    return changed
+
+
+EMITTERS += [
+    *(("javascript", JavaScript, "number", how) for how in (blurred_in_c, replacing("12;", "11;"))),
+    ("javascript", JavaScript, "enumeration", replacing("TIME = 6", "TIME = 7")),
+    ("javascript", JavaScript, "head", replacing("(x, y, one, other", "(y, x, one, other")),
+    ("javascript", JavaScript, "head", replacing("export function", "function")),
+    ("javascript", JavaScript, "struct", replacing("max_angle: 0", "max_angle: 1")),
+    *(("rust", Rust, "number", how) for how in (blurred_in_c, replacing("i32 = 12", "i32 = 11"))),
+    ("rust", Rust, "head", replacing("(x: f64, y: f64, one", "(y: f64, x: f64, one")),
+    ("rust", Rust, "head", replacing("-> f64", "-> f32")),
+    ("rust", Rust, "struct", replacing("is_blurred: bool", "is_blurred: i32")),
 ]
 
 

@@ -20,7 +20,16 @@ from rigidsym.validate.faults._printed import faulty
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
-STEPS = {"numpy-step": "torque_free_step.py", "c-step": "torque_free_step.c"}
+# The file that edits of the other modules are made in, unless they name one.
+OTHERS = {
+    **{"numpy-pi": "torque_free_pi.py", "numpy-step": "torque_free_step.py"},
+    **{"c-pi": "torque_free_pi.c", "c-step": "torque_free_step.c"},
+    **{"c_single": "torque_free_single.c", "c_single-step": "torque_free_single_step.c"},
+    **{"javascript": "torque_free.mjs", "javascript-pi": "torque_free_pi.mjs"},
+    "javascript-step": "torque_free_step.mjs",
+    "rust": "torque-free/src/routines.rs",
+    "rust-step": "torque-free-step/src/routines.rs",
+}
 CASES = [pytest.param(t, e, id=f"{t}: {e['name']}") for t, edits in EDITS.items() for e in edits]
 
 
@@ -33,7 +42,7 @@ def made(module):
 @pytest.fixture(autouse=True)
 def functions_once(monkeypatch):
     """Derive the functions of each form once, since edits change the text alone."""
-    monkeypatch.setattr(text, "functions", lambda _, form, *more: lets_and_numbers(form)[0])
+    monkeypatch.setattr(text, "functions", lambda _, *given: lets(*given))
 
 
 def edited(target, edit):
@@ -41,7 +50,7 @@ def edited(target, edit):
     generated = made(target)
     manifest = generated.manifest
     files = {n: header.unsealed(x, target, manifest["digest"]) for n, x in generated.files.items()}
-    name = edit.get("file", (SOURCES | STEPS)[target])
+    name = edit.get("file", (SOURCES | OTHERS)[target])
     assert edit["find"] in files[name], f"{edit['name']}: there is nothing to edit"
     files[name] = files[name].replace(edit["find"], edit["replace"], 1)
     files, digest = header.sealed(files, target)
@@ -67,10 +76,11 @@ def test_a_line_says_what_it_is_by(target):
 
 def test_how_many_edits_there_are():
     assert {target: len(edits) for target, edits in EDITS.items()} == {
-        "numpy": 38,
-        "numpy-step": 4,
-        "c": 36,
-        "c-step": 8,
+        **{"numpy": 38, "numpy-step": 4, "numpy-pi": 3},
+        **{"c": 36, "c-step": 9, "c-pi": 3},
+        **{"c_single": 11, "c_single-step": 2},
+        **{"javascript": 13, "javascript-pi": 2, "javascript-step": 2},
+        **{"rust": 4, "rust-step": 1},
     }
 
 
@@ -131,8 +141,8 @@ def test_files_that_end_early_are_refused(target):
 
 
 @cache
-def lets_and_numbers(form):
-    return functions(sealed(), form), constants(), form
+def lets(*given):
+    return functions(sealed(), *given)
 
 
 def first_of_each_kind():
@@ -147,4 +157,4 @@ def first_of_each_kind():
 def test_what_validation_catches_by_numbers_the_seal_refuses_by_the_text(fault):
     target, form = split(fault.target)
     with pytest.raises(InputError):
-        reader(target)(faulty(fault), *lets_and_numbers(form))
+        reader(target)(faulty(fault), lets(form), constants(), form)

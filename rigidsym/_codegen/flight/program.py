@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from rigidsym._codegen import scalar
 from rigidsym._codegen.flight.printer import FlightPrinter
+from rigidsym._codegen.formats import BINARY64
 from rigidsym._codegen.forms import STEP, THETA, limits
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.pieces import shortened
 from rigidsym._codegen.routines import Program, Routine, read
 from rigidsym._codegen.targets.c import codes
 from rigidsym._codegen.targets.c.pointers import with_pointers
-from rigidsym._codegen.targets.c.program import DOUBLINGS
 from rigidsym.solution import Solution
 
 PREFIX = "torque_free_"
@@ -45,7 +45,8 @@ def program(solution: Solution) -> Program:
     made.structs = {**motions.structs, **steps.structs}
     made.numbers = {**motions.numbers, **steps.numbers}
     made.routines = {**motions.routines, **steps.routines}
-    tests = read(("arithmetic", "self_test", "built_in_test"), Program(), {**DOUBLINGS, **_KNOWN})
+    known = {**BINARY64.numbers(), **_KNOWN}
+    tests = read(("arithmetic", "self_test", "built_in_test"), Program(), known)
     made.numbers |= tests.numbers
     for name, number in made.numbers.items():
         made.numbers[name] = replace(number, value=_Plain().visit(number.value))

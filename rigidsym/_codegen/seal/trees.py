@@ -4,40 +4,46 @@ Input: files, and the routines that they print.  Output: the number of derived l
 """
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache
 from typing import ClassVar
 
-from tree_sitter import Node
+from tree_sitter import Language, Node, Parser
 
 from rigidsym._codegen import header
-from rigidsym._codegen.ir import Function
+from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Module
 from rigidsym._codegen.printer import COMPARISONS, OPERATIONS
-from rigidsym._codegen.routines import Routine
+from rigidsym._codegen.routines import Program, is_same, numbered
+from rigidsym._codegen.routines import parts as nodes
 from rigidsym._codegen.seal.bodies import Body, check_function, check_outside
+from rigidsym._codegen.seal.equality import DIFFERS
 from rigidsym.errors import InputError
 
 OPERATED = {text: kind for kind, (text, _) in OPERATIONS.items() if kind is not ast.FloorDiv}
 _LOGICAL: dict[str, type[ast.boolop]] = {"&&": ast.And, "||": ast.Or}
 _COMMENTS = ("block_comment", "line_comment", "comment")
-# Names and bodies of the functions in a text that print routines.
-Bodies = Callable[[str, str, Mapping[str, Routine]], Iterator[tuple[str, Node]]]
+# The head of a function, a struct or a number, as words and trees.
+Definition = Sequence[str | ast.AST]
 
 
 def check_files(
     files: Mapping[str, str],
     wanted: Module,
     of: str,
-    routines: Mapping[str, Routine],
-    functions: tuple[Function, ...],
-    bodies: Bodies,
-    reader: "Callable[[str], Reader]",
+    made: Program,
+    given: tuple[tuple[Function, ...], tuple[Constant, ...]],
+    reader: "type[Reader]",
 ) -> int:
-    """Check printed files against their routines, and return the number of derived lines.
+    """Check printed files against their program, and return the number of derived lines.
 
-    wanted: the module as it is printed; its one file with derived lines has the routines.  of: its
-    key.  Raises InputError for a statement that differs, and for other text that does.
+    wanted: the module as it is printed; its one file with derived lines has the program.  of: its
+    key.  given: the functions and constants that it is of.  Raises InputError for a statement or a
+    definition that differs, and for other text that does.
     """
+    functions, constants = given
     if files.keys() != wanted.files.keys():
         raise InputError("files", ", ".join(files), f"are not {', '.join(wanted.files)}")
     (source,), decided = wanted.lets, 0
@@ -45,20 +51,53 @@ def check_files(
     texts = {name: header.unsealed(text, of, digest) for name, text in files.items()}
     for name, text in texts.items():
         both = text, header.unsealed(wanted.files[name], of, wanted.digest)
-        lines = ([*_outside(bodies(name, x, routines) if name == source else (), x)] for x in both)
-        check_outside(name, *lines)
-    for name, node in bodies(source, texts[source], routines):
-        own = reader(source)
-        body = Body(source, texts[source].split("\n"), routines[name], own.plain)
-        decided += body.check(list(own.block(node)), routines[name].body)
+        known = made.routines if name == source else {}
+        check_outside(name, *([*_outside(reader.bodies(name, x, known), x)] for x in both))
+    own, lines = reader(source), texts[source].split("\n")
+    check_definitions(own, texts[source], made, constants)
+    for name, node in own.bodies(source, texts[source], made.routines):
+        body = Body(source, lines, made.routines[name], own.plain)
+        decided += body.check(list(own.block(node)), made.routines[name].body)
     for function in functions:
-        check_function(function, [one for one in routines.values() if one.prints(function)])
+        check_function(function, [x for x in made.routines.values() if x.prints(function)])
     return decided
 
 
-def _outside(
-    bodies: Iterator[tuple[str, Node]] | tuple[()], text: str
-) -> Iterator[tuple[int, str]]:
+def check_definitions(
+    reader: "Reader", text: str, made: Program, constants: tuple[Constant, ...]
+) -> None:
+    """Compare heads of functions, structs and numbers of a text with those of its program.
+
+    Numbers of the derivation are compared with the derivation's own.  Raises InputError for the
+    first definition that differs, stands there twice, or is missing.
+    """
+    numbers = {x.name: numbered(x) for x in constants if x.name in made.numbers}
+    wanted = dict(reader.wanted(replace(made, numbers=made.numbers | numbers)))
+    missing = {*wanted}
+    for name, line, read in reader.definitions(text, wanted):
+        both = [[_plain(x, reader) for x in one] for one in (read, wanted[name])]
+        if name not in missing or not is_same(*both):
+            found = ", ".join(x if isinstance(x, str) else ast.unparse(x) for x in read)
+            raise InputError(f"{reader.file}:{line}", f"{name}: {found}"[:120], DIFFERS)
+        missing.remove(name)
+    if missing:
+        raise InputError(reader.file, ", ".join(sorted(missing))[:200], "is not there")
+
+
+def _plain(part: str | ast.AST, reader: "Reader") -> str | ast.AST:
+    """Return a part of a definition as the language says it."""
+    if isinstance(part, str):
+        return part
+    # A negative constant is read as an operation.
+    part = ast.parse(ast.unparse(part), mode="eval").body
+    for node in nodes([part]):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            for word, other in reader.words.items():
+                node.value = node.value.replace(word, other)
+    return reader.plain(part)
+
+
+def _outside(bodies: Iterator[tuple[str, Node]], text: str) -> Iterator[tuple[int, str]]:
     """Yield the lines outside the bodies of routines, with their numbers."""
     inside = {
         number
@@ -95,13 +134,23 @@ def call(name: str, *given: ast.expr) -> ast.Call:
     return ast.Call(ast.Name(name, ast.Load()), list(given), [])
 
 
-class Reader:
-    """Reader of the bodies of functions; what is not in its tables is refused.
+@cache
+def _parser(reader: "type[Reader]") -> Parser:
+    return Parser(Language(reader.grammar()))
+
+
+class Reader(ABC):
+    """Abstract reader of functions, structs and numbers, which refuses what is not in its tables.
 
     A subclass adds the nodes of its language to the tables of statements and expressions.
-    compared: the comparisons by their symbols.
+    language: its name.  grammar: that of tree-sitter.  function: the node of a function.  words:
+    replacements in texts.  compared: the comparisons by their symbols.
     """
 
+    language: ClassVar[str]
+    grammar: ClassVar[Callable[[], object]]
+    function: ClassVar[str]
+    words: ClassVar[Mapping[str, str]]
     compared: ClassVar[Mapping[str, type]] = {
         text: kind for kind, text in COMPARISONS.items() if kind not in (ast.Is, ast.IsNot)
     }
@@ -113,6 +162,44 @@ class Reader:
             "binary_expression": self._operation,
             "parenthesized_expression": lambda node: self.read(*parts(node)),
         }
+
+    @abstractmethod
+    def wanted(self, made: Program) -> Iterator[tuple[str, Definition]]:
+        """Yield the names of a program's functions, structs and numbers with their definitions."""
+
+    @abstractmethod
+    def defined(self, node: Node, name: str) -> Definition:
+        """Read the definition of a name."""
+
+    @classmethod
+    def name_of(cls, node: Node) -> str:
+        """Return the name that a node defines, if any."""
+        return text_of(node.child_by_field_name("name"))
+
+    @classmethod
+    def items(cls, text: str) -> Iterator[Node]:
+        """Parse a text, and yield its definitions without the word that exports them."""
+        for node in _parser(cls).parse(text.encode()).root_node.named_children:
+            yield node.named_children[0] if node.type == "export_statement" else node
+
+    @classmethod
+    def bodies(cls, file: str, text: str, names: Collection[str]) -> Iterator[tuple[str, Node]]:
+        """Yield the names and bodies of the functions that print routines."""
+        for node in cls.items(text) if names else ():
+            name = cls.name_of(node)
+            if node.type == cls.function and name in names:
+                if node.has_error:
+                    place = f"{file}:{node.start_point.row + 1}"
+                    raise InputError(place, name, f"is no {cls.language}")
+                yield name, child(node, "body")
+
+    def definitions(
+        self, text: str, names: Collection[str]
+    ) -> Iterator[tuple[str, int, Definition]]:
+        """Yield the definitions of names in a text, with the numbers of their lines."""
+        for node in self.items(text):
+            if (name := self.name_of(node)) in names:
+                yield name, node.start_point.row + 1, self.defined(node, name)
 
     def plain(self, node: ast.AST) -> ast.AST:
         """Return a tree that is equal where the language says the same."""

@@ -8,7 +8,16 @@ from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import PI, STEP, THETA, limits
 from rigidsym._codegen.header import DIGEST
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.routines import DOUBLE, PAIR, Number, Program, Type, defined, lowered, read
+from rigidsym._codegen.routines import (
+    DOUBLE,
+    Number,
+    Program,
+    Type,
+    defined,
+    lowered,
+    numbered,
+    read,
+)
 from rigidsym._codegen.targets.c import codes, derived
 from rigidsym._codegen.targets.c.pointers import with_pointers
 
@@ -26,7 +35,6 @@ _RUNTIMES = {
 _ONE_BY_ONE = {THETA: 2, PI: 1, STEP: 0}
 # What macros of the preamble define, and their types.
 _MACROS = {"BLOCK": "size", "LANES": "size", "ALLOW_NONPHYSICAL": "bool", "BITS_ARE_CHOSEN": "bool"}
-DOUBLINGS = BINARY64.numbers()
 _SAID = ("message", "field", "rule", "digest")
 
 
@@ -45,7 +53,7 @@ def program(
         _RUNTIMES[form],
         made,
         {
-            **DOUBLINGS,
+            **BINARY64.numbers(),
             "ONE_BY_ONE": _ONE_BY_ONE[form],
             "THETA": form == THETA,
             "DIGEST": DIGEST,
@@ -80,11 +88,3 @@ def named_numbers(
         value, meaning = ast.Constant(2.0**limit.exponent), f"2^{limit.exponent}, {limit.meaning}"
         found.append(Number(limit.name, DOUBLE, value, meaning))
     return {one.name: one for one in (*found, *codes.texts(form))}
-
-
-def numbered(constant: Constant) -> Number:
-    """Return a named number of the derivation as one of a program."""
-    if constant.lo is None:
-        return Number(constant.name, DOUBLE, ast.Constant(constant.hi), constant.meaning)
-    value = ast.parse(f"pair({constant.hi!r}, {constant.lo!r})", mode="eval").body
-    return Number(constant.name, PAIR, value, constant.meaning)

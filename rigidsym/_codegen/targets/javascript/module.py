@@ -17,7 +17,7 @@ FILES = {THETA: "torque_free.mjs", PI: "torque_free_pi.mjs", STEP: "torque_free_
 # Routines that `preamble.mjs` has, without whole numbers of 64 bits, which are slow.
 _BROUGHT = ("alternating", "power_of_two")
 # What messages name by C's words, and what it is here.
-_WORDS = {
+WORDS = {
     "-DALLOW_NONPHYSICAL": "settings.ALLOW_NONPHYSICAL = true",
     **{f"torque_free_{name}_init": f"{name}_init" for name in ("motion", "body")},
 }
@@ -53,7 +53,7 @@ def build(
     lines = joined([Lines.plain(head.replace(header.SHARES, counts)), whole])
     types = FILES[form].replace(".mjs", ".d.mts")
     files = {FILES[form]: "\n".join(lines.text) + "\n", types: "\n".join(_types(made, form))}
-    for said, here in _WORDS.items():
+    for said, here in WORDS.items():
         files = {name: text.replace(said, here) for name, text in files.items()}
     files, digest = header.sealed(files, target)
     grown = files[FILES[form]].count("\n") - len(lines.text)

@@ -3,21 +3,27 @@
 import ast
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 from typing import ClassVar
 
-import tree_sitter
 import tree_sitter_javascript
 from tree_sitter import Node
 
 from rigidsym._codegen.forms import THETA, key
 from rigidsym._codegen.ir import Constant, Function
+from rigidsym._codegen.objects import members
 from rigidsym._codegen.printer import SIGNS
-from rigidsym._codegen.routines import Routine
-from rigidsym._codegen.seal.trees import Reader, call, check_files, child, parts, text_of
+from rigidsym._codegen.routines import Program
+from rigidsym._codegen.seal.trees import (
+    Definition,
+    Reader,
+    call,
+    check_files,
+    child,
+    parts,
+    text_of,
+)
 from rigidsym._codegen.targets.javascript import module
 from rigidsym._codegen.targets.javascript.printer import CALLS, COMPARISONS, NAMES
-from rigidsym.errors import InputError
 
 _NAMES = {text: name for name, text in {**NAMES, **CALLS}.items()}
 _SIGNED = {text: kind for kind, text in SIGNS.items()}
@@ -35,29 +41,15 @@ def check(
     Raises InputError for a statement that differs, and for other text that does.
     """
     wanted, of = module.build(functions, constants, form), key("javascript", form)
-    routines = module.program(functions, constants, form).routines
-    return check_files(files, wanted, of, routines, functions, bodies, JavaScriptReader)
-
-
-@cache
-def _parser() -> tree_sitter.Parser:
-    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_javascript.language()))
-
-
-def bodies(file: str, text: str, names: Mapping[str, Routine]) -> Iterator[tuple[str, Node]]:
-    """Yield the names and bodies of the functions that print routines."""
-    for node in _parser().parse(text.encode()).root_node.named_children:
-        one = node.named_children[0] if node.type == "export_statement" else node
-        name = text_of(one.child_by_field_name("name"))
-        if one.type == "function_declaration" and name in names:
-            if one.has_error:
-                raise InputError(f"{file}:{one.start_point.row + 1}", name, "is no JavaScript")
-            yield name, child(one, "body")
+    made = module.program(functions, constants, form)
+    return check_files(files, wanted, of, made, (functions, constants), JavaScriptReader)
 
 
 class JavaScriptReader(Reader):
-    """Reader of the bodies of JavaScript's functions."""
+    """Reader of JavaScript."""
 
+    language, grammar = "JavaScript", tree_sitter_javascript.language
+    function, words = "function_declaration", module.WORDS
     compared: ClassVar = {
         text: kind for kind, text in COMPARISONS.items() if kind not in (ast.Is, ast.IsNot)
     }
@@ -92,8 +84,43 @@ class JavaScriptReader(Reader):
             ),
             "call_expression": self._call,
             "array": lambda node: ast.List([*map(self.read, parts(node))], ast.Load()),
+            "object": self._members,
             "array_pattern": self.several,
         }
+
+    # --- definitions
+
+    def wanted(self, made: Program) -> Iterator[tuple[str, Definition]]:
+        """Yield what functions, structs and numbers are: names, members with zeros, values."""
+        for one in made.enumerations.values():
+            yield from ((x.name, ("export", x.value)) for x in one.numbers)
+        yield from ((x.name, ("", x.value)) for x in made.numbers.values())
+        for one in made.structs.values():
+            yield f"new_{one.name}", ("export" * one.is_public, members(one))
+        for one in made.routines.values():
+            yield one.name, ("export" * one.is_public, *one.parameters)
+
+    @classmethod
+    def name_of(cls, node: Node) -> str:
+        """Return the name that a function or a constant defines, if any."""
+        if node.type == "lexical_declaration":
+            (node,) = (x for x in parts(node) if x.type == "variable_declarator")
+        return super().name_of(node)
+
+    def defined(self, node: Node, name: str) -> Definition:
+        """Read a value, the members of a struct, or the parameters of a function."""
+        mark = "export" if node.parent and node.parent.type == "export_statement" else ""
+        if node.type == "lexical_declaration":
+            match self._declaration(node):
+                case ast.AnnAssign(annotation=ast.Name(id="const"), value=ast.expr() as value):
+                    return mark, value
+        elif node.type == self.function and name.startswith("new_"):
+            match list(self.block(child(node, "body"))):
+                case [ast.Return(value=ast.Dict() as value)]:
+                    return mark, value
+        elif node.type == self.function:
+            return mark, *map(text_of, parts(child(node, "parameters")))
+        raise self.refusal(node)
 
     # --- statements
 
@@ -138,6 +165,10 @@ class JavaScriptReader(Reader):
         raise self.refusal(node)
 
     # --- expressions
+
+    def _members(self, node: Node) -> ast.expr:
+        both = [(child(x, "key"), self.read(child(x, "value"))) for x in parts(node)]
+        return ast.Dict([ast.Constant(text_of(x)) for x, _ in both], [x for _, x in both])
 
     def _name(self, node: Node) -> ast.expr:
         return ast.Name(_NAMES.get(text_of(node), text_of(node)), ast.Load())

@@ -58,7 +58,7 @@ _ALLOWED = """\
 #![allow(clippy::style, clippy::complexity, clippy::approx_constant)]
 """
 _HOME = resources.files("rigidsym._codegen.targets.rust")
-_WORDS = {
+WORDS = {
     "-DALLOW_NONPHYSICAL lets": "the feature allow-nonphysical lets",
     **{f"torque_free_{name}_init": f"{name}_init" for name in ("motion", "body")},
 }
@@ -107,7 +107,7 @@ def program(functions: tuple[Function, ...], constants: tuple[Constant, ...], fo
 
 def _said(text: str) -> str:
     """Replace what messages say of C."""
-    for of_c, here in _WORDS.items():
+    for of_c, here in WORDS.items():
         text = text.replace(of_c, here)
     return text
 

@@ -7,6 +7,7 @@ An array that may be None is an empty slice.
 import ast
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from textwrap import wrap
 from typing import ClassVar
 
@@ -78,12 +79,13 @@ class Printer(printer.Printer):
 
     def struct(self, struct: Struct) -> Iterator[str]:
         """Print a struct, its zero, and the structs of members that are a union elsewhere."""
+        for one in structs(struct):
+            yield from self._struct(one)
+
+    @staticmethod
+    def _struct(struct: Struct) -> Iterator[str]:
         word = "pub " if struct.is_public else "pub(crate) "
-        for x in struct.fields:
-            if x.type.name == "union":
-                members = tuple(Field(name, Type(name)) for name in x.type.members)
-                yield from self.struct(Struct(_of(struct, x), "", members))
-        name, kinds = type_name(struct.name), {x.name: self._kind(struct, x) for x in struct.fields}
+        name, kinds = type_name(struct.name), {x.name: whole(x.type) for x in struct.fields}
         yield from (f"/// {line}" for line in wrap(struct.summary, WIDTH - 4))
         yield f"#[derive(Clone, Copy, Debug)]\n{word}struct {name} {{"
         for x in struct.fields:
@@ -93,10 +95,6 @@ class Printer(printer.Printer):
         yield "    pub const ZERO: Self = Self {"
         yield from (f"        {member}: {zero(kind)}," for member, kind in kinds.items())
         yield "    };\n}\n"
-
-    def _kind(self, struct: Struct, field: Field) -> str:
-        is_union = field.type.name == "union"
-        return type_name(_of(struct, field)) if is_union else whole(field.type)
 
     def number(self, number: Number) -> str:
         """Print the definition of a named number or array."""
@@ -218,8 +216,15 @@ class Printer(printer.Printer):
         return super()._call(node)
 
 
-def _of(struct: Struct, field: Field) -> str:
-    return f"{struct.name}_{field.name}"
+def structs(struct: Struct) -> Iterator[Struct]:
+    """Yield a struct after the structs that stand for its unions."""
+    fields = []
+    for x in struct.fields:
+        name = f"{struct.name}_{x.name}"
+        if x.type.name == "union":
+            yield Struct(name, "", tuple(Field(part, Type(part)) for part in x.type.members))
+        fields.append(replace(x, type=Type(name)) if x.type.name == "union" else x)
+    yield replace(struct, fields=tuple(fields))
 
 
 def _sets(one: Routine) -> Counter[str]:

@@ -3,20 +3,25 @@
 import ast
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
 
-import tree_sitter
 import tree_sitter_rust
 from tree_sitter import Node
 
 from rigidsym._codegen.forms import THETA, key
 from rigidsym._codegen.ir import Constant, Function
-from rigidsym._codegen.routines import Routine, annotation, copied
-from rigidsym._codegen.seal.trees import Reader, call, check_files, child, parts, text_of
+from rigidsym._codegen.routines import Program, Type, annotation, copied
+from rigidsym._codegen.seal.trees import (
+    Definition,
+    Reader,
+    call,
+    check_files,
+    child,
+    parts,
+    text_of,
+)
 from rigidsym._codegen.targets.rust import module
 from rigidsym._codegen.targets.rust.declared import LET
-from rigidsym._codegen.targets.rust.printer import CALLS, NAMES, TYPES, type_name, zero
-from rigidsym.errors import InputError
+from rigidsym._codegen.targets.rust.printer import CALLS, NAMES, TYPES, structs, type_name, zero
 
 _NAMES = {text: name for name, text in {**NAMES, **CALLS}.items()}
 _TYPES = {text: name for name, text in TYPES.items()}
@@ -33,8 +38,9 @@ def check(
     Raises InputError for a statement that differs, and for other text that does.
     """
     wanted = module.build(functions, constants, form)
-    routines = module.program(functions, constants, form).routines
-    return check_files(files, wanted, key("rust", form), routines, functions, bodies, RustReader)
+    made = module.program(functions, constants, form)
+    given = functions, constants
+    return check_files(files, wanted, key("rust", form), made, given, RustReader)
 
 
 class _Plain(ast.NodeTransformer):
@@ -57,23 +63,21 @@ class _Plain(ast.NodeTransformer):
         return node
 
 
-@cache
-def _parser() -> tree_sitter.Parser:
-    return tree_sitter.Parser(tree_sitter.Language(tree_sitter_rust.language()))
+def _said(type_: Type) -> str:
+    """Return the annotation of a type."""
+    return f"{type_.name}[{', '.join(type_.shape)}]" if type_.shape else type_.name
 
 
-def bodies(file: str, text: str, names: Mapping[str, Routine]) -> Iterator[tuple[str, Node]]:
-    """Yield the names and bodies of the functions that print routines."""
-    for node in _parser().parse(text.encode()).root_node.named_children:
-        name = text_of(node.child_by_field_name("name"))
-        if node.type == "function_item" and name in names:
-            if node.has_error:
-                raise InputError(f"{file}:{node.start_point.row + 1}", name, "is no Rust")
-            yield name, child(node, "body")
+def _mark(type_: Type) -> str:
+    """Return how an argument of a type is handed on: by value, or by reference."""
+    return "&mut " if type_.is_out else "&" if type_.is_struct or type_.shape else ""
 
 
 class RustReader(Reader):
-    """Reader of the bodies of Rust's functions."""
+    """Reader of Rust."""
+
+    language, grammar = "Rust", tree_sitter_rust.language
+    function, words = "function_item", module.WORDS
 
     def __init__(self, file: str) -> None:
         super().__init__(file)
@@ -100,6 +104,7 @@ class RustReader(Reader):
             "index_expression": self._element,
             "unary_expression": self._unary,
             "reference_expression": self._reference,
+            "array_expression": lambda node: ast.List([*map(self.read, parts(node))], ast.Load()),
             "if_expression": self._choice,
             "type_cast_expression": lambda node: call(
                 self._type(child(node, "type")), self.read(child(node, "value"))
@@ -112,6 +117,43 @@ class RustReader(Reader):
     def plain(self, node: ast.AST) -> ast.AST:
         """Return a tree in which places and pairs are as Rust says them."""
         return _Plain().visit(copied(node))
+
+    # --- definitions
+
+    def wanted(self, made: Program) -> Iterator[tuple[str, Definition]]:
+        """Yield what functions, structs and numbers are: types, with names or values."""
+        for one in made.enumerations.values():
+            yield from ((x.name, ("int", x.value)) for x in one.numbers)
+        yield from ((x.name, (_said(x.type), x.value)) for x in made.numbers.values())
+        for struct in made.structs.values():
+            for one in structs(struct):
+                members = (f"{x.name}: {_said(x.type)}" for x in one.fields)
+                yield type_name(one.name), ("pub" if one.is_public else "pub(crate)", *members)
+        for one in made.routines.values():
+            parameters = (f"{name}: {_mark(x)}{_said(x)}" for name, x in one.parameters.items())
+            yield one.name, ("pub(crate)", *parameters, "->", *map(_said, one.results))
+
+    def defined(self, node: Node, name: str) -> Definition:
+        """Read a value, the members of a struct, or the parameters of a function."""
+        mark = "".join(text_of(x) for x in parts(node) if x.type == "visibility_modifier")
+        if node.type == "const_item" and not mark:
+            return self._type(child(node, "type")), self.read(child(node, "value"))
+        if node.type == "struct_item":
+            return mark, *(self._typed(x, "name") for x in parts(child(node, "body")))
+        if node.type != self.function:
+            raise self.refusal(node)
+        parameters = [self._typed(x, "pattern") for x in parts(child(node, "parameters"))]
+        result = node.child_by_field_name("return_type")
+        several = parts(result) if result and result.type == "tuple_type" else [result]
+        return mark, *parameters, "->", *(self._type(x) for x in several if x)
+
+    def _typed(self, node: Node, name: str) -> str:
+        """Return the name of a parameter or a member with its type."""
+        kind, mark = child(node, "type"), ""
+        if kind.type == "reference_type" and text_of(kind) not in _TYPES:
+            inner = child(kind, "type")
+            kind, mark = inner, text_of(kind).removesuffix(text_of(inner))
+        return f"{text_of(child(node, name))}: {mark}{self._type(kind)}"
 
     # --- statements
 
@@ -133,9 +175,10 @@ class RustReader(Reader):
     def _type(self, node: Node) -> str:
         """Return the annotation of a type."""
         if node.type == "array_type":
-            inner, length = self._type(child(node, "element")), text_of(child(node, "length"))
+            inner = self._type(child(node, "element"))
+            length = text_of(node.child_by_field_name("length")).removesuffix(" as usize")
             name, _, more = inner.rstrip("]").partition("[")
-            return f"{name}[{', '.join(filter(None, (length, more)))}]"
+            return f"{name}[{', '.join(filter(None, (length or '...', more)))}]"
         text = text_of(node)
         name = re.sub(r"(?<=.)([A-Z])", r"_\1", text).lower()
         if text not in _TYPES and type_name(name) != text:
