@@ -8,6 +8,16 @@ from typing import Any
 import pytest
 
 from rigidsym.io.ledger import ledger_text
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Number,
+    Operation,
+    children,
+    parse,
+    rebuild,
+    to_text,
+)
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, replay
@@ -59,6 +69,46 @@ def unchecked(contexts: Iterable[Context], facts: Iterable[Fact]) -> str:
         contexts={context.name: context for context in contexts},
         facts={fact.id: fact for fact in facts},
     ).to_text()
+
+
+def hollow() -> Any:
+    """Return the sealed ledger with every formula of a fact it publishes replaced by x = 1*x."""
+    ledger = json.loads(TEXT)
+    entries = [x for group in ("sequences", "forms") for x in ledger["published"][group].values()]
+    named = {entry["fact"] for sequence in entries for entry in sequence if "fact" in entry}
+    for fact in ledger["facts"]:
+        if fact["id"] in named and fact["kind"] == "equal":
+            fact["rhs"] = [f"1*{x}" for x in fact["lhs"]]
+    return ledger
+
+
+@cache
+def doubled_meanings() -> dict[str, Any]:
+    """Return a ledger for each published meaning, with the first argument of its calls doubled."""
+    published = LEDGER["published"]
+    entries = [x for group in ("sequences", "forms") for x in published[group].values()]
+    named = [(e["context"], e["reading"]) for x in entries for e in x if "reading" in e]
+    found = {}
+    for context, name in named:
+        text = CONTEXTS[context]["reading"][name]
+        changed = _doubled(parse(text))
+        if changed != parse(text):
+            ledger = {**LEDGER, "contexts": [*LEDGER["contexts"]]}
+            place = ledger["contexts"].index(CONTEXTS[context])
+            reading = {**CONTEXTS[context]["reading"], name: to_text(changed)}
+            ledger["contexts"][place] = {**CONTEXTS[context], "reading": reading}
+            found[f"{context}.{name}"] = ledger
+    return found
+
+
+def _doubled(expression: Expression) -> Expression:
+    """Double the first argument of the innermost calls of an expression."""
+    parts = tuple(map(_doubled, children(expression)))
+    changed = rebuild(expression, parts)
+    if parts == children(expression) and isinstance(expression, Call) and parts:
+        first = Operation("*", Number(2), parts[0])
+        return Call(expression.function, (first, *parts[1:]))
+    return changed
 
 
 GONE = object()

@@ -56,6 +56,8 @@ ALLOWED = {
     "rigidsym.splitting": "engines errors generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",
+    # Both halves meet: what a ledger publishes is compared with the equations of motion.
+    "rigidsym.numbers": f"{FOUNDATION} inputs solution precise",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
     "rigidsym.view.article": "language view.cards view.pages",
@@ -71,7 +73,7 @@ ALLOWED = {
     # What a user calls for all of it.
     "rigidsym.reproduce": "codegen errors inputs io proof solution validate view",
     "rigidsym.cli": f"{NUMBERS} codegen derivations engines fitting generated io manoeuvre motion "
-    "proof reproduce validate view",
+    "numbers proof reproduce validate view",
 }
 # Third-party packages, each with the only packages that import it.
 OTHERS = {

@@ -131,8 +131,11 @@ def check(options: Namespace) -> int:
         return _mutants_noticed(_ledger_text(options.ledger), stored.specification_text())
     grades = _independent_grades if options.independent else _kernel_grades
     specification = "" if options.facts else stored.specification_text()
-    found = grades(_ledger_text(options.ledger), specification)
+    text = _ledger_text(options.ledger)
+    found = grades(text, specification)
     if found is None:
+        return 1
+    if specification and not options.independent and not _numbers(text):
         return 1
     counts = ", ".join(f"{count} {grade}" for grade, count in found.items())
     print(
@@ -195,6 +198,21 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
         say(f"rigidsym check: refused: {error}")
         return None
     return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
+
+
+def _numbers(text: str) -> bool:
+    """Compare the published formulas with the equations of motion, and print how many there are."""
+    from rigidsym._numbers import check_numbers
+
+    try:
+        motions, formulas = check_numbers(text)
+    except LedgerError as error:
+        say(f"rigidsym check: refused by numbers: {error}")
+        return False
+    print(
+        f"{formulas} published formulas: they agree with the equations of motion, {motions} motions"
+    )
+    return True
 
 
 def _independent_grades(text: str, specification: str) -> dict[str, int] | None:

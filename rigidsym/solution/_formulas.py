@@ -92,7 +92,7 @@ READINGS = {
     "sin_half_phi1": "sin(phi1/2)",
 }
 # Functions whose last argument is the parameter m.
-_OF_PARAMETER = {
+OF_PARAMETER = {
     *("jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_am", "elliptic_j", "elliptic_k"),
     *("elliptic_pi", "nome", "arcsc", "arcsn"),
 }
@@ -222,6 +222,6 @@ def _formula(entry: Mapping[str, Any], ledger: Proved) -> Formula:
 
 def _by_complement(expression: Expression) -> Expression:
     match expression:
-        case Call(function, (*arguments, parameter)) if function in _OF_PARAMETER:
+        case Call(function, (*arguments, parameter)) if function in OF_PARAMETER:
             return Call(function, (*arguments, complement(parameter)))
     return rebuild(expression, tuple(map(_by_complement, children(expression))))
