@@ -172,7 +172,7 @@ def fact_html(fact: Any) -> str:
 def load_ipython_extension(ipython: Any) -> None:
     """Register HTML displays for the kernel's facts and ledgers in IPython."""
     html = ipython.display_formatter.formatters["text/html"]
-    html.for_type_by_name("rigidsym.proof.kernel._statement", "Fact", fact_html)
+    html.for_type_by_name("rigidsym.proof.kernel._rules", "Fact", fact_html)
     html.for_type_by_name(
-        "rigidsym.proof.kernel._ledger", "Ledger", lambda x: claims(x)._repr_html_()
+        "rigidsym.proof.kernel._rules", "Ledger", lambda x: claims(x)._repr_html_()
     )

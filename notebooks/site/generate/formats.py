@@ -20,7 +20,7 @@ from rigidsym.io.cases import _KEYS, PAPER, parse_case
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.precise import _comparison as comparison
 from rigidsym.proof.derivation import derive
-from rigidsym.proof.kernel import _ledger as ledgers
+from rigidsym.proof.kernel import _rules as ledgers
 from rigidsym.proof.paper import Verdict, judged, verdicts
 from rigidsym.proof.paper._verdicts import Ruling
 from rigidsym.validate import _campaign as campaigns

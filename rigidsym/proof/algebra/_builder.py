@@ -13,7 +13,6 @@ from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel._rules import differences
-from rigidsym.proof.kernel._statement import weakest
 
 Result = TypeVar("Result")
 # An expression that `text` converts to the kernel's language.
@@ -255,7 +254,7 @@ class LedgerBuilder:
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
         grades = [self.ledger.facts[premise].grade for premise in premises]
-        grade = weakest([fact.grade, *grades])
+        grade = min([fact.grade, *grades], key=[*Grade].index)
         return self.ledger.add(replace(fact, premises=premises, grade=grade))
 
 

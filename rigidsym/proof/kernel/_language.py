@@ -17,9 +17,8 @@ from functools import cache
 from keyword import iskeyword
 from typing import Any, TypeAlias
 
-LONGEST, DEEPEST = 20_000, 50
-_NAME = r"[A-Za-z_][A-Za-z_0-9]*+"
-_TOKEN = rf"(?:0|[1-9][0-9]{{0,999}}+)(?![A-Za-z_0-9])|{_NAME}|\*\*|[-+*/(),]"
+_NATURAL = r"(?:0|[1-9][0-9]{0,999}+)(?![A-Za-z_0-9])"
+_TOKEN = rf"{_NATURAL}|[A-Za-z_][A-Za-z_0-9]*+|\*\* *{_NATURAL}|[-+*/(),]"
 _TEXT = re.compile(rf"(?:{_TOKEN})(?: *+(?:{_TOKEN}))*+")
 _BINDS = {"+": 1, "-": 1, "*": 2, "/": 2}
 # A number, a name, or tokens: ("-", x), (x, "**", 2), ("f", "(", x, y), (x, "+", y, "-", z).
@@ -38,16 +37,12 @@ def is_name(text: str) -> bool:
 @cache
 def parse(text: str) -> Tree:
     """Parse an expression into a syntax tree, or raise KernelError."""
-    if not isinstance(text, str) or len(text) > LONGEST:
-        raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
-    if not _TEXT.fullmatch(text):
-        raise KernelError(f"{text!a:.80}: not an expression: made of something else")
+    if not isinstance(text, str) or len(text) > 20_000 or not _TEXT.fullmatch(text):
+        raise KernelError(f"{text!a:.80} is not an expression")
     tokens = ["", *reversed(re.findall(_TOKEN, text))]  # the next one is the last
-    try:
-        tree = _chain(tokens, 0, DEEPEST)
-        _take(tokens, "")
-    except KernelError as error:
-        raise KernelError(f"{text!r:.80}: not an expression: {error}") from None
+    tree = _chain(tokens, 0, 50)
+    if tokens != [""]:
+        raise KernelError(f"{text!a:.80} is not an expression: it ends before {tokens[-1]!r}")
     return tree
 
 
@@ -61,32 +56,22 @@ def _chain(tokens: list[str], binding: int, room: int) -> Tree:
 
 
 def _factor(tokens: list[str], room: int) -> Tree:
+    """Parse a sign with its factor, or a quantity with its power."""
     if room < 0:
-        raise KernelError(f"more than {DEEPEST} brackets and signs are open")
+        raise KernelError("not an expression: more than 50 brackets and signs are open")
     if tokens[-1] == "-":
         return tokens.pop(), _factor(tokens, room - 1)
-    base = _quantity(tokens, room)
-    return (base, tokens.pop(), _natural(tokens)) if tokens[-1] == "**" else base
-
-
-def _quantity(tokens: list[str], room: int) -> Tree:
-    name = tokens.pop() if is_name(tokens[-1]) else ""
-    if tokens[-1] != "(":
-        return name or _natural(tokens)
-    inside: list[Tree] = []
-    while not inside or (name and tokens[-1] == ","):
-        _take(tokens, "," if inside else "(")
-        inside.append(_chain(tokens, 0, room - 1))
-    _take(tokens, ")")
-    return (name, "(", *inside) if name else inside[0]
-
-
-def _natural(tokens: list[str]) -> int:
-    if not (token := tokens.pop()).isdigit():
-        raise KernelError(f"{token!r} stands where a quantity is due")
-    return int(token)
-
-
-def _take(tokens: list[str], due: str) -> None:
-    if (token := tokens.pop()) != due:
-        raise KernelError(f"{token!r} stands where {due!r} is due")
+    base: Tree = tokens.pop() if is_name(tokens[-1]) else ""
+    if tokens[-1] == "(":
+        inside: list[Tree] = []
+        while not inside or (base and tokens[-1] == ","):
+            tokens.pop()
+            inside.append(_chain(tokens, 0, room - 1))
+        if tokens.pop() != ")":
+            raise KernelError(f"not an expression: a bracket after {base!r} is not closed")
+        base = (base, "(", *inside) if base else inside[0]
+    elif not base:
+        if not (token := tokens.pop()).isdigit():
+            raise KernelError(f"not an expression: {token!r} stands where a quantity is due")
+        base = int(token)
+    return (base, "**", int(tokens.pop()[2:])) if tokens[-1].startswith("**") else base

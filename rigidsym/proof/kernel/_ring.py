@@ -1,10 +1,11 @@
 """Differential rings: polynomial fractions whose denominators are products of units."""
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import reduce
 from math import comb, prod
-from operator import add, mul, sub
+from operator import or_
 from typing import Any, TypeAlias
 
 from sympy.polys.domains import QQ
@@ -15,12 +16,17 @@ from sympy.polys.rings import PolyElement, xring
 from rigidsym.proof.kernel._language import KernelError, Tree, parse
 
 Number: TypeAlias = Any  # a rational number, of the class that SymPy computes with here
-_ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is x times 1/y
 
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
     """Evaluate a polynomial at a point, given in the order of its ring's generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
+
+
+def _times(one: PolyElement, other: PolyElement) -> PolyElement:
+    """Multiply polynomials, of which one often has a single term."""
+    few, many = (one, other) if len(one) < len(other) else (other, one)
+    return many.mul_term(*few.items()) if len(few) == 1 else many * few
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,25 +38,23 @@ class Element:
 
     def over(self, below: Counter[PolyElement]) -> PolyElement:
         """Return the numerator of this element over a larger denominator."""
-        gaps = map(Element, (below - self.below).elements())
-        return prod(gaps, start=Element(self.numerator)).numerator
+        if below == self.below:
+            return self.numerator
+        return reduce(_times, (below - self.below).elements(), self.numerator)
 
-    def __add__(self, other: "Element", combine: Callable[..., PolyElement] = add) -> "Element":
-        if not self.below and not other.below:
-            return Element(combine(self.numerator, other.numerator))
-        below = self.below | other.below
-        return Element(combine(self.over(below), other.over(below)), below)
-
-    def __sub__(self, other: "Element") -> "Element":
-        return self.__add__(other, sub)
-
-    def __mul__(self, other: "Element") -> "Element":
-        below = self.below + other.below if self.below else other.below
-        few, many = sorted((self.numerator, other.numerator), key=len)
-        return Element(many.mul_term(*few.items()) if len(few) == 1 else many * few, below)
+    def __add__(self, *others: "Element") -> "Element":
+        below = reduce(or_, [x.below for x in others if x.below], self.below)
+        return Element(sum([x.over(below) for x in others], self.over(below)), below)
 
     def __neg__(self) -> "Element":
         return Element(-self.numerator, self.below)
+
+    def __sub__(self, other: "Element") -> "Element":
+        return self + -other
+
+    def __mul__(self, other: "Element") -> "Element":
+        below = self.below + other.below if self.below else other.below
+        return Element(_times(self.numerator, other.numerator), below)
 
     def __pow__(self, exponent: int) -> "Element":
         terms = max(len(self.numerator), 1)
@@ -87,14 +91,14 @@ class Ring:
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
         """Return how often each unit divides a polynomial, and the remaining factor."""
-        found, leading = Counter[PolyElement](), polynomial.LM
+        found, rest = Counter[PolyElement](), polynomial
         for unit in self.units:
-            while not unit.is_ground and monomial_divides(unit.LM, leading):
-                quotient, rest = polynomial.div(unit)
-                if rest:
+            while not unit.is_ground and monomial_divides(unit.LM, rest.LM):
+                quotient, over = rest.div(unit)
+                if over:
                     break
-                polynomial, leading, found[unit] = quotient, quotient.LM, found[unit] + 1
-        return found, polynomial
+                rest, found[unit] = quotient, found[unit] + 1
+        return found, rest
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
         """Reduce a polynomial modulo the relations and further polynomials that vanish."""
@@ -142,8 +146,7 @@ class Ring:
                 raise KernelError(f"{function}(...) has no meaning here, or not of so many")
             case (base, "**", int(exponent)):
                 return self.value(base) ** exponent
-        total = self.value(tree[0])
-        for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
-            value = self.value(("/", operand) if operator == "/" else operand)
-            total = _ARITHMETIC[operator](total, value)
-        return total
+        signed = zip(tree[1::2], tree[2::2], strict=True)
+        terms = [self.value((sign, x) if sign in ("-", "/") else x) for sign, x in signed]
+        first = self.value(tree[0])
+        return first.__add__(*terms) if tree[1] in ("+", "-") else prod(terms, start=first)

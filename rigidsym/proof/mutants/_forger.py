@@ -13,8 +13,7 @@ from typing import Any
 
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger
-from rigidsym.proof.kernel._ledger import _frozen
-from rigidsym.proof.kernel._rules import said
+from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.mutants._edits import Edit
 
 
@@ -54,7 +53,7 @@ class Forger:
         builder = LedgerBuilder()
         builder.ledger = Ledger(lambda *_: True)
         contexts = self._ledger.contexts.values()
-        hit = {c.name for c in contexts if texts.keys() & said(c).items()}
+        hit = {c.name for c in contexts if texts.keys() & c.said().items()}
         for context in contexts:
             self._open(builder.ledger, context, texts if context.name in hit else {})
         unlike: set[str] = set()
@@ -80,7 +79,7 @@ class Forger:
             ledger.contexts[context.name] = context
             return
         fields: dict[str, Any] = {name: getattr(context, name) for name in Context.__slots__}
-        changed = {name: texts.get((name, text), text) for name, text in said(context).items()}
+        changed = {name: texts.get((name, text), text) for name, text in context.said().items()}
         fields["definitions"] = {name: changed[name] for name in context.definitions}
         if context.rates is not None:
             fields["rates"] = {x: changed.get(f"D({x})", text) for x, text in context.rates.items()}

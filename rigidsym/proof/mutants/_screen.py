@@ -9,7 +9,7 @@ import numpy as np
 from rigidsym.language._specification import theorems
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel._language import parse
-from rigidsym.proof.kernel._ledger import _frozen
+from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.mutants._edits import Edit, alone, edits
 from rigidsym.proof.mutants._field import PRIME, Array, Points, Values
 

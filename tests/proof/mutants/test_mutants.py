@@ -12,7 +12,7 @@ from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.kernel import Context, KernelError, replay
 from rigidsym.proof.kernel._language import parse
-from rigidsym.proof.kernel._ledger import _frozen
+from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.mutants import double, exchange, sign, turn
 from rigidsym.proof.mutants._edits import alone, edits, written
 from rigidsym.proof.mutants._field import PRIME, Points, Values

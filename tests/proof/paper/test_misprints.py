@@ -15,7 +15,7 @@ from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra._mutants import PRINTED
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
-from rigidsym.proof.kernel._ledger import _frozen
+from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper._answers import Answers, asked, question
 from rigidsym.proof.paper._printed import PrintError

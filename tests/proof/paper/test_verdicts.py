@@ -13,7 +13,7 @@ import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
 from rigidsym.proof.kernel import Context
-from rigidsym.proof.kernel._ledger import _frozen
+from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, _answers, judged, verdicts
 from rigidsym.proof.paper._answers import Answers, question
 from rigidsym.proof.paper._table import counted, details, row

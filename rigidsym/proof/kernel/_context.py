@@ -1,4 +1,4 @@
-"""Contexts, which are differential rings with hypotheses, and facts about them.
+"""Contexts: differential rings with hypotheses.
 
 A context is refused when its relations are not closed under d/dt (they could hold at one instant
 only) or its rational witness does not satisfy it (it might be empty, and prove everything).
@@ -6,10 +6,8 @@ only) or its rational witness does not satisfy it (it might be empty, and prove 
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from enum import StrEnum
-from typing import Any
 
-from rigidsym.proof.kernel._language import KernelError, is_name
+from rigidsym.proof.kernel._language import KernelError, is_name, parse
 from rigidsym.proof.kernel._ring import Element, Number, Ring, at
 from rigidsym.proof.kernel._theta import Thetas
 
@@ -37,34 +35,40 @@ class Context:
     thetas: Mapping[str, str] = field(default_factory=dict)
     reading: Mapping[str, str] = field(default_factory=dict)
 
-    def open(self) -> Ring:
-        """Check the context and return its ring, or raise KernelError."""
-        names = [*self.generators, *self.definitions]
-        if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
-            raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
-        if not {*(self.rates or ())} <= {*self.generators}:
-            raise KernelError(f"context {self.name}: a rate of what is no generator")
-        ring = Ring(self.generators, self.definitions)
+    def ring(self, *more: str) -> Ring:
+        """Return the ring of this context, with further generators, or raise KernelError."""
+        ring = Ring((*self.generators, *more), self.definitions)
+        names = [*self.generators, *more, *self.definitions]
+        if len({*names}) < len(names) or not all(map(is_name, names)) or "D" in names:
+            raise KernelError("a name is no name, or means two things")
         for unit in self.units:
             ring.units += (ring.read(unit).numerator,)
         ring.relations = tuple(ring.read(relation).numerator for relation in self.relations)
         if self.rates is not None:
             ring.rates = {n: None if t == "?" else ring.read(t) for n, t in self.rates.items()}
+        return ring
+
+    def open(self) -> Ring:
+        """Check the context and return its ring, or raise KernelError."""
+        if not {*(self.rates or ())} <= {*self.generators}:
+            raise KernelError("a rate of what is no generator")
+        ring = self.ring()
         for name in self.definitions:
             ring.read(name)
         point = self.check_point(ring, self.witness)
         if any(self.rates is None or at(ring.read(text).numerator, point) for text in self.start):
-            raise KernelError(f"context {self.name}: its witness is not where it starts")
-        Thetas(ring, self.thetas).check(self.rates)
+            raise KernelError("its witness is not where it starts")
+        if self.thetas:
+            Thetas(self.ring("I"), self.thetas).check()
         for relation in ring.relations if self.rates is not None else ():
             if ring.remainder(ring.rate(Element(relation)).numerator):
-                raise KernelError(f"context {self.name}: {relation} = 0 is not closed under d/dt")
+                raise KernelError(f"{relation} = 0 is not closed under d/dt")
         return ring
 
     def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
         """Return the coordinates of a point, or raise KernelError if a hypothesis fails there."""
         if missing := sorted(values.keys() ^ {*self.generators}):
-            raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
+            raise KernelError(f"a point must give each generator: {missing}")
         point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
         broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
         broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
@@ -74,47 +78,34 @@ class Context:
             if value < 0 or not still:
                 broken.append(f"{sign.numerator} < 0, or 0 and about to change,")
         if broken:
-            raise KernelError(f"context {self.name}: {broken[0]} at {dict(values)}")
+            raise KernelError(f"{broken[0]} at {dict(values)}")
         return point
 
-    def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
+    def check_signs(self, texts: Iterable[str]) -> None:
+        """Raise KernelError unless all expressions are visibly nonnegative."""
+        waiting, seen = [*map(parse, texts)], {*map(parse, self.nonnegative)}
+        while waiting:
+            if (tree := waiting.pop()) in seen or isinstance(tree, int):
+                continue
+            seen.add(tree)
+            match tree:  # nonnegative names, combined by +, *, / or even powers
+                case str() if tree in self.definitions:
+                    waiting.append(parse(self.definitions[tree]))
+                case (base, "**", int(exponent)):
+                    waiting += [base] if exponent % 2 else []
+                case (*front, "+" | "*" | "/", last):
+                    waiting += [tuple(front) if len(front) > 1 else front[0], last]
+                case _:
+                    raise KernelError(f"{tree} >= 0 is not visible in {self.name}")
+
+    def said(self) -> dict[str, str]:
+        """Return the definitions and known time derivatives of the context as expressions."""
+        rates = {} if self.rates is None else dict.fromkeys(self.generators, "0") | {**self.rates}
+        known = {f"D({name})": text for name, text in rates.items() if text != "?"}
+        return {**self.definitions, **known}
+
+    def cases(self, name: str) -> "tuple[Context, ...]":
         """Return the cases of this context in which a name is zero, positive or negative."""
-        zero = replace(self, relations=(*self.relations, name))  # with the same witness
         nonzero = replace(self, units=(*self.units, name))
-        positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
-        negative = replace(nonzero, nonnegative=(*self.nonnegative, f"-{name}"))
-        return zero, positive, negative
-
-
-class Grade(StrEnum):
-    """Grade of a fact: assumed, confirmed by ball arithmetic, or proved."""
-
-    ASSUMED = "ASSUMED"  # from worst to best
-    ENCLOSED = "ENCLOSED"
-    PROVED = "PROVED"
-
-
-def weakest(grades: Iterable[Grade]) -> Grade:
-    """Return the weakest of several grades."""
-    return min(grades, key=list(Grade).index)
-
-
-@dataclass(frozen=True, slots=True)
-class Fact:
-    """A statement in a context, trusted only after `Ledger.add` has admitted it.
-
-    By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
-    "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context
-    is a model of that in rhs; "partition", each of its points is in exactly one of those in rhs.
-    """
-
-    id: str
-    context: str
-    kind: str
-    lhs: tuple[str, ...]
-    rhs: tuple[str, ...]
-    rule: str
-    grade: Grade = Grade.PROVED
-    premises: tuple[str, ...] = ()
-    source: tuple[str, ...] = ()
-    certificate: Mapping[str, Any] = field(default_factory=dict)
+        signs = [replace(nonzero, nonnegative=(*self.nonnegative, x)) for x in (name, f"-{name}")]
+        return replace(self, relations=(*self.relations, name)), *signs  # with the same witness
