@@ -55,7 +55,7 @@ SHORTEST = Part(
         "K**2 - M_a**2 - M_b**2 - M_d**2",
         "nu**2 - 2*K*(K + sigma*M_a)",
     ),
-    rates={"nu": "sigma*epsilon*(c_b - c_d)*Omega_b*Omega_d*nu/(2*(K + sigma*M_a))"},
+    rates={"nu": "sigma*epsilon*(c_b - c_d)*Omega_b*Omega_d*K/nu"},
     nonnegative=("K", "nu"),
     reading={"K": "|M|, kg m^2 rad/s", "nu": "length of (K + sigma M_a, M x sigma e_a)"},
 )
@@ -93,6 +93,8 @@ PULL_BACK = Part(
     relations=("p_d**2 + p_b**2 + p_a**2 + p_0**2 - 1",),
     reading={f"p_{x}": f"component {x} of R(0) Rbar(0)^-1, constant" for x in "0abd"},
 )
+# At the start psi is zero.
+UNTURNED = Part(relations=("cos_half_psi - 1", "sin_half_psi"))
 ATTITUDE = (
     HANDEDNESS,
     SENSE,
@@ -156,3 +158,9 @@ def _start(builder: LedgerBuilder, inverse: dict[str, str]) -> None:
     builder.open(join("attitude_start", HANDEDNESS, given, static=True))
     builder.claim("attitude_start.attitude", PULL_BACK.definitions, ["37"])
     builder.claim("attitude_start.turn", {units["p"]: "1"}, ["37"])
+    builder.open(join("attitude_begun", *ATTITUDE, UNTURNED, static=True))
+    builder.claim("attitude_begun.units", {units[q]: "1" for q in ("q", "qbar")}, ["37"])
+    for name, form in inverse.items():
+        builder.claim(f"attitude_begun.{name}", {name: form}, ["37"])
+    premises = [f"attitude_begun.{name}" for name in ("units", *inverse)]
+    builder.model("attitude_begun", "attitude_start", premises)

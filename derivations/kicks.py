@@ -43,7 +43,12 @@ TURNING = Part(
         },
         **dict.fromkeys(("Omega1", "Omega2", "Omega3"), "?"),
     },
-    definitions=SEEN | TORQUE | {"U": "(v1*(g1 - m1) + v2*(g2 - m2) + v3*(g3 - m3))/2"},
+    definitions=SEEN
+    | TORQUE
+    | {
+        "U": "(Q11*v1**2 + Q22*v2**2 + Q33*v3**2)/2 + Q23*v2*v3 + Q13*v1*v3 + Q12*v1*v2"
+        " - m1*v1 - m2*v2 - m3*v3"
+    },
     reading={
         **{f"u{i}": f"component {i} of a vector in space" for i in _NEXT},
         **{f"b{i}": f"component {i} of a torque that stays in the body" for i in _NEXT},
@@ -62,3 +67,5 @@ def derive(builder: LedgerBuilder) -> None:
     others = (f"b{i} - k*v{i}" for i in _NEXT)
     work = " + ".join(f"Omega{i}*(T{i} - {rest})" for i, rest in zip(_NEXT, others, strict=True))
     builder.claim("kick.work", {"D(U)": f"-({work})"}, ["3"])
+    start = {f"v{i}": f"u{i}" for i in _NEXT}
+    builder.begin("kick", ("q0 - 1", "q1", "q2", "q3"), "", start, "3")

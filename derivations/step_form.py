@@ -18,13 +18,10 @@ parameter is complex, and J is small with t^3.  By G alone the second half of a 
 the first (`second_half`), whatever J is: psi needs J for the shortest of times.
 """
 
-from derivations.attitude import (
-    HANDEDNESS,
-    RATES,
-    SENSE,
-)
+from derivations.attitude import HANDEDNESS, INERTIA, PULL_BACK, RATES, SENSE, SHORTEST, TURN
+from derivations.theta_edges import given
 from derivations.theta_form import times
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
 from rigidsym.proof.algebra._parts import part_of
 
 # n_a, n_b, n_d are sigma M_a/K, sigma epsilon M_b/K and M_d/K: Euler's equations without signs.
@@ -310,9 +307,49 @@ DIRECTION = Part(
 )
 
 
+# A body by i_a, K and h_a, h_d; its start by the direction of the momentum.
+AIMED = Part(
+    witness={"i_a": "1/3", "K": "3", "h_a": "3/2", "h_d": "1/2"},
+    units=("K", "i_a", "i_b", "i_d"),
+    definitions={
+        "i_b": "i_a + h_d/K",
+        "i_d": "i_b + h_a/K",
+        "M_a0": "sigma*K*n_a0",
+        "M_b0": "sigma*epsilon*K*n_b0",
+        "M_d0": "K*n_d0",
+    },
+    nonnegative=("K",),
+    reading={"K": STARTED.reading["K"]},
+)
+# The shortest rotation that takes the momentum to its axis.
+SHORTEST_TURN = Part(
+    {"nu": "6"},
+    ("nu",),
+    SHORTEST.definitions,
+    SHORTEST.relations[1:],
+    SHORTEST.rates,
+    ("nu",),
+    reading={"nu": SHORTEST.reading["nu"]},
+)
+# What the turn by thirds has for J's rate: psi's, less that at the start.
+RATE_OF_J = Part(
+    definitions={
+        **{f"i_{x}": f"1/c_{x}" for x in "abd"},
+        **{name: form for name, form in DIRECTION.definitions.items() if name != "Omega_a"},
+        "after": TURNING.definitions["after"],
+        "turn_0": "psi_0/2 - K*i_a/2",
+        "J_rate": "after - turn_0 + G_rate/2",
+    },
+)
+# At the start no time has passed, and nothing has turned.
+ELAPSED_START = ("X", "Y - 1")
+TURN_START = ("W_re - 1", "W_im", "R - 1")
+THIRDS_START = ("T_re - 1", "T_im", "E_re - 1", "E_im", "R - 1", "N - 2")
+
+
 def derive(builder: LedgerBuilder) -> None:
     """Prove the doubling, the turn, the second half of a time, and the motion by these."""
-    for claims in (_doubling, _turn, _halves, _psi, _body):
+    for claims in (_doubling, _turn, _halves, _psi, _body, _motion):
         claims(builder)
 
 
@@ -334,6 +371,8 @@ def _doubling(builder: LedgerBuilder) -> None:
     builder.claim("doubling.rates", moved, ["DLMF 22.6.5"])
     curve = {"Y_next**2": "1 - e_1*X_next**2 + e_2*X_next**4"}
     builder.claim("doubling.curve", curve, ["DLMF 22.6.5"])
+    start = {"X_next": "0", "Y_next": "1"}
+    builder.begin("doubling", ELAPSED_START, "", start, "DLMF 22.6.5")
 
 
 def _turn(builder: LedgerBuilder) -> None:
@@ -382,7 +421,11 @@ def _halves(builder: LedgerBuilder) -> None:
     later = {"D(V_re)": "-after*V_im", "D(V_im)": "after*V_re", "V_re**2 + V_im**2": "1"}
     builder.claim("second_half.turn", later, ["33", "34", "36"])
     builder.model("halves", "second_half", ["halves.rates"])
-    builder.carry("halves", ["second_half.turn"])
+    builder.carry("halves", ["second_half.turn", "second_half.R"])
+    begun = {"V_re": "1", "V_im": "0"}
+    start = ("G_re - 1", "G_im", *TURN_START)
+    builder.begin("second_half", start, "R", begun, "33", "34")
+    builder.begin("halves", (*ELAPSED_START, *TURN_START), "R", begun, "33", "34")
 
 
 def _psi(builder: LedgerBuilder) -> None:
@@ -396,6 +439,8 @@ def _psi(builder: LedgerBuilder) -> None:
         "cos_half_psi**2 + sin_half_psi**2": "1",
     }
     builder.claim("thirds.turn", turn, ["33", "34", "36"])
+    start = ("G_re - 1", "G_im", *THIRDS_START)
+    builder.begin("thirds", start, "R N", {"cos_half_psi": "1", "sin_half_psi": "0"}, "33", "34")
 
 
 def _body(builder: LedgerBuilder) -> None:
@@ -439,3 +484,43 @@ def _numbers(builder: LedgerBuilder) -> None:
         builder.claim(f"step.{name}", {name: form}, ["5", "10"])
     for name, form in projected.items():
         builder.claim(f"step.{name}", {name: form}, ["27"])
+
+
+def _motion(builder: LedgerBuilder) -> None:
+    """Prove that rates and attitude of the whole step are the motion.
+
+    Its variables are those of the point, by which psi's rate is short enough to be compared.
+    """
+    signs = (HANDEDNESS, SENSE)
+    turned = (*signs, INERTIA, RATES, SHORTEST, *given((THIRD,), ["J_rate"], ()), RATE_OF_J)
+    angle = Part(definitions=half_angle("psi").definitions)
+    builder.open(join("turned_by_thirds", *turned, THIRDS, TURN, angle, PULL_BACK))
+    rate = {"psi_rate": "psi_0 + 2*J_rate - G_rate"}
+    builder.claim("turned_by_thirds.rate", rate, ["33", "34"])
+    builder.model("turned_by_thirds", "thirds", ["turned_by_thirds.rate"])
+    builder.carry("turned_by_thirds", ["thirds.turn", "thirds.R", "thirds.N"])
+    builder.model("turned_by_thirds", "attitude", ["turned_by_thirds.turn"])
+    builder.carry("turned_by_thirds", ["attitude.solution", "attitude.nu"])
+    body = Part(definitions={**STARTED.definitions, **MOVED.definitions, **TURNING.definitions})
+    step = (*signs, AIMED, body, *STEP, QUOTIENT, THIRDS, SHORTEST_TURN)
+    builder.open(join("step_motion", *step, TURN, angle, PULL_BACK))
+    builder.model("step_motion", "turn")
+    builder.carry("step_motion", ["turn.psi"])
+    builder.model("step_motion", "step")
+    builder.carry("step_motion", ["step.euler", "step.momentum"])
+    premises = [f"step_motion.{name}" for name in ("psi", "euler", "momentum")]
+    builder.model("step_motion", "turned_by_thirds", premises)
+    builder.carry("step_motion", [f"turned_by_thirds.{name}" for name in ("R", "N", "nu")])
+    _start(builder)
+
+
+def _start(builder: LedgerBuilder) -> None:
+    """Prove that the step starts at its rates and its attitude."""
+    published = "M_a0 M_b0 M_d0 K h e_1 zr_re zr_im room Omega_a Omega_b Omega_d"
+    rates = {f"Omega_{x}": f"Omega_{x}0" for x in "abd"}
+    builder.begin("step", ELAPSED_START, published, rates, "5", "10")
+    turned = {"cos_half_psi": "1", "sin_half_psi": "0"}
+    start = (*ELAPSED_START, *THIRDS_START)
+    builder.begin("step_motion", start, "R N nu", rates | turned, "33", "34", "37")
+    for context in ("step_start", "attitude_begun"):
+        builder.model("step_motion_start", context)

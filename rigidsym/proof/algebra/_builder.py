@@ -145,6 +145,23 @@ class LedgerBuilder:
         """
         return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
 
+    def begin(
+        self, context: str, zero: Iterable[str], names: str, equations: Equations, *source: str
+    ) -> None:
+        """Prove equations at the instant at which a motion starts, where more is zero.
+
+        The instant is a context of its own, where the formulas for the names are proved again.
+        """
+        whole = self.ledger.contexts[context]
+        instant = f"{context}_start"
+        relations = (*whole.relations, *zero)
+        self.open(replace(whole, name=instant, relations=relations, rates=None))
+        for name in names.split():
+            fact = self.ledger.facts[f"{context}.{name}"]
+            place = {"id": f"{instant}.{name}", "context": instant}
+            self.decide(replace(fact, **place, rule="identity", premises=()))
+        self.claim(f"{instant}.start", equations, source)
+
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Prove that a context satisfies all hypotheses of another one.
 
