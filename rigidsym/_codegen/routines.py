@@ -62,7 +62,7 @@ _BEHIND = {"product_error": "split_product_error"}
 # What the names of functions of extended numbers begin with, and the type of these.
 KINDS = {"dd": "pair", "exact": "exact"}
 # Functions of pairs, by the primitive that they are.
-_OF_PAIRS = {
+OF_PAIRS = {
     **{"sqrt": "dd_sqrt", "abs": "dd_size", "rounded": "dd_rounded", "choose": "dd_choose"},
     **{"exponent": "dd_exponent", "mantissa": "dd_mantissa"},
 }
@@ -928,8 +928,8 @@ class _Lowering(ast.NodeTransformer):
         name, given = node.func.id, [self.visit(argument) for argument in node.args]
         if name == "pair":
             return _call("dd_pair", *map(_real, given))
-        if name in _OF_PAIRS and name != "choose" and self.scope.of(given[0]).is_pair:
-            return _call(_OF_PAIRS[name], *given)
+        if name in OF_PAIRS and name != "choose" and self.scope.of(given[0]).is_pair:
+            return _call(OF_PAIRS[name], *given)
         if name == "choose":
             type_ = _wider(self.scope.of(given[2]), self.scope.of(given[3]))
             given = [*map(_real, given[:2]), *(self._lifted(x, type_) for x in given[2:])]

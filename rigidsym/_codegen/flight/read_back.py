@@ -1,9 +1,8 @@
 """Check of the printed C code of the profile: its functions read back as their routines."""
 
-import ast
 import re
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import zip_longest
+from collections.abc import Mapping
+from dataclasses import replace
 
 from tree_sitter import Node
 
@@ -11,7 +10,8 @@ from rigidsym._codegen.flight.module import SOURCE, Code
 from rigidsym._codegen.flight.printer import FlightPrinter, preconditions
 from rigidsym._codegen.flight.program import PREFIX, names
 from rigidsym._codegen.functions import constants
-from rigidsym._codegen.routines import Routine, is_same
+from rigidsym._codegen.routines import Routine
+from rigidsym._codegen.seal.bodies import Body
 from rigidsym._codegen.targets.c import read_back, reader
 from rigidsym.errors import InputError
 
@@ -67,7 +67,9 @@ def check_body(text: str, node: Node, one: Routine, printer: FlightPrinter) -> N
     asserted = _assertions(text).get(name, [])
     if asserted != list(preconditions(one)) or body is None:
         raise InputError(SOURCE, name, f"asserts {asserted}")
-    _compare(name, reader.Reader(SOURCE, one, printer).block(body), one.body)
+    read = reader.Reader(SOURCE, one, printer).block(body)
+    # Names are members of structs here: a derived line is compared as any other.
+    Body(SOURCE, text.split("\n"), replace(one, function=None)).check(read, one.body)
 
 
 def plain(text: str) -> str:
@@ -87,19 +89,3 @@ def _assertions(text: str) -> Mapping[str, list[str]]:
         elif assertion := _ASSERTION.match(line):
             found.setdefault(name, []).append(assertion[1])
     return found
-
-
-def _compare(name: str, read: Sequence[ast.stmt], wanted: Sequence[ast.stmt]) -> None:
-    """Raise InputError for the first statement of a function that differs."""
-    for one, other in zip_longest(read, _without_idle(wanted)):
-        if one is None or other is None or not is_same(one, other):
-            place = f"{SOURCE}:{one.lineno}: {name}" if one else f"{SOURCE}: {name}"
-            raise InputError(place, _said(one), f"is not {_said(other)}")
-
-
-def _without_idle(statements: Sequence[ast.stmt]) -> Iterator[ast.stmt]:
-    return (one for one in statements if not isinstance(one, ast.Pass))
-
-
-def _said(node: ast.stmt | None) -> str:
-    return ast.unparse(ast.fix_missing_locations(node))[:120] if node else "the end"

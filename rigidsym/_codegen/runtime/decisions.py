@@ -267,3 +267,11 @@ def limit(last: double, rate: double, other: double) -> double:
 def is_held(unit: double, A_a: double, A_b: double, A_d: double) -> bool:
     """Return True if no rate, up to its amplitude, overflows."""
     return A_a * unit <= max_rate and A_b * unit <= max_rate and A_d * unit <= max_rate
+
+
+def all_finite(n: size, x: double[...]) -> bool:
+    """Return True if n doubles are finite."""
+    for k in range(n):
+        if not isfinite(x[k]):
+            return False
+    return True

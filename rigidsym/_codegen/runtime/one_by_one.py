@@ -27,14 +27,6 @@ class motion:
     of: union[circular, hyperbolic, steady]
 
 
-def all_finite(n: size, x: double[...]) -> bool:
-    """Return True if n doubles are finite."""
-    for k in range(n):
-        if not isfinite(x[k]):
-            return False
-    return True
-
-
 def steady_init(motion: out[motion], omega: pair[3], q: pair[4]):
     """Compute the constants of a motion with constant rates."""
     at_rest: bool = is_at_rest(omega)

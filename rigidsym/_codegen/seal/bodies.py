@@ -12,7 +12,7 @@ from itertools import zip_longest
 from rigidsym._codegen.ir import Function, Let, is_extended
 from rigidsym._codegen.lines import comment
 from rigidsym._codegen.passes import fuse, unfused
-from rigidsym._codegen.routines import KINDS, Routine, copied, is_same, let_of, syntax
+from rigidsym._codegen.routines import KINDS, OF_PAIRS, Routine, copied, is_same, let_of, syntax
 from rigidsym._codegen.seal.equality import DIFFERS, is_equal
 from rigidsym.errors import InputError
 from rigidsym.language._expression import Call, Expression, children, rebuild
@@ -21,10 +21,7 @@ _SYMBOLS: dict[str, type[ast.operator]] = {
     **{"add": ast.Add, "sub": ast.Sub},
     **{"mul": ast.Mult, "div": ast.Div},
 }
-_OF_PAIRS = {
-    **{"sqrt": "sqrt", "size": "abs", "choose": "choose", "rounded": "rounded"},
-    **{"exponent": "exponent", "mantissa": "mantissa"},
-}
+_PRIMITIVES = {routine: primitive for primitive, routine in OF_PAIRS.items()}
 
 
 def check_function(function: Function, printed: Iterable[Routine]) -> None:
@@ -81,7 +78,8 @@ class Body:
                 decided += self.check(one.orelse, other.orelse)
                 continue
             self._check_same(place, one, other)
-            if let := let_of(other):
+            # Routines without a derived function are compared as they stand.
+            if (let := let_of(other)) and self.one.function:
                 self._check_derived(place, one, let)
                 decided += 1
         return decided
@@ -132,7 +130,8 @@ class Raised(ast.NodeTransformer):
     def visit_Call(self, node: ast.Call) -> ast.expr:
         """Replace a call whose name begins with that of a kind of numbers."""
         self.generic_visit(node)
-        kind, _, verb = ast.unparse(node.func).partition("_")
+        name = ast.unparse(node.func)
+        kind, _, verb = name.partition("_")
         operation, _, _ = verb.partition("_")
         if kind not in KINDS:
             return node
@@ -143,9 +142,9 @@ class Raised(ast.NodeTransformer):
             return node.args[0]
         if verb == "neg":
             return ast.UnaryOp(ast.USub(), node.args[0])
-        if verb not in _OF_PAIRS:
+        if name not in _PRIMITIVES:
             return node
-        return ast.Call(ast.Name(_OF_PAIRS[verb], ast.Load()), node.args, [])
+        return ast.Call(ast.Name(_PRIMITIVES[name], ast.Load()), node.args, [])
 
 
 def _said(node: ast.AST | None) -> str:
