@@ -20,8 +20,11 @@ _FIXED = (
     "theorems/symmetric.v",
     "theorems/asymmetric.v",
     "theorems/separatrix.v",
+    "theorems/kick.v",
+    "theorems/step.v",
     "theorems/published.v",
     "assumptions/plain.v",
+    "assumptions/computed.v",
     "assumptions/published.v",
 )
 _REQUIRE = r"^From Rigidsym(?:\.(\w+))? Require (?:Import )?(.*)\.$"
@@ -31,14 +34,15 @@ _MAKEFILE = """\
 all: CoqMakefile
 \t$(MAKE) -f CoqMakefile
 
-# The theorems in plain words, and no context but those that they rest on.
-plain: CoqMakefile
-\t$(MAKE) -f CoqMakefile assumptions/plain.vo
+# Theorems on motions, on steps and kicks, and on published forms, with the contexts that they use.
+plain computed published: CoqMakefile
+\t$(MAKE) -f CoqMakefile assumptions/$@.vo
 
 CoqMakefile: _CoqProject
 \tcoq_makefile -f _CoqProject -o CoqMakefile
 
-.PHONY: all plain
+.PHONY: all plain computed published
+.NOTPARALLEL:
 """
 
 
