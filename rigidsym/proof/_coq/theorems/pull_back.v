@@ -79,8 +79,7 @@ Section PulledBack.
     - apply E.
     - apply E.
     - destruct (E t) as (Da & _ & _); unfold nu; derive_known; [apply under_root |].
-      fold (nu t); apply (Rmult_eq_reg_r (2 * nu t * (K + s * (c_a * w_a t)))); [|nra].
-      field_simplify; [rewrite (Nu t); field | lra | lra].
+      fold (nu t); field; lra.
     - rewrite (energy_kept h c_a c_b c_d Ca Cb Cd w_a w_b w_d E t), Va, Vb, Vd.
       pose proof (turns t); derive_known; change (psi t * / 2) with (psi t / 2); unfold energy; field; lra.
     - rewrite (energy_kept h c_a c_b c_d Ca Cb Cd w_a w_b w_d E t), Va, Vb, Vd.
