@@ -195,7 +195,7 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
         ledger = replay(text, encloses)
         require(specification, json.loads(text))
     except (KernelError, Unproved) as error:
-        say(f"rigidsym check: refused: {error}")
+        say(f"rigidsym check: refused: {error}{_concerning(error, text, specification)}")
         return None
     return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
 
@@ -221,8 +221,26 @@ def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
     try:
         return grades(text, specification)
     except Refused as error:
-        say(f"rigidsym check: refused by the independent checker: {error}")
+        told = f"{error}{_concerning(error, text, specification)}"
+        say(f"rigidsym check: refused by the independent checker: {told}")
         return None
+
+
+def _concerning(error: Exception, text: str, specification: str) -> str:
+    """Return which theorem rests on the context in which a checker refuses something."""
+    from rigidsym.language._specification import Proved, theorems
+
+    kind, _, name = str(error).partition(":")[0].partition(" ")
+    if kind not in ("fact", "context"):
+        return ""
+    try:
+        ledger = Proved(json.loads(text))
+    except (LookupError, TypeError, AttributeError):
+        return ""
+    for theorem in theorems(specification).values():
+        if name.partition(".")[0] in ledger.modelled(theorem.name):
+            return f" (theorem {theorem.name} rests on it: {theorem.title})"
+    return ""
 
 
 def replayed() -> str:
@@ -241,8 +259,17 @@ def replayed() -> str:
 
 
 def _ledger_text(path: Path | None) -> str:
+    """Return the text of a user's ledger, or of the sealed one.
 
-    return stored.ledger_text() if path is None else read_text("ledger", path)
+    Raises InputError or LedgerError for a file that is no ledger.
+    """
+    try:
+        text = stored.ledger_text() if path is None else read_text("ledger", path)
+    except InputError as error:
+        step = "write a ledger by `rigidsym derive -o FILE`"
+        raise InputError(error.field, error.value, error.rule, next_step=step) from None
+    stored.ledger_data(text)
+    return text
 
 
 def export(options: Namespace) -> int:
@@ -313,6 +340,7 @@ def audit(options: Namespace) -> int:
 
     audits = audit(stored.specification_text(), stored.ledger_data(replayed()))
     counts, lines = totals(audits), {target: beside(target) for target in TARGETS}
+    own = deciding()
     if options.json:
         theorems = [asdict(one) for one in audits]
         data = {
@@ -320,6 +348,7 @@ def audit(options: Namespace) -> int:
             "theorems": theorems,
             "totals": counts,
             "lines": lines,
+            "deciding": own,
         }
         print(json.dumps(data, indent=1))
         return 0
@@ -328,8 +357,29 @@ def audit(options: Namespace) -> int:
         for kind, things in one.trusted.items():
             print("".join(f"  {kind}: {thing}\n" for thing in things), end="")
     print("in all: " + ", ".join(f"{count} {kind}" for kind, count in counts.items()))
+    print("deciding: " + ", ".join(f"{count} lines of {name}" for name, count in own.items()))
     print("by hand: " + ", ".join(f"{count} lines beside {name}" for name, count in lines.items()))
     return 0
+
+
+def deciding() -> dict[str, int]:
+    """Count the lines that decide what is proved, without blank lines and comments."""
+    from importlib import resources
+
+    from rigidsym._codegen.lines import code_lines
+
+    places = {
+        "the kernel": "rigidsym.proof.kernel",
+        "the second checker": "rigidsym.proof.checker",
+        "the first reader of specifications": "rigidsym.language",
+    }
+    counts = {}
+    for what, package in places.items():
+        files = [file for file in resources.files(package).iterdir() if file.name.endswith(".py")]
+        if package == "rigidsym.language":
+            files = [file for file in files if file.name == "_specification.py"]
+        counts[what] = sum(code_lines(file.read_text("utf-8"), "numpy") for file in files)
+    return counts | {"the specification": code_lines(stored.specification_text(), "numpy")}
 
 
 def errata(options: Namespace) -> int:

@@ -7,6 +7,7 @@ from typing import Any
 
 from rigidsym.errors import LedgerError
 
+SCHEMA = "rigidsym.ledger/4"
 SEAL = "ledger.sha256"
 
 
@@ -51,13 +52,31 @@ def _derived(name: str, advice: str) -> str:
 def ledger_data(text: str) -> dict[str, Any]:
     """Parse the text of a ledger.
 
-    Raises LedgerError unless it has facts and contexts.
+    Raises LedgerError, with one line and the next step, for a text that is no ledger.  Whether its
+    entries are in order is for checkers.
     """
     try:
         data = json.loads(text)
-        for part, key in (("facts", "id"), ("contexts", "name")):
-            if any(not isinstance(entry[key], str) for entry in data[part]):
-                raise LedgerError(f"ledger: {part} have no {key}")
-    except (KeyError, TypeError, json.JSONDecodeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
+    except (ValueError, RecursionError):
+        raise _no_ledger("it is not JSON" if text.strip() else "it is empty") from None
+    if not isinstance(data, dict):
+        raise _no_ledger("it is JSON, but no object with contexts and facts")
+    if data.get("schema", SCHEMA) != SCHEMA:
+        raise _no_ledger(f"its schema is {data['schema']!a:.40}")
+    for key, kind, what in (
+        ("contexts", list, "list of contexts"),
+        ("facts", list, "list of facts"),
+        ("published", dict, "table of what is published"),
+    ):
+        if not isinstance(data.get(key), kind):
+            raise _no_ledger(f"it has no {what}")
+    for part, key in (("facts", "id"), ("contexts", "name")):
+        for number, entry in enumerate(data[part]):
+            if not isinstance(entry, dict) or not isinstance(entry.get(key), str):
+                raise _no_ledger(f"{part}[{number}] has no {key}")
     return data
+
+
+def _no_ledger(reason: str) -> LedgerError:
+    told = f"ledger: not readable as {SCHEMA}: {reason}"
+    return LedgerError(f"{told}: write one by `rigidsym derive -o FILE`")

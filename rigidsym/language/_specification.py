@@ -195,7 +195,7 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
             if lack := next(proved.lacks(theorem), ""):
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
     except (LookupError, TypeError, AttributeError) as error:
-        raise Unproved(f"not a ledger that theorems can be read from: {error!r}") from None
+        raise Unproved(f"its published formulas are not readable: {error}") from None
 
 
 class Proved:
