@@ -3,9 +3,9 @@
 import json
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidsym._cli.commands import SETTING
 from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
@@ -16,7 +16,7 @@ from rigidsym.io._files import read_text, write_text
 if TYPE_CHECKING:
     from rigidsym.proof._coq import Export
     from rigidsym.proof.derivation import Derivation
-    from rigidsym.proof.mutants import Campaign
+    from rigidsym.proof.mutants import Checks
     from rigidsym.proof.paper import Verdict
     from rigidsym.proof.paper._prose import Judged
 
@@ -128,7 +128,7 @@ def check(options: Namespace) -> int:
     """
 
     if options.mutants:
-        return _mutants_noticed(_ledger_text(options.ledger), stored.specification_text())
+        return _mutants_noticed(_ledger_text(options.ledger))
     grades = _independent_grades if options.independent else _kernel_grades
     specification = "" if options.facts else stored.specification_text()
     text = _ledger_text(options.ledger)
@@ -146,34 +146,28 @@ def check(options: Namespace) -> int:
     return 1 if assumed else 0
 
 
-def campaign(text: str, specification: str) -> "Campaign":
-    """Return the campaign of mutants of a ledger, decided by all that `check` decides by."""
+def checks(text: str) -> "Checks":
+    """Return what decides about mutants of a ledger: all that `check` decides by."""
+    from rigidsym._numbers import check_numbers
     from rigidsym.language import _specification as first
     from rigidsym.proof import checker as second
-    from rigidsym.proof.mutants import Campaign
+    from rigidsym.proof.mutants import Checks
 
-    def refusal(reader: Callable[[str, Any], None]) -> Callable[[Any], str]:
-        def decide(ledger: Any) -> str:
-            try:
-                reader(specification, ledger)
-            except (first.Unproved, second.Refused) as error:
-                return str(error)
-            return ""
-
-        return decide
-
-    readers = [refusal(first.require), refusal(second.require)]
-    return Campaign(text, specification, readers, lambda _: "")
+    readers, refusals = (first.require, second.require), (first.Unproved, second.Refused)
+    specification = stored.specification_text()
+    return Checks(text, specification, readers, check_numbers, (*refusals, LedgerError))
 
 
-def _mutants_noticed(text: str, specification: str) -> int:
+def _mutants_noticed(text: str) -> int:
     """Print how many mutants of a ledger each check notices.
 
     Returns 1 if one goes unnoticed.
     """
-    from rigidsym.proof.mutants import FATES
+    from rigidsym.proof.mutants import FATES, run
+    from rigidsym.validate._executors import local
 
-    tally = campaign(text, specification).run()
+    with local() as place:
+        tally = run(checks(text), place.submit)
     rows = [
         (kind, *(str(fates[fate]) for fate in FATES), str(fates.total()))
         for kind, fates in tally.counts.items()

@@ -10,8 +10,19 @@ evaluates a context modulo a prime, and `screen` refutes most mutants at such po
 `publications` has the mutants of everything else, and `campaign` decides them all.
 """
 
-from rigidsym.proof.mutants._campaign import FATES, Campaign, Tally
+from rigidsym.proof.mutants._campaign import FATES, Checks, Tally, run
 from rigidsym.proof.mutants._edits import Edit, double, exchange, sign, turn
 from rigidsym.proof.mutants._forger import Forger
 
-__all__ = ["FATES", "Campaign", "Edit", "Forger", "Tally", "double", "exchange", "sign", "turn"]
+__all__ = [
+    "FATES",
+    "Checks",
+    "Edit",
+    "Forger",
+    "Tally",
+    "double",
+    "exchange",
+    "run",
+    "sign",
+    "turn",
+]

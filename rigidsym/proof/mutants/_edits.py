@@ -62,12 +62,12 @@ def double(place: Definition) -> Edit:
 
 def edits(definitions: Mapping[str, str]) -> list[Edit]:
     """Return the changes of signs, the exchanges and the turns of definitions in a context."""
-    found = [sign(place) for place in definitions.items()]
+    found = [sign(place) for place in definitions.items() if place[1] != "0"]
     for name in definitions:
         for other, is_complex in partners(name, definitions):
             one, two = (name, definitions[name]), (other, definitions[other])
             used = {*_reach(one[1], definitions), *_reach(two[1], definitions)}
-            if not used & {name, other}:  # a definition in terms of itself is none
+            if one[1] != two[1] and not used & {name, other}:  # no definition is about itself
                 found.append(exchange(one, two))
                 if is_complex:
                     found.append(turn(one, two))
@@ -78,7 +78,8 @@ def alone(definitions: Mapping[str, str]) -> list[Edit]:
     """Return edits inside single definitions: a factor 2, a term's sign, a lost term or factor."""
     found = []
     for place in definitions.items():
-        found.append(double(place))
+        if place[1] != "0":
+            found.append(double(place))
         match parse(place[1]):
             case (_, *_, "+" | "-" | "*" | "/" as operator, last) as tree:
                 begun = written(tree[0] if len(tree) == 3 else tree[:-2])

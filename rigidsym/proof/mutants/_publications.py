@@ -12,11 +12,11 @@ from rigidsym.language._expression import Call, Expression, Number, Operation, p
 from rigidsym.proof.mutants._edits import Edit, double, partners, sign
 
 Ledger = Mapping[str, Any]
-SEED, PAIRS = 33, 200
+SEED, PAIRS = 33, 100
 
 
 def meanings(ledger: Ledger) -> Iterator[tuple[str, Ledger]]:
-    """Yield ledgers with another meaning of one published name, or of two in a context.
+    """Yield ledgers with another meaning of one published name, or of two, drawn by a seed.
 
     A function has twice its argument or the opposite sign, or two names exchange their functions.
     """
@@ -27,7 +27,7 @@ def meanings(ledger: Ledger) -> Iterator[tuple[str, Ledger]]:
             if name := entry.get("reading"):
                 text = contexts[entry["context"]]["reading"][name]
                 published.setdefault(entry["context"], {})[name] = text
-    seen = set()
+    seen, found = set(), dict[int, list[Any]]({1: [], 2: []})
     for readings in published.values():
         changes = {f"2 in {x}": {(x, text): doubled(text)} for x, text in readings.items()}
         changes |= {f"- {x}": {(x, text): f"-({text})"} for x, text in readings.items()}
@@ -40,7 +40,9 @@ def meanings(ledger: Ledger) -> Iterator[tuple[str, Ledger]]:
                 texts = {place: text for told in chosen for place, text in changes[told].items()}
                 if (key := frozenset(texts.items())) not in seen:
                     seen.add(key)
-                    yield f"meanings: {', '.join(chosen)}", _rewritten(ledger, "reading", texts)
+                    found[count].append((", ".join(chosen), texts))
+    for told, texts in (*found[1], *Random(SEED).sample(found[2], PAIRS)):
+        yield told, _rewritten(ledger, "reading", texts)
 
 
 def rates(ledger: Ledger, names: Iterable[str]) -> Iterator[tuple[Edit, Ledger]]:
@@ -65,9 +67,9 @@ def publications(ledger: Ledger) -> Iterator[tuple[str, Ledger]]:
     pairs = [(name, pair) for name, places in every for pair in combinations(places, 2)]
     for name, places in (*single, *whole, *Random(SEED).sample(pairs, PAIRS)):
         for kind, change in (("without", _without), ("hollow", _hollow)):
-            told = f"publications: {kind} {', '.join(map(str, places))} of {name}"
+            told = f"{kind} {', '.join(map(str, places))} of {name}"
             yield told, change(ledger, {name: {*places}})
-    yield "publications: hollow, all", _hollow(ledger, {name: {*places} for name, places in every})
+    yield "hollow, all", _hollow(ledger, {name: {*places} for name, places in every})
 
 
 def doubled(text: str) -> str:

@@ -1,12 +1,13 @@
 """Mutants of the definitions in a specification, and their refutation at points modulo a prime."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from itertools import chain, combinations
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from rigidsym.language._specification import theorems
+from rigidsym.language._specification import Proved, theorems
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel._language import parse
 from rigidsym.proof.kernel._rules import _frozen
@@ -41,25 +42,32 @@ def listed(mutants: Sequence[Mutant]) -> Mutants:
 class Screen:
     """The theorems of a specification, with points of their contexts.
 
-    A theorem refutes a mutant if one of its equations is false at a point of the changed context,
-    or if it fixes the text of a changed definition.
+    A theorem refutes a mutant if one of its definitions or equations is false at a point of the
+    changed context.
     """
 
     def __init__(self, specification: str, ledger: Mapping[str, Any]) -> None:
-        self.theorems = theorems(specification)
-        self.contexts = {x["name"]: Context(**_frozen(x)) for x in ledger["contexts"]}
+        self.theorems, proved = theorems(specification), Proved(ledger)
+        contexts = {x["name"]: Context(**_frozen(x)) for x in ledger["contexts"]}
+        self.definitions = {name: contexts[name].definitions for name in self.theorems}
+        self.contexts: dict[str, Context] = {}
+        for name, theorem in self.theorems.items():
+            # It may use names that only it defines, or a context that its context models.
+            definitions = {**theorem.let}
+            for place in reversed(proved.modelled(name)):
+                definitions |= contexts[place].definitions
+            self.contexts[name] = replace(contexts[name], definitions=definitions)
         self._points: dict[str, Points] = {}
 
     def mutants(self) -> Iterator[tuple[str, Mutants]]:
         """Yield the mutants of each theorem's context.
 
-        They are all sets of up to three edits of definitions that the theorem does not fix, except
-        the sets that an earlier theorem has.  Other factors and lost terms are one edit each.
+        They are all sets of up to three edits, except the sets that an earlier theorem has.  Other
+        factors and lost terms are one edit each.
         """
         done: list[set[Edit]] = []
         for name in self.theorems:
-            free = self._free(name)
-            found, single = edits(free), alone(free)
+            found, single = edits(self.definitions[name]), alone(self.definitions[name])
             places = np.arange(len(found), len(found) + len(single))
             padding = ((0, 0), (0, MOST - 1))
             rows = np.concatenate(
@@ -71,10 +79,6 @@ class Screen:
                 rows = rows[~known[rows].all(axis=1)]
             done.append({*found})
             yield name, Mutants(found, rows)
-
-    def _free(self, name: str) -> dict[str, str]:
-        definitions = self.contexts[name].definitions
-        return {x: text for x, text in definitions.items() if x not in self.theorems[name].let}
 
     def survivors(self, found: dict[Mutant, str]) -> dict[Mutant, str]:
         """Return those of some mutants that no theorem refutes."""
@@ -101,7 +105,6 @@ class Screen:
             for (x, text), terms in edit.terms:
                 if context.definitions.get(x) != text or not chosen.any():
                     continue
-                refuted |= chosen & (x in theorem.let)
                 factors = changes.setdefault(x, {text: np.ones(size, np.int64)})
                 factors[text][chosen] = 0
                 for new, factor in terms:
@@ -112,11 +115,12 @@ class Screen:
             self._points[name] = Points(context, seed=1)
         point, found = self._points[name].of(summed, size)
         values = Values(context, summed, point)
-        for relation, lhs, rhs in theorem.then:
+        definitions = [("=", name, text) for name, text in theorem.let.items()]
+        for relation, lhs, rhs in (*definitions, *theorem.then):
             if relation != ">=" and not refuted.all():
                 try:
                     one, other = values.value(parse(lhs)), values.value(parse(rhs))
-                except KernelError:  # for example a second derivative
+                except (KernelError, RecursionError):  # for example a second derivative
                     continue
                 one = one * one % PRIME if relation == "sqrt" else one
                 refuted = refuted | ((one != other) & found & values.defined)

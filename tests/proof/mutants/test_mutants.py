@@ -5,19 +5,20 @@ import random
 
 import numpy as np
 import pytest
-from ledgers import CONTEXTS, LEDGER, OUTSIDE, TEXT, defined, forger
+from ledgers import CONTEXTS, LEDGER, TEXT, defined, forger
 
-from rigidsym._cli.proofs import campaign
+from rigidsym._cli.proofs import checks
 from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.kernel import Context, KernelError, replay
 from rigidsym.proof.kernel._language import parse
 from rigidsym.proof.kernel._rules import _frozen
-from rigidsym.proof.mutants import double, exchange, sign, turn
+from rigidsym.proof.mutants import double, exchange, run, sign, turn
 from rigidsym.proof.mutants._edits import alone, edits, written
 from rigidsym.proof.mutants._field import PRIME, Points, Values
 from rigidsym.proof.mutants._publications import doubled, meanings, publications, rates
-from rigidsym.proof.mutants._screen import Screen, listed
+from rigidsym.proof.mutants._screen import Screen
+from rigidsym.validate._executors import Here
 
 SPECIFICATION = specification_text()
 
@@ -84,18 +85,10 @@ def test_what_is_proved_holds_modulo_a_prime(name):
     assert found.any()
 
 
-@pytest.mark.parametrize("name", OUTSIDE)
-def test_no_point_refutes_the_outside_attack(screen, name):
-    """The equations of the theorem itself hold for these mutants: numbers have to notice them."""
-    refuted = screen.refuted(name, listed([tuple(OUTSIDE[name])]))
-    ledger = forger().forge(OUTSIDE[name])
-    assert not (is_specified(ledger) and refuted.any())
-
-
 def test_points_and_proofs_agree(screen):
     """Decide mutants at points, and by redoing all proofs that a change can concern."""
     drawn, every = random.Random(33), dict(screen.mutants())
-    for name in ("step", "kick", "doubling", "theorem1_motion"):
+    for name in ("doubling", "kick", "landen", "theorem1_motion"):
         mutants = every[name]
         rows = np.array(drawn.sample([*range(len(mutants.rows))], 2))
         chosen = [*mutants.each(rows)]
@@ -122,7 +115,7 @@ def test_points_and_a_replay_of_all_proofs_agree(screen):
 def test_hollow_ledgers_are_accepted_by_the_kernel():
     """Publish x = 1*x for every name: the kernel has nothing to refuse."""
     *_, (told, ledger) = publications(LEDGER)
-    assert told == "publications: hollow, all"
+    assert told == "hollow, all"
     replay(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n", lambda *_: True)
 
 
@@ -130,7 +123,7 @@ def test_meanings_are_doubled_exchanged_and_negated():
     assert doubled("sin(Lambda*t)") == "sin(2 * (Lambda * t))"
     assert doubled("2*pi") == "2 * (2 * pi)"
     told = {told for told, _ in meanings(LEDGER)}
-    assert {"meanings: 2 in X_re, 2 in X_im", "meanings: <-> X_re, X_im"} <= told
+    assert {"2 in X_re", "<-> X_re, X_im"} <= told
 
 
 def test_rates_are_changed_in_all_contexts():
@@ -162,6 +155,6 @@ def test_a_context_without_points_is_not_screened():
 
 @pytest.mark.xfail(strict=False, reason="meanings and published formulas are not evaluated")
 def test_a_sample_of_the_campaign_goes_not_unnoticed():
-    tally = campaign(TEXT, SPECIFICATION).run(sample=6)
+    tally = run(checks(TEXT), Here().submit, sample=6)
     assert sum(fates.total() for fates in tally.counts.values()) >= 200
     assert not tally.unnoticed
