@@ -7,10 +7,11 @@ theorems, in a definition wherever it stands, or in all facts that state what a 
 import json
 import re
 from collections.abc import Callable
+from functools import cache
 from random import Random
 from typing import Any
 
-from rigidsym.language._specification import theorems
+from rigidsym.language._specification import Proved, theorems
 from rigidsym.proof.kernel import KernelError
 from rigidsym.proof.kernel._language import parse
 
@@ -98,25 +99,30 @@ def _meaning(data: Any, specification: str, random: Random) -> str:
 
 def _statement(data: Any, specification: str, random: Random) -> str:
     """Change one side of an equation of a theorem, in all facts that state the equation."""
-    stated = {
-        frozenset((lhs, rhs))
-        for theorem in theorems(specification).values()
-        for _, lhs, rhs in theorem.then
-    }
-    pairs = sorted(
-        {
-            pair
-            for fact in data["facts"]
-            if fact["kind"] in ("equal", "root")
-            for pair in zip(fact["lhs"], fact["rhs"], strict=True)
-            if frozenset(side.replace(" ", "") for side in pair) in stated
-        }
-    )
+    pairs = _required(json.dumps(data), specification)
     lhs, rhs = random.choice(pairs)
     names = [token for token in _TOKEN.findall(lhs + rhs) if token[0].isalpha() and token != "D"]
     new = (lhs, changed(rhs, [*names, "t"], random))
     _restate(data, lambda *pair: new if pair == (lhs, rhs) else pair)
     return f"{lhs:.40} = {new[1]:.60}"
+
+
+@cache
+def _required(text: str, specification: str) -> list[tuple[str, str]]:
+    """Return both sides of the equations of facts that are equations of theorems."""
+    ledger = Proved(json.loads(text))
+    found = set()
+    for theorem in theorems(specification).values():
+        values = ledger.values(theorem)
+        stated = {values.said(statement) for statement in theorem.then}
+        places = ledger.modelled(theorem.name)
+        for fact in ledger.proved:
+            if fact["kind"] in ("equal", "root") and fact["context"] in places:
+                relation = "sqrt" if fact["kind"] == "root" else "="
+                for pair in zip(fact["lhs"], fact["rhs"], strict=True):
+                    if values.said((relation, *pair)) in stated:
+                        found.add(pair)
+    return sorted(found)
 
 
 def _restate(data: Any, change: Callable[[str, str], tuple[str, str]]) -> None:

@@ -371,7 +371,7 @@ def deciding() -> dict[str, int]:
     for what, package in places.items():
         files = [file for file in resources.files(package).iterdir() if file.name.endswith(".py")]
         if package == "rigidsym.language":
-            files = [file for file in files if file.name == "_specification.py"]
+            files = [file for file in files if file.name in ("_notation.py", "_specification.py")]
         counts[what] = sum(code_lines(file.read_text("utf-8"), "numpy") for file in files)
     return counts | {"the specification": code_lines(stored.specification_text(), "numpy")}
 

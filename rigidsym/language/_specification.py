@@ -8,12 +8,20 @@ indented further than their clause.
     theorem name: its statement in words
 
     under A B                            the hypotheses of other blocks
-    names x y                            real numbers
+    vectors v w along a b d epsilon      v is v_a, v_b, v_d; epsilon is the handedness of these axes
+    vectors v w along 1 2 3              v is v1, v2, v3
+    quaternions q                        q is q_0, q_a, q_b, q_d, or q0, q1, q2, q3
+    complex z                            z is z_re, z_im
+    matrices R                           R is R11, R12 and so on
+    derivatives d: x y                   d(x) and d(y), small changes, are dx and dy
+    derivatives d_x: y by z0             d_x(y), for each input x of z0, is y_by_z
     zero a; b                            a = 0, b = 0
     nonzero a; b                         a != 0, b != 0
     nonnegative a; b                     a >= 0, b >= 0
     positive a                           a >= 0 and a != 0
     moving x' = a; y' = ?                time derivatives, known or not; other names are constant
+    turning z at a; half_psi at b        z = z_re + i z_im and cos_half_psi + i sin_half_psi are of
+                                         modulus 1, and turn at the rates a and b
     let x = a                            definitions of names
     with x = a                           definitions of names that would be free otherwise
     without a                            a = 0 is not assumed
@@ -22,22 +30,33 @@ indented further than their clause.
     then a = b; a = sqrt(b); a >= 0      the conclusions
     cases A, B, C                        the conclusion that exactly one of these theorems applies
 
-A theorem without `moving` is about one instant.  Texts are compared word for word, spaces aside.
+Names that nothing defines are any real numbers, and constant where nothing moves them.  A theorem
+without `moving` is about one instant.  `_notation` defines vectors and derivatives by components;
+they are names of the block that declares them.  Items with `d_x` hold for each input x.
+
+Expressions are compared as rational functions of the names that a context does not define: by their
+values modulo a prime, at a point that is drawn from a hash of the ledger.  Two expressions of
+degree n that differ have the same value with a probability of n/2^255.
 """
 
+import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from hashlib import sha256
 from typing import Any, NamedTuple, TypeAlias
 
-CLAUSES = {
-    *("under", "names", "zero", "nonzero", "nonnegative", "positive", "moving", "let", "with"),
-    *("without", "formulas", "then", "cases"),
-}
+from rigidsym.language._expression import Call, Expression, Name, Number, Operation, names, to_text
+from rigidsym.language._expression import parse as _parse
+from rigidsym.language._notation import ZERO, Notation, derivative, pairs
+
 _NAME = re.compile(r"[A-Za-z_]\w*")
+_PRIME = 2**255 - 19
 # A proved equation, root or sign: "=", "sqrt" or ">=", and both sides.
 Statement: TypeAlias = tuple[str, str, str]
+# Ledgers and specifications repeat expressions.
+parse = cache(_parse)
 
 
 class Published(NamedTuple):
@@ -53,8 +72,8 @@ class Published(NamedTuple):
 
     @property
     def said(self) -> Statement:
-        """The formula as a statement, without spaces."""
-        return "sqrt" if self.how == "root" else "=", self.name, _spaceless(self.text)
+        """The formula as a statement."""
+        return "sqrt" if self.how == "root" else "=", self.name, self.text
 
 
 class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
@@ -65,13 +84,12 @@ class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
 class Theorem:
     """One block of a specification, merged with the blocks that it includes.
 
-    The texts have no spaces.
+    The texts are written by components.
     """
 
     name: str
     title: str = ""
     is_theorem: bool = False
-    names: set[str] = field(default_factory=set)
     zero: set[str] = field(default_factory=set)
     nonzero: set[str] = field(default_factory=set)
     nonnegative: set[str] = field(default_factory=set)
@@ -80,6 +98,86 @@ class Theorem:
     formulas: list[tuple[str, tuple[str, ...]]] = field(default_factory=list)
     then: list[Statement] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    notation: Notation = field(default_factory=Notation)
+
+    def include(self, other: "Theorem") -> None:
+        """Add what another block assumes, defines and concludes."""
+        for clause in ("zero", "nonzero", "nonnegative"):
+            getattr(self, clause).update(getattr(other, clause))
+        self.let |= other.let
+        if other.moving is not None:
+            self.moving = (self.moving or {}) | other.moving
+        self.formulas += other.formulas
+        self.then += other.then
+
+    def fill(self, clause: str, content: str) -> None:
+        """Add one clause.
+
+        Raises ValueError if there is no such clause.
+        """
+        match clause:
+            case "names":
+                pass
+            case "vectors" | "quaternions" | "complex" | "matrices":
+                self.notation.declare(clause, content)
+            case "derivatives":
+                self.notation.derive(content)
+            case "zero" | "nonzero" | "nonnegative":
+                getattr(self, clause).update(self._expressions(content))
+            case "positive":
+                self.nonzero.update(self._expressions(content))
+                self.nonnegative.update(self._expressions(content))
+            case "moving":
+                self.moving = (self.moving or {}) | dict(self._equations(content, "' ="))
+            case "turning":
+                for item in content.split(";"):
+                    name, _, rate = item.strip().partition(" at ")
+                    x, y = self.notation.turn(name)
+                    self.fill("zero", f"{y}**2 + {x}**2 - 1")
+                    self.fill("moving", f"{x}' = -({rate})*{y}; {y}' = ({rate})*{x}")
+            case "let" | "with":
+                self.let |= dict(self._equations(content, " ="))
+                if self.moving is not None:  # Defined names do not move by themselves.
+                    self.moving = {k: x for k, x in self.moving.items() if k not in self.let}
+            case "without":
+                self.zero -= {*self._expressions(content)}
+            case "formulas":
+                sequences, _, wanted = content.partition(":")
+                every = tuple(self.notation.all_of(wanted))
+                self.formulas += [(name, every) for name in sequences.split()]
+            case "then":
+                self.then += self._statements(content)
+            case "cases":
+                self.cases += [name.strip() for name in content.split(",")]
+            case _:
+                raise ValueError(f"specification: {clause!r} is no clause")
+
+    def _components(self, content: str, sign: str) -> Iterator[tuple[Expression, Expression]]:
+        """Yield both sides of each item by components, for each input if it has `d_x`."""
+        for item in filter(str.strip, content.split(";")):
+            left, _, right = (side.strip() for side in item.partition(sign))
+            for x in self.notation.inputs if "d_x(" in item else [""]:
+                sides = (self.notation.value(parse(side or "0"), x) for side in (left, right))
+                yield from pairs(*sides)
+
+    def _expressions(self, content: str) -> Iterator[str]:
+        return (to_text(left) for left, _ in self._components(content, "="))
+
+    def _equations(self, content: str, sign: str) -> Iterator[tuple[str, str]]:
+        """Yield names and what they are, except d_x of what the input x does not change."""
+        for left, right in self._components(content.replace("?", "unknown"), sign):
+            if left != ZERO:
+                yield to_text(left), "?" if right == Name("unknown") else to_text(right)
+
+    def _statements(self, content: str) -> Iterator[Statement]:
+        for item in content.split(";"):
+            relation = ">=" if ">=" in item else "="
+            for left, right in self._components(item, relation):
+                match right:
+                    case Call("sqrt", (root,)):
+                        yield "sqrt", to_text(left), to_text(root)
+                    case _:
+                        yield relation, to_text(left), to_text(right)
 
 
 def read(text: str) -> dict[str, Theorem]:
@@ -88,85 +186,29 @@ def read(text: str) -> dict[str, Theorem]:
     Raises ValueError for a malformed block.
     """
     blocks: dict[str, Theorem] = {}
-    for head, clauses in _blocks(text):
-        kind, _, rest = head.partition(" ")
+    lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
+    for lines_of_block in filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip())):
+        head, *clauses = re.split(r" \| |\n {4}(?=\S)", lines_of_block)
+        kind, _, rest = head.strip().partition(" ")
         name, _, title = (part.strip() for part in rest.partition(":"))
         if kind not in ("hypotheses", "theorem") or not _NAME.fullmatch(name) or name in blocks:
             raise ValueError(f"specification: {head!r}: no block, or one of this name is there")
         block = Theorem(name, title, kind == "theorem")
-        for clause, content in clauses:
-            _fill(block, clause, content, blocks)
+        for clause in clauses:
+            word, _, content = " ".join(clause.split()).partition(" ")
+            if word == "under":
+                for other in content.split():
+                    block.include(blocks[other])
+            else:
+                block.fill(word, content)
         blocks[name] = block
     return blocks
-
-
-def _blocks(text: str) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Yield the first line and the clauses of each block in a specification."""
-    lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
-    for block in filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip())):
-        head, *clauses = re.split(r" \| |\n {4}(?=\S)", block)
-        pairs = [" ".join(clause.split()).partition(" ")[::2] for clause in clauses]
-        for clause, _ in pairs:
-            if clause not in CLAUSES:
-                raise ValueError(f"specification: {clause!r} is no clause")
-        yield head.strip(), pairs
-
-
-def _fill(block: Theorem, clause: str, content: str, blocks: Mapping[str, Theorem]) -> None:
-    items = ["".join(item.split()) for item in content.split(";") if item.strip()]
-    match clause:
-        case "under":
-            for name in content.split():
-                _include(block, blocks[name])
-        case "names":
-            block.names |= {*content.split()}
-        case "zero" | "nonzero" | "nonnegative":
-            getattr(block, clause).update(items)
-        case "positive":
-            block.nonzero |= {*items}
-            block.nonnegative |= {*items}
-        case "moving":
-            block.moving = (block.moving or {}) | dict(item.split("'=") for item in items)
-        case "let" | "with":
-            block.let |= dict(item.split("=") for item in items)
-            block.names -= {*block.let}
-            if block.moving is not None:  # Defined names do not move by themselves.
-                block.moving = {k: x for k, x in block.moving.items() if k not in block.let}
-        case "without":
-            block.zero -= {*items}
-        case "formulas":
-            sequences, _, names = content.partition(":")
-            block.formulas += [(name, tuple(names.split())) for name in sequences.split()]
-        case "then":
-            block.then += map(_statement, items)
-        case "cases":
-            block.cases += [name.strip() for name in content.split(",")]
-
-
-def _include(block: Theorem, other: Theorem) -> None:
-    for clause in ("names", "zero", "nonzero", "nonnegative"):
-        getattr(block, clause).update(getattr(other, clause))
-    block.let |= other.let
-    if other.moving is not None:
-        block.moving = (block.moving or {}) | other.moving
-    block.formulas += other.formulas
-    block.then += other.then
-
-
-def _statement(item: str) -> Statement:
-    if item.endswith(">=0"):
-        return ">=", item.removesuffix(">=0"), "0"
-    lhs, _, rhs = item.partition("=")
-    root = re.fullmatch(r"sqrt\((.*)\)", rhs)
-    return ("sqrt", lhs, root[1]) if root else ("=", lhs, rhs)
 
 
 def written(statement: Statement) -> str:
     """Format a statement as text."""
     relation, lhs, rhs = statement
-    if relation == ">=":
-        return f"{lhs} >= 0"
-    return f"{lhs} = {rhs}" if relation == "=" else f"{lhs} = sqrt({rhs})"
+    return f"{lhs} = sqrt({rhs})" if relation == "sqrt" else f"{lhs} {relation} {rhs}"
 
 
 @cache
@@ -194,8 +236,93 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
         for theorem in theorems(specification).values():
             if lack := next(proved.lacks(theorem), ""):
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
-    except (LookupError, TypeError, AttributeError) as error:
+    except (LookupError, TypeError, AttributeError, SyntaxError) as error:
         raise Unproved(f"its published formulas are not readable: {error}") from None
+
+
+class Meaningless(ValueError):  # noqa: N818 (so is this)
+    """Exception for an expression that has no value in a context."""
+
+
+class Values:
+    """Values of expressions in a context, modulo a prime.
+
+    Values of names that the context does not define are drawn from a seed.
+    """
+
+    def __init__(
+        self,
+        seed: str,
+        generators: Iterable[str],
+        definitions: Mapping[str, str],
+        rates: Mapping[str, str] | None,
+    ) -> None:
+        self.seed, self.rates = seed, rates
+        self.known: dict[Expression, int] = {Name(x): self._drawn(x) for x in generators}
+        self.definitions = {x: text for x, text in definitions.items() if Name(x) not in self.known}
+        self._begun: set[Expression] = set()
+
+    def _drawn(self, name: str) -> int:
+        return int(sha256(f"{self.seed} {name}".encode()).hexdigest(), 16) % _PRIME
+
+    def of(self, tree: Expression) -> int:
+        """Return the value of an expression.
+
+        Raises Meaningless if it has none.
+        """
+        match tree:
+            case Number(number):
+                return number % _PRIME
+            case Name() | Call("D", (Name(),)):
+                if tree not in self.known:
+                    self.known[tree] = self._first(tree)
+                return self.known[tree]
+            case Call("neg", (operand,)):
+                return -self.of(operand) % _PRIME
+            case Call("D", (operand,)):
+                return self.of(derivative(operand, _rate))
+            case Operation("**", base, Number(exponent)):
+                return pow(self.of(base), exponent, _PRIME)
+            case Operation(symbol, left, right):
+                x, y = self.of(left), self.of(right)
+                if symbol == "/" and y:
+                    return x * pow(y, -1, _PRIME) % _PRIME
+                if symbol in "+-*":
+                    return (x + y if symbol == "+" else x - y if symbol == "-" else x * y) % _PRIME
+        raise Meaningless(f"{to_text(tree)} has no meaning in the ledger")
+
+    def _first(self, tree: Expression) -> int:
+        """Return the value of a defined name, or of the rate of a name."""
+        (name,) = names(tree)
+        if tree in self._begun:  # Inside its own definition a name means nothing.
+            raise Meaningless(f"{name} is defined by itself")
+        self._begun.add(tree)
+        if name in self.definitions:
+            meaning = parse(self.definitions[name])
+            return self.of(meaning if tree == Name(name) else derivative(meaning, _rate))
+        if tree == Name(name) or self.rates is None or Name(name) not in self.known:
+            raise Meaningless(f"{to_text(tree)} has no meaning in the ledger")
+        rate = self.rates.get(name, "0")
+        return self._drawn(f"D({name})") if rate == "?" else self.of(parse(rate))
+
+    def same(self, left: str, right: str) -> bool:
+        """Return whether two expressions have a meaning, and the same one."""
+        try:
+            return self.of(parse(left)) == self.of(parse(right))
+        except Meaningless:
+            return False
+
+    def said(self, statement: Statement) -> tuple[str, int, int]:
+        """Return a statement by values, an equation by the difference of its sides up to sign."""
+        relation, left, right = statement
+        x, y = self.of(parse(left)), self.of(parse(right))
+        if relation == "=":
+            return relation, min((x - y) % _PRIME, (y - x) % _PRIME), 0
+        return relation, x, y
+
+
+def _rate(name: str) -> Expression:
+    return Call("D", (Name(name),))
 
 
 class Proved:
@@ -209,8 +336,9 @@ class Proved:
         self.facts = {fact["id"]: fact for fact in ledger["facts"]}
         self.proved = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
         self.sequences = sequences(ledger)
+        self._seed = sha256(json.dumps(ledger).encode()).hexdigest()
         self._models: dict[str, list[str]] = {}
-        self._stated: dict[str, set[Statement]] = {}
+        self._stated: dict[str, list[Statement]] = {}
         self._partitions: set[tuple[str, ...]] = set()
         for fact in self.proved:
             place, kind = fact["context"], fact["kind"]
@@ -220,40 +348,70 @@ class Proved:
             elif kind == "partition":
                 self._partitions.add((place, *fact["rhs"]))
             elif relation:
-                self._stated.setdefault(place, set()).update(
-                    (relation, _spaceless(lhs), "0" if relation == ">=" else _spaceless(rhs))
-                    for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
-                )
+                right = ["0"] * len(fact["lhs"]) if relation == ">=" else fact["rhs"]
+                sides = zip(fact["lhs"], right, strict=True)
+                self._stated.setdefault(place, []).extend((relation, *pair) for pair in sides)
 
     def lacks(self, theorem: Theorem) -> Iterator[str]:
         """Yield one sentence for each part of a theorem that the ledger does not prove."""
-        context = self.contexts.get(theorem.name)
-        if context is None:
+        if theorem.name not in self.contexts:
             yield "its hypotheses are not in the ledger"
             return
-        yield from _unlike(theorem, context)
-        places = self.modelled(theorem.name)
-        facts = set().union(*(self._stated.get(place, set()) for place in places))
-        definitions, readings = (
-            {
-                ("=", name, _spaceless(text))
-                for place in places
-                for name, text in self.contexts[place][column].items()
-            }
-            for column in ("definitions", "reading")
-        )
+        try:
+            yield from self._lacks(theorem)
+        except Meaningless as error:
+            yield str(error)
+
+    def _lacks(self, theorem: Theorem) -> Iterator[str]:
+        values = self.values(theorem)
+        yield from self._unlike(theorem, values)
         formulas = [f for part in theorem.formulas for f in self._formulas(*part)]
-        yield from _unsaid(theorem, context, {f.name for f in formulas if f.how != "reading"})
+        yield from self._unsaid(theorem, values, formulas)
+        facts = self.holding(theorem.name, values)
+        readings = {
+            (name, text)
+            for place in self.modelled(theorem.name)
+            for name, text in self.contexts[place]["reading"].items()
+        }
         for formula in formulas:
-            if formula.said not in (readings if formula.how == "reading" else facts | definitions):
+            if formula.how == "reading":
+                holds = (formula.name, formula.text) in readings
+            else:
+                holds = _holds(formula.said, facts, values)
+            if not holds:
                 yield f"its formula {written(formula.said)} is not proved under its hypotheses"
-        for said in theorem.then:
-            relation, lhs, rhs = said
-            reversed_ = (relation, rhs, lhs) if relation == "=" else said
-            if not {said, reversed_} & facts:
-                yield f"{written(said)} is not proved under its hypotheses"
+        for statement in theorem.then:
+            if not _holds(statement, facts, values):
+                yield f"{written(statement)} is not proved under its hypotheses"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
+
+    def values(self, theorem: Theorem) -> Values:
+        """Return the values of expressions in the context of a theorem.
+
+        Names that only the theorem, or a context that this one is a model of, defines mean that.
+        """
+        context = self.contexts[theorem.name]
+        definitions = {**theorem.let}
+        for place in reversed(self.modelled(theorem.name)):
+            definitions |= self.contexts[place]["definitions"]
+        return Values(self._seed, context["generators"], definitions, context["rates"])
+
+    def holding(self, name: str, values: Values) -> set[tuple[str, int, int]]:
+        """Return the values of what is proved in a context.
+
+        Definitions of other contexts that it is a model of are proved, too.
+        """
+        found = set()
+        for place in self.modelled(name):
+            definitions = self.contexts[place]["definitions"] if place != name else {}
+            equations = [("=", *pair) for pair in definitions.items()]
+            for statement in self._stated.get(place, []) + equations:
+                try:
+                    found.add(values.said(statement))
+                except ValueError:
+                    continue
+        return found
 
     def modelled(self, name: str) -> list[str]:
         """Return a context and all contexts of which it is a model, directly or indirectly."""
@@ -278,54 +436,87 @@ class Proved:
         how = "root" if fact["kind"] == "root" else "fact"
         return Published(how, fact["context"], fact["lhs"][0], fact["rhs"][0])
 
-    def _formulas(self, sequence: str, names: Iterable[str]) -> list[Published]:
-        """Return the formulas of a published sequence.
+    def _formulas(self, sequence: str, wanted: tuple[str, ...]) -> list[Published]:
+        """Return the formulas of a published sequence, or only the wanted ones.
 
-        If `names` are given, return only the formulas that set them.
+        Raises Unproved if one is missing, or is about itself.
         """
-        wanted = {*names}
         if sequence not in self.sequences:
             raise Unproved(f"the formula sequence {sequence} is not published")
         found = [self.formula(entry) for entry in self.sequences[sequence]]
-        if missing := wanted - {formula.name for formula in found}:
+        if missing := {*wanted} - {formula.name for formula in found}:
             raise Unproved(f"the formula sequence {sequence} has no formula for {min(missing)}")
+        for formula in found:
+            if formula.how != "reading" and formula.name in names(parse(formula.text)):
+                raise Unproved(f"{sequence}: the formula {written(formula.said)} is about itself")
         return [formula for formula in found if not wanted or formula.name in wanted]
 
+    def _unlike(self, theorem: Theorem, values: Values) -> Iterator[str]:
+        """Yield the differences between the hypotheses of a theorem and those of its context."""
+        context = self.contexts[theorem.name]
+        if (context["rates"] is None) != (theorem.moving is None):
+            yield "it is about one instant, or about a motion, where the ledger has the other"
+        for text in (*context["start"], *context["thetas"].values()):
+            yield f"{text}: the ledger declares this beyond it"
+        columns = {"zero": "relations", "nonzero": "units", "nonnegative": "nonnegative"}
+        for clause, column in columns.items():
+            here, there = (
+                {_hypothesis(clause, text, values): text for text in texts}
+                for texts in (getattr(theorem, clause), context[column])
+            )
+            yield from _differences(clause, here, there)
+        here, there = (
+            {
+                f"{name} {text if text == '?' else values.of(parse(text))}": f"{name}' = {text}"
+                for name, text in (rates or {}).items()
+            }
+            for rates in (theorem.moving, context["rates"])
+        )
+        yield from _differences("moving", here, there)
 
-def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the differences between the hypotheses of a theorem and those of its context."""
-    rates = context["rates"]
-    if (rates is None) != (theorem.moving is None):
-        yield "it is about one instant, or about a motion, where the ledger has the other"
-    for text in (*context["start"], *context["thetas"].values()):
-        yield f"{text}: the ledger declares this beyond it"
-    columns = {"zero": "relations", "nonzero": "units", "nonnegative": "nonnegative"}
-    here = {clause: getattr(theorem, clause) for clause in ("names", *columns)}
-    there = {clause: {*map(_spaceless, context[name])} for clause, name in columns.items()}
-    there["names"] = {*context["generators"]}
-    here["moving"], there["moving"] = (
-        {f"{name}' = {_spaceless(text)}" for name, text in (moving or {}).items()}
-        for moving in (theorem.moving, rates)
-    )
-    for clause, texts in here.items():
-        for text in sorted(there[clause] - texts):
-            yield f"{clause} {text}: the ledger assumes this beyond it"
-        for text in sorted(texts - there[clause]):
-            yield f"{clause} {text}: this is not assumed in the ledger"
+    def _unsaid(
+        self, theorem: Theorem, values: Values, formulas: Iterable[Published]
+    ) -> Iterator[str]:
+        """Yield the differences between the definitions of a theorem and those of its context.
+
+        Each name of the theorem or of its formulas has to be defined in the theorem, published, or
+        free.
+        """
+        for name, text in theorem.let.items():
+            if not values.same(name, text):
+                there = values.definitions.get(name, "free")
+                yield f"let {name} = {text}: in the ledger it is {there}"
+        computed = [formula for formula in formulas if formula.how != "reading"]
+        said = {*theorem.let, *(formula.name for formula in computed)}
+        mentioned = {
+            name
+            for text in (
+                *(theorem.zero | theorem.nonzero | theorem.nonnegative),
+                *(text for text in (theorem.moving or {}).values() if text != "?"),
+                *theorem.let.values(),
+                *(side for _, *sides in theorem.then for side in sides),
+                *(formula.text for formula in computed),
+            )
+            for name in names(parse(text))
+        }
+        for name in sorted((mentioned - said) & values.definitions.keys()):
+            yield f"{name} = {values.definitions[name]}: the ledger has this name beyond it"
 
 
-def _unsaid(theorem: Theorem, context: Mapping[str, Any], published: set[str]) -> Iterator[str]:
-    """Yield the differences between the definitions of a theorem and those of its context.
-
-    A definition that only the context has counts, unless it is among the published formulas.
-    """
-    definitions = {name: _spaceless(text) for name, text in context["definitions"].items()}
-    for name, text in theorem.let.items():
-        if definitions.get(name) != text:
-            yield f"let {name} = {text}: in the ledger it is {definitions.get(name, 'nothing')}"
-    for name in definitions.keys() - theorem.let.keys() - published:
-        yield f"{name} = {definitions[name]}: the ledger has this name beyond it"
+def _differences(clause: str, here: Mapping[str, str], there: Mapping[str, str]) -> Iterator[str]:
+    """Yield what only the ledger assumes, and what only the theorem does."""
+    for key in sorted(there.keys() - here.keys()):
+        yield f"{clause} {there[key]}: the ledger assumes this beyond it"
+    for key in sorted(here.keys() - there.keys()):
+        yield f"{clause} {here[key]}: this is not assumed in the ledger"
 
 
-def _spaceless(text: str) -> str:
-    return text.replace(" ", "")
+def _hypothesis(clause: str, text: str, values: Values) -> str:
+    """Return the value of what is zero, nonzero or nonnegative; signs count for the last alone."""
+    value = values.of(parse(text))
+    return str(value if clause == "nonnegative" else min(value, -value % _PRIME))
+
+
+def _holds(statement: Statement, facts: set[tuple[str, int, int]], values: Values) -> bool:
+    said = values.said(statement)
+    return said in facts or said[:2] == ("=", 0)

@@ -207,7 +207,7 @@ def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
         fact
         for fact in ledger.proved
         if (fact["context"], fact["kind"]) == (name, "nonnegative")
-        and required <= {lhs.replace(" ", "") for lhs in fact["lhs"]}
+        and required <= {to_text(parse(lhs)) for lhs in fact["lhs"]}
     ]
     if not required or not stating:
         raise LedgerError(f"ledger: no fact states how it moves in {name}")
@@ -286,7 +286,7 @@ def sign_rules(nonnegative: Iterable[str]) -> dict[str, Expression]:
     """
     rules = {}
     for product in nonnegative:
-        name, times, rest = product.partition("*")
+        name, times, rest = product.partition(" * ")
         if name in SIGNS and times:
             rules[name] = put(_SIGN_OF, {"x": parse(rest)})
     if {*rules} != {*SIGNS[1:]}:

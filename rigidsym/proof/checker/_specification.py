@@ -2,15 +2,18 @@
 
 A line without indent opens a block, a line indented by four spaces is a clause, and a line
 indented further continues the clause before it; `` | `` also separates clauses.
-`rigidsym.language._specification` defines each clause.  Here expressions are compared as trees, and
-a context is compared with a whole block at once.
+`rigidsym.language._specification` defines each clause.  Here a context is compared with a whole
+block at once, and expressions by residues of their own.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache
+from hashlib import sha256
 from typing import Any
 
 from rigidsym.proof.checker._language import Form, Forms
+from rigidsym.proof.checker._notation import Components, Residues, flat, names_in
 from rigidsym.proof.checker._records import Claim, Hypotheses, Refused
 
 Said = tuple[str, Form, Form]
@@ -27,20 +30,51 @@ class Block:
     sequences: list[tuple[str, list[str]]] = field(default_factory=list)
     stated: list[Said] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    components: Components = field(default_factory=Components)
 
-    def assume(self, clause: str, items: list[str]) -> None:
+    def assume(self, clause: str, forms: list[Form]) -> None:
         """Add expressions to one clause, such as `zero` or `nonnegative`."""
-        self.assumed.setdefault(clause, set()).update(map(read, items))
+        self.assumed.setdefault(clause, set()).update(forms)
 
     def take(self, other: "Block") -> None:
         """Add all clauses of another block to this one."""
         for clause, forms in other.assumed.items():
-            self.assumed.setdefault(clause, set()).update(forms)
+            self.assume(clause, [*forms])
         if other.rates is not None:
             self.rates = {**(self.rates or {}), **other.rates}
         self.named.update(other.named)
         self.sequences += other.sequences
         self.stated += other.stated
+
+    def items(self, rest: str) -> list[Form]:
+        """Return the expressions of a clause by components."""
+        return [left for left, _ in self.sides(rest, "=")]
+
+    def sides(self, rest: str, sign: str) -> Iterator[tuple[Form, Form]]:
+        """Yield the two sides of each item by components, for one input after the other."""
+        for item in rest.split(";"):
+            left, _, right = item.partition(sign)
+            for x in self.components.inputs(item):
+                self.components.x = x
+                one, two = flat(self.read(left)), flat(self.read(right or "0"))
+                yield from zip(one, two * len(one) if len(two) == 1 else two, strict=True)
+
+    def read(self, text: str) -> Any:
+        """Return an expression by components, `unknown` for a rate that is not known."""
+        return self.components.read(text.replace("?", "unknown").strip())
+
+    def equations(self, rest: str, sign: str) -> dict[str, Form]:
+        """Return what names are; 0 is no name, but a derivative by what does not matter."""
+        return {str(name): form for name, form in self.sides(rest, sign) if name != 0}
+
+    def turn(self, name: str, rate: str) -> None:
+        """Assume that a number of modulus 1 turns at a rate."""
+        half = name.startswith("half_")
+        x, y = (f"cos_{name}", f"sin_{name}") if half else (f"{name}_re", f"{name}_im")
+        self.components.named[name] = [x, y]
+        self.assume("zero", self.items(f"{x}**2 + {y}**2 - 1"))
+        turned = self.equations(f"{x}' = -{y}*({rate}); {y}' = {x}*({rate})", "' =")
+        self.rates = {**(self.rates or {}), **turned}
 
 
 @cache
@@ -49,7 +83,7 @@ def read(text: str) -> Form:
 
     Results are cached.
     """
-    return "?" if text.strip() == "?" else Forms().read(text.strip())
+    return "unknown" if text.strip() == "?" else Forms().read(text.strip())
 
 
 def blocks(text: str) -> dict[str, tuple[bool, Block]]:
@@ -85,45 +119,43 @@ def _lines(text: str) -> list[str]:
 
 
 def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Block]]) -> None:
-    items = [item.strip() for item in rest.split(";")]
     if word == "under":
         for name in rest.split():
             block.take(found[name][1])
     elif word == "names":
-        block.assume(word, rest.split())
+        pass
+    elif word in ("vectors", "quaternions", "complex", "matrices", "derivatives"):
+        block.components.declare(word, rest)
     elif word in ("zero", "nonzero", "nonnegative"):
-        block.assume(word, items)
+        block.assume(word, block.items(rest))
     elif word == "positive":
-        block.assume("nonzero", items)
-        block.assume("nonnegative", items)
+        block.assume("nonzero", block.items(rest))
+        block.assume("nonnegative", block.items(rest))
     elif word == "without":
-        block.assumed["zero"] -= {*map(read, items)}
+        block.assumed["zero"] -= {*block.items(rest)}
     elif word == "moving":
-        rates = (item.split("' =") for item in items)
-        block.rates = {**(block.rates or {}), **{name.strip(): read(rate) for name, rate in rates}}
+        block.rates = {**(block.rates or {}), **block.equations(rest, "' =")}
+    elif word == "turning":
+        for item in rest.split(";"):
+            block.turn(*map(str.strip, item.split(" at ")))
     elif word in ("let", "with"):
-        for name, form in (item.split(" = ") for item in items):
-            block.named[name.strip()] = read(form)
-            block.assumed.get("names", set()).discard(name.strip())
-            (block.rates or {}).pop(name.strip(), None)
+        block.named.update(block.equations(rest, " = "))
+        rates = block.rates
+        block.rates = rates and {x: rates[x] for x in rates.keys() - block.named.keys()}
     elif word == "formulas":
         sequences, _, names = rest.partition(":")
-        block.sequences += [(sequence, names.split()) for sequence in sequences.split()]
+        wanted = [*block.components.parts(names)]
+        block.sequences += [(sequence, wanted) for sequence in sequences.split()]
     elif word == "then":
-        block.stated += map(_said, items)
+        for item in rest.split(";"):
+            kind = "sign" if ">=" in item else "="
+            for left, right in block.sides(item, ">=" if kind == "sign" else " = "):
+                is_root = isinstance(right, tuple) and right[:2] == ("call", "sqrt")
+                block.stated.append(("root", left, right[2]) if is_root else (kind, left, right))
     elif word == "cases":
         block.cases = [case.strip() for case in rest.split(",")]
     else:
         raise Refused(f"specification: {word!a} is no clause")
-
-
-def _said(item: str) -> Said:
-    if item.endswith(">= 0"):
-        return "sign", read(item[:-4]), 0
-    left, right = item.split(" = ")
-    if right.startswith("sqrt("):
-        return "root", read(left), read(right[4:])
-    return "=", read(left), read(right)
 
 
 class Catalogue:
@@ -134,6 +166,8 @@ class Catalogue:
     ) -> None:
         self.contexts, self.facts, self.published = contexts, facts, published
         self.best = [fact for fact in facts.values() if fact.grade == "PROVED"]
+        every = [list(contexts.values()), list(facts.values()), published]
+        self.seed = sha256(repr(every).encode()).hexdigest()
 
     def require(self, text: str) -> None:
         """Raise Refused unless the ledger proves every theorem of a specification."""
@@ -143,32 +177,41 @@ class Catalogue:
 
     def _theorem(self, name: str, block: Block) -> None:
         context = self.contexts.get(name)
-        declares = context is not None and (context.start or context.thetas)
-        clauses = ("names", "zero", "nonzero", "nonnegative")
-        due = [*(block.assumed.get(clause, set()) for clause in clauses), block.rates]
-        if context is None or declares or _hypotheses(context) != due:
+        if context is None or context.start or context.thetas:
             raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
         places = self._applicable_contexts(name)
-        holds = {said for fact in self.best if fact.context in places for said in _sayings(fact)}
-        defined = {
-            ("=", *pair) for place in places for pair in _pairs(self.contexts[place].definitions)
-        }
+        others = [pair for place in places[1:] for pair in _pairs(self.contexts[place].definitions)]
+        own = dict(_pairs(context.definitions))
+        rates = None if context.rates is None else dict(_pairs(context.rates))
+        residues = Residues(
+            self.seed, context.generators, {**block.named, **dict(others[::-1]), **own}, rates
+        )
+        if _hypotheses(context, rates, residues) != _due(block, residues):
+            raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
+        facts = [said for fact in self.best if fact.context in places for said in _sayings(fact)]
+        holds = {0, *_residues([*facts, *(("=", *pair) for pair in others)], residues)}
         readings = {pair for place in places for pair in self.contexts[place].reading.items()}
         proved: set[str] = {*block.named}
-        for sequence, wanted in block.sequences:
-            for entry in self._entries(sequence, wanted):
-                if "definition" not in entry and "reading" in entry:
-                    reading = self.contexts[entry["context"]].reading[entry["reading"]]
-                    missing = (entry["reading"], reading) not in readings
-                else:
-                    said = self._formula(entry)
-                    proved.add(str(said[1]))
-                    missing = said not in holds | defined
-                if missing:
-                    raise Refused(f"theorem {name}: a formula of {sequence} is not proved: {entry}")
-        _same_names(name, block, context, proved)
+        spoken = names_in((*block.named.values(), *(x for said in block.stated for x in said[1:])))
+        for entry in (x for part in block.sequences for x in self._entries(*part)):
+            if "definition" not in entry and "reading" in entry:
+                word = entry["reading"]
+                missing = (word, self.contexts[entry["context"]].reading[word]) not in readings
+            else:
+                said = self._formula(entry)
+                proved.add(str(said[1]))
+                spoken |= names_in(said[2:])
+                missing = said[1] in names_in(said[2:]) or residues.said(said) not in holds
+            if missing:
+                raise Refused(f"theorem {name}: a published formula is not proved: {entry}")
+        for word, form in block.named.items():
+            if residues.of(word) != residues.of(form):
+                raise Refused(f"theorem {name}: {word} is something else in the ledger")
+        spoken |= names_in((*block.assumed.values(), *(block.rates or {}).values()))
+        if beyond := (spoken - proved) & residues.meanings.keys():
+            raise Refused(f"theorem {name}: it does not say what {min(beyond)} is")
         for said in block.stated:
-            if said not in holds and (said[0] != "=" or ("=", said[2], said[1]) not in holds):
+            if residues.said(said) not in holds:
                 raise Refused(f"theorem {name}: it is not proved: {said}")
         if block.cases and not any(
             (fact.kind, fact.context, fact.rhs) == ("partition", name, block.cases)
@@ -176,16 +219,16 @@ class Catalogue:
         ):
             raise Refused(f"theorem {name}: the cases are not proved")
 
-    def _applicable_contexts(self, name: str) -> set[str]:
-        """Return the names of all contexts whose facts hold in a context.
+    def _applicable_contexts(self, name: str) -> list[str]:
+        """Return the names of all contexts whose facts hold in a context, that itself first.
 
         These are the context itself and all contexts that it is a proved model of.
         """
-        found, new = {name}, {name}
+        found, new = [name], [name]
         while new:
             models = (f for f in self.best if f.kind == "model" and f.context in new)
-            new = {fact.rhs[0] for fact in models} - found
-            found |= new
+            new = [*dict.fromkeys(f.rhs[0] for f in models if f.rhs[0] not in found)]
+            found += new
         return found
 
     def _entries(self, sequence: str, wanted: list[str]) -> list[dict[str, Any]]:
@@ -211,27 +254,43 @@ class Catalogue:
         return _sayings(fact)[0]
 
 
-def _hypotheses(context: Hypotheses) -> list[Any]:
-    """Return the hypotheses of a context as sets of expressions.
+def _due(block: Block, residues: Residues) -> list[Any]:
+    """Return the hypotheses of a theorem as sets of residues; the rates follow."""
+    zero, nonzero, nonnegative = (
+        {*map(residues.of, block.assumed.get(clause, ()))}
+        for clause in ("zero", "nonzero", "nonnegative")
+    )
+    return [_unsigned(zero), _unsigned(nonzero), nonnegative, _moving(block.rates, residues)]
 
-    The sets are names, zeros, nonzeros and nonnegative expressions; the rates follow.
-    """
-    rates = None if context.rates is None else {k: read(text) for k, text in context.rates.items()}
-    columns = (context.relations, context.units, context.nonnegative)
-    return [{*context.generators}, *({*map(read, column)} for column in columns), rates]
+
+def _hypotheses(
+    context: Hypotheses, rates: dict[str, Form] | None, residues: Residues
+) -> list[Any]:
+    """Return the hypotheses of a context as sets of residues; the rates follow."""
+    zero, nonzero, nonnegative = (
+        {residues.of(read(text)) for text in column}
+        for column in (context.relations, context.units, context.nonnegative)
+    )
+    return [_unsigned(zero), _unsigned(nonzero), nonnegative, _moving(rates, residues)]
 
 
-def _same_names(name: str, block: Block, context: Hypotheses, proved: set[str]) -> None:
-    """Raise Refused unless a context's definitions are those of the theorem.
+def _unsigned(found: set[Any]) -> set[Any]:
+    return found | {-x for x in found}
 
-    The context may define nothing that the theorem does not mention.
-    """
-    defined = dict(_pairs(context.definitions))
-    for word, form in block.named.items():
-        if defined.get(word) != form:
-            raise Refused(f"theorem {name}: {word} is something else in the ledger")
-    if beyond := defined.keys() - proved:
-        raise Refused(f"theorem {name}: it says nothing of {min(map(str, beyond))}")
+
+def _moving(rates: dict[str, Form] | None, residues: Residues) -> dict[str, Any] | None:
+    if rates is None:
+        return None
+    return {x: rate if rate == "unknown" else residues.of(rate) for x, rate in rates.items()}
+
+
+def _residues(every: list[Said], residues: Residues) -> Iterator[Any]:
+    """Yield what has a meaning in a context, by residues."""
+    for said in every:
+        try:
+            yield residues.said(said)
+        except LookupError:
+            continue
 
 
 def _sayings(fact: Claim) -> list[Said]:
