@@ -22,6 +22,7 @@ _FIXED = (
     "theorems/separatrix.v",
     "theorems/kick.v",
     "theorems/step.v",
+    "theorems/variation.v",
     "theorems/published.v",
     "assumptions/plain.v",
     "assumptions/computed.v",

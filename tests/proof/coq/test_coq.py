@@ -53,10 +53,11 @@ FACTS = (
     Fact("plane.radius", "plane", "root", ("r",), ("x**2 + y**2",), "identity"),
     Fact("plane.sign", "plane", "nonnegative", ("t*r",), ("2*x**2 + 2*y**2",), "identity"),
 )
-# The contexts of the sealed ledger that theorems on motions, steps and kicks rest on.
+# Contexts of the sealed ledger: motions, steps, kicks and sensitivities rest on them.
 CONTEXTS = (
     *("regular", "attitude", "kick", "doubling", "second_half", "thirds"),
     *("share", "parts", "turn", "direction", "step"),
+    *("coefficients", "varied_rates", "varied_rates_start"),
 )
 NEEDS_COQ = pytest.mark.skipif(
     not all(map(shutil.which, ("make", "coqc", "coq_makefile"))),
@@ -390,6 +391,7 @@ def test_coq_refuses_a_false_motion(compiled, tmp_path, theorem, stated, claimed
     [
         ("kick", "(- dot (vector (w1 0)", "(dot (vector (w1 0)"),
         ("step", "t + bent t.", "t - bent t."),
+        ("variation", "dc_a * varied_rates.Omega_a_by_c_a", "dc_b * varied_rates.Omega_a_by_c_a"),
         ("step", "W_re * V_re - W_im * V_im", "W_re * V_re + W_im * V_im"),
     ],
 )

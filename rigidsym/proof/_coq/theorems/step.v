@@ -59,7 +59,8 @@ Section Elapsed.
 
     Lemma curve t : Y t ^ 2 = 1 - (2 * h + gap) * X t ^ 2 + h ^ 2 * X t ^ 4.
     Proof.
-      cut (Y t ^ 2 + (2 * h + gap) * X t ^ 2 - h ^ 2 * X t ^ 4 = Y 0 ^ 2 + (2 * h + gap) * X 0 ^ 2 - h ^ 2 * X 0 ^ 4).
+      cut (Y t ^ 2 + (2 * h + gap) * X t ^ 2 - h ^ 2 * X t ^ 4 = Y 0 ^ 2 + (2 * h + gap)
+        * X 0 ^ 2 - h ^ 2 * X 0 ^ 4).
       { rewrite (X_0 _ _ _ _ E), (Y_0 _ _ _ _ E); lra. }
       apply (constant_in_time (fun t => Y t ^ 2 + (2 * h + gap) * X t ^ 2 - h ^ 2 * X t ^ 4)); intros x.
       destruct E as [DX DY _ _]; specialize (DX x); specialize (DY x); derive_known; ring.
@@ -128,7 +129,8 @@ Section Elapsed.
           with ((1 + k) * (2 * (u - x) * (v - y))) by ring.
         rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos.
         + eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_R1; lra.
-        + apply Rabs_le; pose proof (pow2_ge_0 (u - x + (v - y))); pose proof (pow2_ge_0 (u - x - (v - y))); lra.
+        + apply Rabs_le; pose proof (pow2_ge_0 (u - x + (v - y))); pose proof (pow2_ge_0 (u - x - (v - y)));
+          lra.
       - unfold e; pose proof (pow2_ge_0 (U t - X t)); pose proof (pow2_ge_0 (V t - Y t)); lra.
       - unfold e; rewrite (X_0 _ _ _ _ E), (Y_0 _ _ _ _ E), (X_0 _ _ _ _ F), (Y_0 _ _ _ _ F); ring. }
     intros t; specialize (Z t); unfold e in Z.
@@ -157,7 +159,8 @@ Section Elapsed.
     Qed.
 
     (* X and Y at twice the time. *)
-    Lemma doubled t : let names := {| doubling.e_1 := 2 * h + gap; doubling.e_2 := h ^ 2; doubling.X_ := X; doubling.Y := Y |} in
+    Lemma doubled t : let names := {| doubling.e_1 := 2 * h + gap; doubling.e_2 := h ^ 2; doubling.X_ := X;
+      doubling.Y := Y |} in
       X (2 * t) = doubling.X_next names t /\ Y (2 * t) = doubling.Y_next names t.
     Proof.
       intros names.
@@ -169,10 +172,13 @@ Section Elapsed.
         - intros s; rewrite (curve X Y E s); ring.
         - apply E.
         - apply E. }
-      assert (F : elapsed (2 * h + gap) (h ^ 2) (fun t => doubling.X_next names (t / 2)) (fun t => doubling.Y_next names (t / 2))).
+      assert (F : elapsed (2 * h + gap) (h ^ 2) (fun t => doubling.X_next names (t / 2))
+        (fun t => doubling.Y_next names (t / 2))).
       { pose proof (fun s => doubling.fact_rates names N s) as D.
-        assert (half : forall s, is_derive (fun s => s / 2) s (1 / 2)) by (intros s; auto_derive; [easy | field]).
-        constructor; [intros s; destruct (D (s / 2)) as (A & _) | intros s; destruct (D (s / 2)) as (_ & A) | |].
+        assert (half : forall s, is_derive (fun s => s / 2) s (1 / 2)) by (intros s; auto_derive;
+          [easy | field]).
+        constructor; [intros s; destruct (D (s / 2)) as (A & _) | intros s;
+          destruct (D (s / 2)) as (_ & A) | |].
         - refine (derive_as _ _ _ _ (is_derive_comp _ (fun s => s / 2) s _ _ A (half s)) _).
           unfold scal; cbn -[doubling.Y_next]; unfold mult; cbn -[doubling.Y_next]; field.
         - refine (derive_as _ _ _ _ (is_derive_comp _ (fun s => s / 2) s _ _ A (half s)) _).
@@ -203,7 +209,8 @@ Section Signs.
   Lemma h_nonnegative : 0 <= h.
   Proof.
     pose proof not_middle as M; unfold h.
-    pose proof (Rmult_le_pos _ _ Middle (pow2_ge_0 n_b)); pose proof (Rmult_le_pos _ _ M (pow2_ge_0 n_d)); nra.
+    pose proof (Rmult_le_pos _ _ Middle (pow2_ge_0 n_b)); pose proof (Rmult_le_pos _ _ M (pow2_ge_0 n_d));
+      nra.
   Qed.
 
   Lemma room_positive : 0 < (1 + h * x ^ 2) ^ 2 - h_a * h_d * n_b ^ 2 * x ^ 2.
@@ -217,7 +224,8 @@ Section Signs.
     assert (B : (n_b / (1 + n_a)) ^ 2 <= 1).
     { replace ((n_b / (1 + n_a)) ^ 2) with (n_b ^ 2 / (1 + n_a) ^ 2) by (field; lra).
       assert (P : 0 < (1 + n_a) ^ 2) by (apply pow_lt; lra).
-      apply (Rmult_le_reg_r _ _ _ P); replace (n_b ^ 2 / (1 + n_a) ^ 2 * (1 + n_a) ^ 2) with (n_b ^ 2) by (field; lra).
+      apply (Rmult_le_reg_r _ _ _ P); replace (n_b ^ 2 / (1 + n_a) ^ 2 * (1 + n_a) ^ 2) with (n_b ^ 2)
+        by (field; lra).
       pose proof (pow2_ge_0 n_d); nra. }
     pose proof (pow2_ge_0 (n_d / (1 + n_a))) as D.
     pose proof (Rmult_le_pos _ _ h_nonnegative (pow2_ge_0 x)) as P.
@@ -238,7 +246,8 @@ Section Signs.
     { pose proof (Rmult_le_pos _ _ Gap (pow2_ge_0 x)) as Q; pose proof (pow2_ge_0 y) as Y2.
       assert (F : 4 * h * x ^ 2 <= f ^ 2) by (pose proof (pow2_ge_0 g); unfold f, g in *; lra).
       assert (A : (h_a * n_b * n_d) ^ 2 <= n_a ^ 2 * (4 * h)).
-      { replace (n_a ^ 2 * (4 * h)) with ((h_a * n_b * n_d) ^ 2 + n_b ^ 2 * (h_a * (h_d * n_a ^ 2 - h_a * n_d ^ 2))
+      { replace (n_a ^ 2 * (4 * h)) with ((h_a * n_b * n_d) ^ 2 + n_b ^ 2 * (h_a * (h_d * n_a ^ 2
+        - h_a * n_d ^ 2))
           + - h_a * h_b * (n_a * n_d) ^ 2) by (unfold h; field).
         pose proof (Rmult_le_pos _ _ (pow2_ge_0 n_b) Steep);
           pose proof (Rmult_le_pos _ _ not_middle (pow2_ge_0 (n_a * n_d))); lra. }
@@ -298,7 +307,8 @@ Section Step.
   Proof.
     destruct B as [_ _ Ca Cb Cd _ _ _ V].
     assert (P : 0 < (c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2).
-    { rewrite !Rpow_mult_distr; pose proof (pow_lt _ 2 Ca); pose proof (pow_lt _ 2 Cb); pose proof (pow_lt _ 2 Cd).
+    { rewrite !Rpow_mult_distr; pose proof (pow_lt _ 2 Ca); pose proof (pow_lt _ 2 Cb);
+      pose proof (pow_lt _ 2 Cd).
       pose proof (pow2_ge_0 v_a); pose proof (pow2_ge_0 v_b); pose proof (pow2_ge_0 v_d).
       destruct (Req_dec v_a 0) as [Z|Z]; [|pose proof (pow2_gt_0 _ Z); nra].
       destruct (Req_dec v_b 0) as [Z'|Z']; [|pose proof (pow2_gt_0 _ Z'); nra].
@@ -329,7 +339,8 @@ Section Step.
       apply Rmult_le_pos; [apply pow2_ge_0 |]; apply Rmult_le_pos; [exact M | left; apply Rinv_0_lt_compat].
       repeat apply Rmult_lt_0_compat; lra.
     - unfold gap, h_a, h_d, n_a, n_d, step.h_a, step.h_d, step.n_a0, step.n_d0; cbn -[pow]; fold K.
-      replace (_ * _) with ((c_a - c_d) * (s ^ 2 * (c_a * (c_a - c_b) * v_a ^ 2) - c_d * (c_b - c_d) * v_d ^ 2)
+      replace (_ * _) with ((c_a - c_d) * (s ^ 2 * (c_a * (c_a - c_b) * v_a ^ 2) - c_d * (c_b - c_d)
+        * v_d ^ 2)
         / (c_a * c_b * c_d)) by (field; lra).
       rewrite S2, Rmult_1_l; apply Rmult_le_pos; [exact C | left; apply Rinv_0_lt_compat].
       repeat apply Rmult_lt_0_compat; lra.
@@ -363,7 +374,8 @@ Section Step.
   Lemma positive_inverse : 0 < 1 / c_a /\ 0 < 1 / c_b /\ 0 < 1 / c_d.
   Proof. destruct B; repeat split; apply Rdiv_lt_0_compat; lra. Qed.
 
-  Lemma in_direction x : step.M_a0 S = K * s * n_a /\ step.M_b0 S = K * s * h * n_b /\ step.M_d0 S = K * n_d /\
+  Lemma in_direction x : step.M_a0 S = K * s * n_a /\ step.M_b0 S = K * s * h * n_b /\
+    step.M_d0 S = K * n_d /\
     K * (x * h_a) = K * (x * (K * (1 / c_d - 1 / c_b))).
   Proof.
     destruct B as [H2 S2 _ _ _ _ _ _ _], size as (P & _).
@@ -399,7 +411,8 @@ Section Step.
     - apply Rmult_le_pos; [|left; now apply Rinv_0_lt_compat]; apply Rmult_le_pos; [lra|].
       unfold step.f, step.g; change (step.X_ S t) with (X t); rewrite F in *.
       now apply side_kept.
-    - unfold h_a, step.h_a; change (step.K S) with K; change (step.X_ S t) with (X t); change (step.Y S t) with (Y t).
+    - unfold h_a, step.h_a; change (step.K S) with K; change (step.X_ S t) with (X t);
+      change (step.Y S t) with (Y t).
       change (step.epsilon S) with h.
       transitivity ((s ^ 2 * (K * (n_a * step.f S t * step.g S t))
         + s ^ 2 * h ^ 2 * (K * (K * (step.i_d S - step.i_b S) * n_b * n_d * X t * Y t))) / step.room S t);
@@ -425,9 +438,11 @@ Section Step.
   Proof.
     destruct size as (Kp & K2), positive_inverse as (Ia & Ib & Id); pose proof B as [H2 S2 Ca Cb Cd _ _ T _].
     assert (Start : 0 < K + s * (c_a * v_a))
-      by (replace (s * (c_a * v_a)) with (c_a * (s * v_a)) by ring; pose proof (Rmult_le_pos c_a (s * v_a)); lra).
+      by (replace (s * (c_a * v_a)) with (c_a * (s * v_a)) by ring; pose proof (Rmult_le_pos c_a (s * v_a));
+        lra).
     constructor; try (now apply Rgt_not_eq).
-    - intros t; unfold step.square; pose proof (pow_lt _ 2 (G_positive t)); pose proof (pow2_ge_0 (step.G_im S t)); lra.
+    - intros t; unfold step.square; pose proof (pow_lt _ 2 (G_positive t));
+      pose proof (pow2_ge_0 (step.G_im S t)); lra.
     - intros t; apply Rgt_not_eq, room_not_zero.
     - intros t; apply Rgt_not_eq; change (0 < K + s * step.M_a S t); pose proof (kept t); lra.
     - cbn -[pow]; lra.
@@ -458,7 +473,8 @@ Section Step.
     set (x := step.h S); cbn; repeat split; field; lra.
   Qed.
 
-  Lemma momentum_of_rates t : step.M_a S t = c_a * step.Omega_a S t /\ step.M_b S t = c_b * step.Omega_b S t /\
+  Lemma momentum_of_rates t : step.M_a S t = c_a * step.Omega_a S t /\
+    step.M_b S t = c_b * step.Omega_b S t /\
     step.M_d S t = c_d * step.Omega_d S t.
   Proof.
     destruct B as [_ _ Ca Cb Cd _ _ _ _]; unfold step.Omega_a, step.Omega_b, step.Omega_d.
@@ -503,9 +519,12 @@ Section Step.
     Proof.
       pose proof (J_rate t) as DJ; pose proof (derive_argument t) as DG; unfold half_psi, bent.
       pose proof (step.fact_psi_rate_of_point S step_in_ledger t) as A.
-      pose proof (step.fact_psi S step_in_ledger t) as P; pose proof (step.fact_turn_0 S step_in_ledger t) as T.
-      rewrite A, P, T; set (arg := fun t => atan _) in DG; change (is_derive (fun t => step.psi_0 S / 2 * t + (J t - arg t / 2)) t
-        ((step.K S * step.i_a S + 2 * (step.psi_0 S / 2 - step.K S * step.i_a S / 2 + step.J_rate S t - step.G_rate S t / 2)) / 2)).
+      pose proof (step.fact_psi S step_in_ledger t) as P; pose proof (step.fact_turn_0 S step_in_ledger t)
+        as T.
+      rewrite A, P, T; set (arg := fun t => atan _) in DG; change (is_derive (fun t => step.psi_0 S / 2 * t
+        + (J t - arg t / 2)) t
+        ((step.K S * step.i_a S + 2 * (step.psi_0 S / 2 - step.K S * step.i_a S / 2
+          + step.J_rate S t - step.G_rate S t / 2)) / 2)).
       clearbody arg; derive_known; field.
     Qed.
 
@@ -514,10 +533,12 @@ Section Step.
         (from_start h p (fun t => pulled_back h s K (c_a * step.Omega_a S t) (c_b * step.Omega_b S t)
           (c_d * step.Omega_d S t) (2 * half_psi t))).
     Proof.
-      intros P; pose proof B as [H2 S2 Ca Cb Cd _ _ _ _]; destruct step_rates_start as (Sa & Sb & Sd), size as (Kp & _).
+      intros P; pose proof B as [H2 S2 Ca Cb Cd _ _ _ _]; destruct step_rates_start as (Sa & Sb & Sd),
+        size as (Kp & _).
       assert (M : forall t, K + s * (c_a * step.Omega_a S t) = K + s * step.M_a S t)
         by (intros t; now rewrite (proj1 (momentum_of_rates t))).
-      apply (pulled_back_motion h s c_a c_b c_d v_a v_b v_d p (step.Omega_a S) (step.Omega_b S) (step.Omega_d S)
+      apply (pulled_back_motion h s c_a c_b c_d v_a v_b v_d p (step.Omega_a S) (step.Omega_b S)
+        (step.Omega_d S)
         (fun t => 2 * half_psi t) H2 S2 Ca Cb Cd step_rates P Sa Sb Sd Kp); fold K; intros t.
       - rewrite M; pose proof (kept t); lra.
       - pose proof (derive_half_psi t) as D; derive_known.
@@ -548,17 +569,20 @@ Section Step.
     { unfold step.zr_re, step.zr_im; rewrite <- Zr, <- Zi, Ma, Mb, Md; unfold turn.zr_re, turn.zr_im.
       set (zr := turn.z_re T); set (zi := turn.z_im T); clearbody zr zi.
       change (turn.n_a0 T) with n_a; change (turn.n_b0 T) with n_b; change (turn.n_d0 T) with n_d.
-      unfold turn.h_b; change (turn.h_a T) with (K * (1 / c_d - 1 / c_b)); change (turn.h_d T) with (K * (1 / c_b - 1 / c_a)).
+      unfold turn.h_b; change (turn.h_a T) with (K * (1 / c_d - 1 / c_b));
+        change (turn.h_d T) with (K * (1 / c_b - 1 / c_a)).
       cbn -[pow sqrt]; fold K; replace (K + s * (K * s * n_a)) with (K * (1 + n_a)) by ring [S2].
       clearbody K n_a n_b n_d; split.
-      - transitivity (n_b * (h ^ 2 * s ^ 2 * (K * (1 / c_b - 1 / c_a) * n_a) - h ^ 2 * s ^ 2 * (zr * (K * (1 / c_d - 1 / c_b)) * n_d)) / (1 + n_a));
+      - transitivity (n_b * (h ^ 2 * s ^ 2 * (K * (1 / c_b - 1 / c_a) * n_a)
+        - h ^ 2 * s ^ 2 * (zr * (K * (1 / c_d - 1 / c_b)) * n_d)) / (1 + n_a));
           [rewrite H2, S2; field; lra | field; lra].
       - transitivity (n_d * (s ^ 2 * ((- (K * (1 / c_d - 1 / c_b)) - K * (1 / c_b - 1 / c_a)) * n_a)
           - h ^ 2 * s ^ 2 * (zi * (K * (1 / c_d - 1 / c_b)) * n_b)) / (1 + n_a));
           [rewrite H2, S2; field; lra | field; lra]. }
     destruct Q as (Qr & Qi).
     assert (W : turn.w_re T t = step.w_re S t /\ turn.w_im T t = step.w_im S t).
-    { unfold turn.w_re, turn.w_im, turn.F_re, turn.F_im, turn.square, turn.G_re, turn.G_im, turn.nu_re, turn.nu_im.
+    { unfold turn.w_re, turn.w_im, turn.F_re, turn.F_im, turn.square, turn.G_re, turn.G_im, turn.nu_re,
+      turn.nu_im.
       rewrite Qr, Qi, Zr, Zi; change (turn.h T) with (h_a * (h_d * n_b ^ 2 - (- h_a - h_d) * n_d ^ 2) / 4).
       rewrite <- F; split; reflexivity. }
     destruct W as (Wr & Wi); rewrite Wr, Wi in P; destruct P as (Pr & Pi).
@@ -566,22 +590,29 @@ Section Step.
       turn.n_d T t = step.M_d S t / K).
     { unfold turn.n_a, turn.n_b, turn.n_d, step.M_a, step.M_b, step.M_d, turn.room, turn.f, turn.g.
       change (turn.h T) with (h_a * (h_d * n_b ^ 2 - (- h_a - h_d) * n_d ^ 2) / 4); rewrite <- F.
-      change ((1 + step.h S * turn.X_ T t ^ 2) ^ 2 - turn.h_a T * turn.h_d T * turn.n_b0 T ^ 2 * turn.X_ T t ^ 2)
+      change ((1 + step.h S * turn.X_ T t ^ 2) ^ 2 - turn.h_a T * turn.h_d T * turn.n_b0 T ^ 2
+        * turn.X_ T t ^ 2)
         with ((1 + step.h S * X t ^ 2) ^ 2 - h_a * h_d * n_b ^ 2 * X t ^ 2); rewrite <- room_of.
       pose proof (room_not_zero t) as R; rewrite Ma, Mb, Md.
-      unfold turn.h_b; change (turn.h_a T) with (K * (1 / c_d - 1 / c_b)); change (turn.h_d T) with (K * (1 / c_b - 1 / c_a)).
+      unfold turn.h_b; change (turn.h_a T) with (K * (1 / c_d - 1 / c_b));
+        change (turn.h_d T) with (K * (1 / c_b - 1 / c_a)).
       change (turn.n_a0 T) with n_a; change (turn.n_b0 T) with n_b; change (turn.n_d0 T) with n_d.
       change (turn.X_ T t) with (X t); change (turn.Y T t) with (Y t).
       change (step.X_ S t) with (X t); change (step.Y S t) with (Y t); change (step.epsilon S) with h.
-      change (step.i_a S) with (1 / c_a); change (step.i_b S) with (1 / c_b); change (step.i_d S) with (1 / c_d).
+      change (step.i_a S) with (1 / c_a); change (step.i_b S) with (1 / c_b);
+        change (step.i_d S) with (1 / c_d).
       change (step.f S t) with (1 + step.h S * X t ^ 2); change (step.g S t) with (1 - step.h S * X t ^ 2).
       set (room := step.room S t) in *; set (hh := step.h S) in *; clearbody room hh.
       clearbody K n_a n_b n_d; repeat split.
-      - transitivity ((s ^ 2 * (n_a * (1 + hh * X t ^ 2) * (1 - hh * X t ^ 2)) + s ^ 2 * h ^ 2 * (K * (1 / c_d - 1 / c_b) * n_b * n_d * X t * Y t)) / room);
+      - transitivity ((s ^ 2 * (n_a * (1 + hh * X t ^ 2) * (1 - hh * X t ^ 2))
+        + s ^ 2 * h ^ 2 * (K * (1 / c_d - 1 / c_b) * n_b * n_d * X t * Y t)) / room);
           [rewrite S2, H2 | ]; field; lra.
-      - transitivity ((s ^ 2 * h ^ 2 * (n_b * (1 - hh * X t ^ 2) * Y t) + s ^ 2 * h ^ 2 * ((- (K * (1 / c_d - 1 / c_b)) - K * (1 / c_b - 1 / c_a)) * n_d * n_a * (1 + hh * X t ^ 2) * X t)) / room);
+      - transitivity ((s ^ 2 * h ^ 2 * (n_b * (1 - hh * X t ^ 2) * Y t)
+        + s ^ 2 * h ^ 2 * ((- (K * (1 / c_d - 1 / c_b)) - K * (1 / c_b - 1 / c_a))
+        * n_d * n_a * (1 + hh * X t ^ 2) * X t)) / room);
           [rewrite S2, H2 | ]; field; lra.
-      - transitivity ((n_d * (1 + hh * X t ^ 2) * Y t + s ^ 2 * h ^ 2 * (K * (1 / c_b - 1 / c_a) * n_a * n_b * (1 - hh * X t ^ 2) * X t)) / room);
+      - transitivity ((n_d * (1 + hh * X t ^ 2) * Y t + s ^ 2 * h ^ 2 * (K * (1 / c_b - 1 / c_a)
+        * n_a * n_b * (1 - hh * X t ^ 2) * X t)) / room);
           [rewrite S2, H2 | ]; field; lra. }
     destruct A as (Aa & Ab & Ad); rewrite Aa, Ab, Ad in *.
     split; apply (Rmult_eq_reg_r (/ K)); try (apply Rgt_not_eq, Rinv_0_lt_compat; lra).
@@ -600,7 +631,8 @@ Section Restart.
   Let w_d := step.Omega_d S tau.
   Let S' := stepping h s c_a c_b c_d w_a w_b w_d X Y.
 
-  Lemma invariants : c_a * w_a ^ 2 + c_b * w_b ^ 2 + c_d * w_d ^ 2 = c_a * v_a ^ 2 + c_b * v_b ^ 2 + c_d * v_d ^ 2 /\
+  Lemma invariants : c_a * w_a ^ 2 + c_b * w_b ^ 2 + c_d * w_d ^ 2
+    = c_a * v_a ^ 2 + c_b * v_b ^ 2 + c_d * v_d ^ 2 /\
     (c_a * w_a) ^ 2 + (c_b * w_b) ^ 2 + (c_d * w_d) ^ 2 = (c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2.
   Proof.
     pose proof B as [_ _ Ca Cb Cd _ _ _ _].
@@ -616,10 +648,12 @@ Section Restart.
     destruct invariants as (L & M); pose proof B as [H2 S2 Ca Cb Cd Mid C T V].
     constructor; trivial.
     - replace (c_a * (c_a - c_b) * w_a ^ 2 - c_d * (c_b - c_d) * w_d ^ 2) with
-        ((c_a * w_a) ^ 2 + (c_b * w_b) ^ 2 + (c_d * w_d) ^ 2 - c_b * (c_a * w_a ^ 2 + c_b * w_b ^ 2 + c_d * w_d ^ 2)) by ring.
+        ((c_a * w_a) ^ 2 + (c_b * w_b) ^ 2 + (c_d * w_d) ^ 2 - c_b * (c_a * w_a ^ 2 + c_b * w_b ^ 2
+          + c_d * w_d ^ 2)) by ring.
       rewrite L, M; refine (Rle_trans _ _ _ C (Req_le _ _ _)); ring.
     - pose proof (kept h s c_a c_b c_d v_a v_b v_d X Y B E tau) as Q; fold S in Q.
-      destruct (momentum_of_rates h s c_a c_b c_d v_a v_b v_d X Y B tau) as (Ma & _ & _); fold S w_a in Ma; rewrite Ma in Q.
+      destruct (momentum_of_rates h s c_a c_b c_d v_a v_b v_d X Y B tau) as (Ma & _ & _); fold S w_a in Ma;
+        rewrite Ma in Q.
       apply (Rmult_le_reg_l c_a); [exact Ca | lra].
     - destruct (size h s c_a c_b c_d v_a v_b v_d B) as (Kp & K2).
       pose proof (pow_lt _ 2 Kp) as P; rewrite K2, <- M in P.
@@ -654,20 +688,25 @@ Section Restart.
   Lemma middle_elapsed : elapsed (step.e_1 S') (step.e_2 S') X Y.
   Proof. destruct same_constants as (_ & -> & -> & _); exact E. Qed.
 
-  Lemma shifted t : step.Omega_a S (tau + t) = step.Omega_a S' t /\ step.Omega_b S (tau + t) = step.Omega_b S' t /\
+  Lemma shifted t : step.Omega_a S (tau + t) = step.Omega_a S' t /\
+    step.Omega_b S (tau + t) = step.Omega_b S' t /\
     step.Omega_d S (tau + t) = step.Omega_d S' t.
   Proof.
     pose proof B as [_ _ Ca Cb Cd _ _ _ _].
     pose proof (step_rates h s c_a c_b c_d v_a v_b v_d X Y B E) as D; fold S in D.
-    pose proof (step_rates h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as D'; fold S' in D'.
-    destruct (step_rates_start h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as (Sa & Sb & Sd).
+    pose proof (step_rates h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as D';
+      fold S' in D'.
+    destruct (step_rates_start h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed)
+      as (Sa & Sb & Sd).
     fold S' in Sa, Sb, Sd.
     assert (shift : forall f df : R -> R, (forall t, is_derive f t (df t)) ->
       forall t, is_derive (fun t => f (tau + t)) t (df (tau + t))).
-    { intros f df F x; refine (derive_as _ _ _ _ (is_derive_comp f (fun t => tau + t) x _ 1 (F (tau + x)) _) _);
+    { intros f df F x; refine (derive_as _ _ _ _ (is_derive_comp f (fun t => tau + t) x _ 1 (F (tau + x)) _)
+      _);
         [auto_derive; [easy | ring] | unfold scal; cbn; unfold mult; cbn; ring]. }
     apply (rates_unique h c_a c_b c_d Ca Cb Cd (step.Omega_a S') (step.Omega_b S') (step.Omega_d S')
-      (fun t => step.Omega_a S (tau + t)) (fun t => step.Omega_b S (tau + t)) (fun t => step.Omega_d S (tau + t)) D').
+      (fun t => step.Omega_a S (tau + t)) (fun t => step.Omega_b S (tau + t))
+        (fun t => step.Omega_d S (tau + t)) D').
     - intros x; split; [|split].
       + apply (shift _ _ (fun t => proj1 (D t))).
       + apply (shift _ _ (fun t => proj1 (proj2 (D t)))).
@@ -680,7 +719,8 @@ Section Restart.
   Lemma same_turning t : step.psi_rate S (tau + t) = step.psi_rate S' t.
   Proof.
     pose proof (step_in_ledger h s c_a c_b c_d v_a v_b v_d X Y B E) as N; fold S in N.
-    pose proof (step_in_ledger h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as N'; fold S' in N'.
+    pose proof (step_in_ledger h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as N';
+      fold S' in N'.
     destruct same_constants as (_ & _ & _ & Kk & Hh), (shifted t) as (Wa & _ & _).
     unfold step.psi_rate; rewrite (step.fact_energy S N), (step.fact_energy S' N'), Hh, Wa, Kk.
     destruct (momentum_of_rates h s c_a c_b c_d v_a v_b v_d X Y B (tau + t)) as (Ma & _ & _).
@@ -711,15 +751,19 @@ Section Restart.
       pose proof (derive_half_psi h s c_a c_b c_d v_a v_b v_d X Y B E J J_rate) as D; fold S angle in D.
       pose proof (derive_argument h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as A;
         fold S' in A; change (forall t, is_derive arg t (step.G_rate S' t)) in A.
-      pose proof (step_in_ledger h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as N'; fold S' in N'.
-      assert (Z : angle (tau + tau) + angle (tau - tau) + arg tau = angle (tau + 0) + angle (tau - 0) + arg 0).
+      pose proof (step_in_ledger h s c_a c_b c_d w_a w_b w_d X Y middle_from_side middle_elapsed) as N';
+        fold S' in N'.
+      assert (Z : angle (tau + tau) + angle (tau - tau) + arg tau = angle (tau + 0) + angle (tau - 0)
+        + arg 0).
       { apply (constant_in_time (fun t => angle (tau + t) + angle (tau - t) + arg t)); intros t.
         assert (D1 : is_derive (fun t => angle (tau + t)) t (step.psi_rate S (tau + t) / 2)).
         { refine (derive_as _ _ _ _ (is_derive_comp angle (fun t => tau + t) t _ 1 (D (tau + t)) _) _);
-            [auto_derive; [easy | ring] | unfold scal; cbn -[step.psi_rate]; unfold mult; cbn -[step.psi_rate]; ring]. }
+            [auto_derive; [easy | ring] | unfold scal; cbn -[step.psi_rate]; unfold mult;
+              cbn -[step.psi_rate]; ring]. }
         assert (D2 : is_derive (fun t => angle (tau - t)) t (- (step.psi_rate S (tau + - t) / 2))).
         { refine (derive_as _ _ _ _ (is_derive_comp angle (fun t => tau - t) t _ (-1) (D (tau - t)) _) _);
-            [auto_derive; [easy | ring] | unfold scal; cbn -[step.psi_rate]; unfold mult; cbn -[step.psi_rate]; unfold Rminus; ring]. }
+            [auto_derive; [easy | ring] | unfold scal; cbn -[step.psi_rate]; unfold mult;
+              cbn -[step.psi_rate]; unfold Rminus; ring]. }
         pose proof (A t) as D3; rewrite same_turning in D1, D2.
         rewrite (step.fact_psi_rate_of_point S' N'), (step.fact_psi S' N') in D1, D2.
         destruct (even_and_odd t) as (Ev & Od); rewrite Ev, Od in D2.
@@ -730,34 +774,42 @@ Section Restart.
         replace (- step.nu_im S' * 0 ^ 2 / step.G_re S' 0) with 0 by (unfold Rdiv; ring); apply atan_0. }
       assert (angle_0 : angle 0 = 0).
       { unfold angle, half_psi, bent.
-        rewrite J_0; unfold step.G_im; change (step.X_ (stepping h s c_a c_b c_d v_a v_b v_d X Y) 0) with (X 0).
+        rewrite J_0; unfold step.G_im; change (step.X_ (stepping h s c_a c_b c_d v_a v_b v_d X Y) 0)
+          with (X 0).
         rewrite (X_0 _ _ _ _ E); unfold Rdiv; rewrite !Rmult_0_r; replace (0 ^ 2) with 0 by ring.
         rewrite !Rmult_0_r, Rmult_0_l, atan_0; ring. }
       rewrite arg_0, Rplus_0_r, Rminus_0_r, Rminus_diag_eq, angle_0 in Z by reflexivity.
       rewrite !Rplus_0_r in Z; replace (tau + tau) with (2 * tau) in Z by ring.
-      fold (arg tau); unfold angle, half_psi in Z; change (bent h s c_a c_b c_d v_a v_b v_d X Y J) with part in Z.
+      fold (arg tau); unfold angle, half_psi in Z; change (bent h s c_a c_b c_d v_a v_b v_d X Y J)
+        with part in Z.
       fold S in Z; lra.
     Qed.
 
     (* The factor G in the middle, by what is published. *)
-    Lemma factor_in_middle : step.G_re S' tau = 1 - step.h S * (step.w_im S tau ^ 2 - step.w_re S tau ^ 2) * X tau ^ 2 /\
+    Lemma factor_in_middle : step.G_re S' tau = 1 - step.h S * (step.w_im S tau ^ 2 - step.w_re S tau ^ 2)
+      * X tau ^ 2 /\
       step.G_im S' tau = - (-2 * step.h S * step.w_re S tau * step.w_im S tau) * X tau ^ 2.
     Proof.
       pose proof B as [H2 S2 Ca Cb Cd _ _ _ _].
       destruct (projection h s c_a c_b c_d v_a v_b v_d X Y B E tau) as (Pr & Pi); fold S in Pr, Pi.
-      destruct (momentum_of_rates h s c_a c_b c_d v_a v_b v_d X Y B tau) as (Ma & Mb & Md); fold S w_a w_b w_d in Ma, Mb, Md.
-      destruct same_constants as (Hh & _ & _ & Kk & _); change (step.K S) with (sqrt ((c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2)) in Kk.
+      destruct (momentum_of_rates h s c_a c_b c_d v_a v_b v_d X Y B tau) as (Ma & Mb & Md);
+        fold S w_a w_b w_d in Ma, Mb, Md.
+      destruct same_constants as (Hh & _ & _ & Kk & _); change (step.K S) with (sqrt ((c_a * v_a)
+        ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2)) in Kk.
       rewrite <- Kk in Pr, Pi; rewrite Ma in Pr, Pi; rewrite Md in Pr; rewrite Mb in Pi.
       destruct (size h s c_a c_b c_d w_a w_b w_d middle_from_side) as (Kp & _).
       change (sqrt _) with (step.K S') in Kp.
-      pose proof (towards _ _ _ _ _ _ _ _ middle_from_side) as T; pose proof (Rmult_le_pos _ _ (Rlt_le _ _ Ca) T).
+      pose proof (towards _ _ _ _ _ _ _ _ middle_from_side) as T;
+        pose proof (Rmult_le_pos _ _ (Rlt_le _ _ Ca) T).
       assert (Q : 0 < step.K S' + s * (c_a * w_a)) by lra.
       assert (Zr : step.z_re S' = step.w_re S tau).
       { apply (Rmult_eq_reg_r (step.K S' + s * (c_a * w_a))); [|lra]; rewrite Pr.
-        change (c_d * w_d / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a)) = c_d * w_d); field; lra. }
+        change (c_d * w_d / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a)) = c_d * w_d);
+          field; lra. }
       assert (Zi : step.z_im S' = step.w_im S tau).
       { apply (Rmult_eq_reg_r (step.K S' + s * (c_a * w_a))); [|lra]; rewrite Pi.
-        change (s * h * (c_b * w_b) / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a)) = s * h * (c_b * w_b)); field; lra. }
+        change (s * h * (c_b * w_b) / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a))
+          = s * h * (c_b * w_b)); field; lra. }
       unfold step.G_re, step.G_im, step.nu_re, step.nu_im; rewrite Hh, Zr, Zi; split; reflexivity.
     Qed.
   End Angle.
@@ -783,9 +835,11 @@ Lemma half_of_argument x y : 0 < x -> let r := sqrt (x ^ 2 + y ^ 2) in let n := 
 Proof.
   intros P r n; destruct (cosine_of_argument x y P) as (C & D); fold r in C, D.
   pose proof (pow_lt _ 2 P); pose proof (pow2_ge_0 y).
-  assert (R : 0 < r) by (apply sqrt_lt_R0; lra); assert (R2 : r ^ 2 = x ^ 2 + y ^ 2) by (apply pow2_sqrt; lra).
+  assert (R : 0 < r) by (apply sqrt_lt_R0; lra); assert (R2 : r ^ 2 = x ^ 2 + y ^ 2) by (apply pow2_sqrt;
+    lra).
   assert (Q : 0 < 2 * r * (r + x)) by (apply Rmult_lt_0_compat; lra).
-  assert (N : 0 < n) by (apply sqrt_lt_R0; lra); assert (N2 : n ^ 2 = 2 * r * (r + x)) by (apply pow2_sqrt; lra).
+  assert (N : 0 < n) by (apply sqrt_lt_R0; lra); assert (N2 : n ^ 2 = 2 * r * (r + x)) by (apply pow2_sqrt;
+    lra).
   pose proof (atan_bound (y / x)) as A; set (a := atan (y / x) / 2) in *.
   replace (atan (y / x)) with (2 * a) in C, D, A by (unfold a; field).
   assert (Cp : 0 < cos a) by (apply cos_gt_0; lra).
@@ -817,7 +871,8 @@ Section Computed.
       thirds.G_re_rate := fun _ => 0; thirds.G_im_rate := fun _ => 0;
       thirds.T_re := fun _ => 1; thirds.T_im := fun _ => 0;
       thirds.E_re := fun _ => cos j; thirds.E_im := fun _ => sin j;
-      thirds.R_ := fun _ => sqrt square; thirds.N := fun _ => sqrt (2 * sqrt square * (sqrt square + step.G_re S 0)) |} in
+      thirds.R_ := fun _ => sqrt square; thirds.N := fun _ => sqrt (2 * sqrt square * (sqrt square
+        + step.G_re S 0)) |} in
     Progress x y (thirds.cos_half_psi T 0) (thirds.sin_half_psi T 0).
 
   (* The published sequences `doubling`, `projection`, `second_half`, and the sum of two angles. *)
@@ -835,7 +890,8 @@ Section Computed.
       second_half.R_ := fun _ => sqrt (G_re ^ 2 + G_im ^ 2) |} in
     let V_re := second_half.V_re V 0 in
     let V_im := second_half.V_im V 0 in
-    Progress (doubling.X_next D 0) (doubling.Y_next D 0) (W_re * V_re - W_im * V_im) (W_re * V_im + W_im * V_re).
+    Progress (doubling.X_next D 0) (doubling.Y_next D 0) (W_re * V_re - W_im * V_im)
+      (W_re * V_im + W_im * V_re).
 
   (* The state after a time: the published sequences `step_rates`, `state` and `constants`. *)
   Definition rates_after (state : progress) : R * R * R :=
@@ -844,9 +900,11 @@ Section Computed.
     let S := at_values (at_X state) (at_Y state) in
     let T_re := cos (step.psi_0 S / 2 * t) in
     let T_im := sin (step.psi_0 S / 2 * t) in
-    let turn := Quaternion (T_re * at_re state - T_im * at_im state) (s * (T_re * at_im state + T_im * at_re state)) 0 0 in
+    let turn := Quaternion (T_re * at_re state - T_im * at_im state)
+      (s * (T_re * at_im state + T_im * at_re state)) 0 0 in
     product h (product h p (conjugate (shortest h s (step.K S) (c_a * v_a) (c_b * v_b) (c_d * v_d))))
-      (product h turn (shortest h s (step.K S) (c_a * step.Omega_a S 0) (c_b * step.Omega_b S 0) (c_d * step.Omega_d S 0))).
+      (product h turn (shortest h s (step.K S) (c_a * step.Omega_a S 0) (c_b * step.Omega_b S 0)
+        (c_d * step.Omega_d S 0))).
 
   Variables (X Y : R -> R).
   Let S := names X Y.
@@ -882,32 +940,41 @@ Section Computed.
     unfold progress_at, twice.
     destruct (frequencies h s c_a c_b c_d v_a v_b v_d X Y B) as (_ & E1 & E2).
     f_equal.
-    - rewrite DX; unfold doubling.X_next, doubling.inside; cbn [doubling.e_1 doubling.e_2 doubling.X_ doubling.Y].
-      change (step.e_2 (at_values _ _)) with (step.e_2 (stepping h s c_a c_b c_d v_a v_b v_d X Y)); rewrite E2; reflexivity.
-    - rewrite DY; unfold doubling.Y_next, doubling.inside; cbn [doubling.e_1 doubling.e_2 doubling.X_ doubling.Y].
+    - rewrite DX; unfold doubling.X_next, doubling.inside; cbn [doubling.e_1 doubling.e_2 doubling.X_
+      doubling.Y].
+      change (step.e_2 (at_values _ _)) with (step.e_2 (stepping h s c_a c_b c_d v_a v_b v_d X Y));
+        rewrite E2; reflexivity.
+    - rewrite DY; unfold doubling.Y_next, doubling.inside; cbn [doubling.e_1 doubling.e_2 doubling.X_
+      doubling.Y].
       change (step.e_2 (at_values _ _)) with (step.e_2 (stepping h s c_a c_b c_d v_a v_b v_d X Y)).
-      change (step.e_1 (at_values _ _)) with (step.e_1 (stepping h s c_a c_b c_d v_a v_b v_d X Y)); rewrite E1, E2; reflexivity.
-    - destruct (cosine_of_argument _ (- (-2 * step.h S * step.w_re S t * step.w_im S t) * X t ^ 2) P) as (C & D).
+      change (step.e_1 (at_values _ _)) with (step.e_1 (stepping h s c_a c_b c_d v_a v_b v_d X Y));
+        rewrite E1, E2; reflexivity.
+    - destruct (cosine_of_argument _ (- (-2 * step.h S * step.w_re S t * step.w_im S t) * X t ^ 2) P)
+      as (C & D).
       fold part in A; rewrite A; fold names; fold S; set (a := part t); cbv zeta.
       change (step.h (at_values (X t) (Y t))) with (step.h S).
       change (step.w_re (at_values (X t) (Y t)) 0) with (step.w_re S t).
       change (step.w_im (at_values (X t) (Y t)) 0) with (step.w_im S t).
-      fold names in C, D; fold S in C, D; set (hh := step.h S) in *; set (wr := step.w_re S t) in *; set (wi := step.w_im S t) in *.
+      fold names in C, D; fold S in C, D; set (hh := step.h S) in *; set (wr := step.w_re S t) in *;
+        set (wi := step.w_im S t) in *.
       set (b := atan _) in *; replace (2 * a - b) with (a + (a - b)) by ring.
       rewrite cos_plus, cos_minus, sin_minus, C, D.
       unfold second_half.V_re, second_half.V_im; cbn -[pow]; unfold Rdiv; ring.
-    - destruct (cosine_of_argument _ (- (-2 * step.h S * step.w_re S t * step.w_im S t) * X t ^ 2) P) as (C & D).
+    - destruct (cosine_of_argument _ (- (-2 * step.h S * step.w_re S t * step.w_im S t) * X t ^ 2) P)
+      as (C & D).
       fold part in A; rewrite A; fold names; fold S; set (a := part t); cbv zeta.
       change (step.h (at_values (X t) (Y t))) with (step.h S).
       change (step.w_re (at_values (X t) (Y t)) 0) with (step.w_re S t).
       change (step.w_im (at_values (X t) (Y t)) 0) with (step.w_im S t).
-      fold names in C, D; fold S in C, D; set (hh := step.h S) in *; set (wr := step.w_re S t) in *; set (wi := step.w_im S t) in *.
+      fold names in C, D; fold S in C, D; set (hh := step.h S) in *; set (wr := step.w_re S t) in *;
+        set (wi := step.w_im S t) in *.
       set (b := atan _) in *; replace (2 * a - b) with (a + (a - b)) by ring.
       rewrite sin_plus, cos_minus, sin_minus, C, D.
       unfold second_half.V_re, second_half.V_im; cbn -[pow]; unfold Rdiv; ring.
   Qed.
 
-  Lemma computed n : forall t, Nat.iter n twice (first (X (t / 2 ^ n)) (Y (t / 2 ^ n)) (J (t / 2 ^ n))) = progress_at t.
+  Lemma computed n : forall t, Nat.iter n twice (first (X (t / 2 ^ n)) (Y (t / 2 ^ n)) (J (t / 2 ^ n)))
+    = progress_at t.
   Proof.
     induction n as [|n I]; intros t.
     - cbn; replace (t / 1) with t by field; apply first_computed.
@@ -934,7 +1001,8 @@ Section Computed.
     destruct (step_rates_start h s c_a c_b c_d v_a v_b v_d X Y B E) as (Sa & Sb & Sd); rewrite Sa, Sb, Sd.
     apply (f_equal2 (product h)).
     - apply (f_equal2 (product h)); [reflexivity | apply (f_equal conjugate)].
-      match goal with |- ?x = _ => change x with (shortest h s (sqrt ((c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2))
+      match goal with |- ?x = _ => change x with (shortest h s (sqrt ((c_a * v_a) ^ 2 + (c_b * v_b)
+        ^ 2 + (c_d * v_d) ^ 2))
         (c_a * v_a) (c_b * v_b) (c_d * v_d)) end.
       destruct (shortest _ _ _ _ _ _) as [q_0 q_a q_b q_d]; unfold product; cbn; f_equal; ring.
     - apply (f_equal2 (product h)); [|reflexivity].
