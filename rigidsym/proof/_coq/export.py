@@ -24,6 +24,7 @@ _FIXED = (
     "theorems/step.v",
     "theorems/variation.v",
     "theorems/published.v",
+    "theorems/instances.v",
     "assumptions/plain.v",
     "assumptions/computed.v",
     "assumptions/published.v",

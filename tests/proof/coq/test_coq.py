@@ -16,7 +16,7 @@ from ledgers import prove, unchecked, written
 from rigidsym._cli import main
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language._specification import Unproved, require
-from rigidsym.proof._coq import export
+from rigidsym.proof._coq import SUPPOSED, export
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.kernel import Context, Fact, Grade, Ledger, replay
 
@@ -302,18 +302,27 @@ def test_theorems_on_other_contexts_are_left_out(files):
     assert "assumptions/published.v" not in files
 
 
-def test_nothing_is_admitted(files):
+def test_nothing_is_admitted(everything):
+    files = everything.files
     for name in ("prelude.v", *in_plain_words(files)):
         assert not re.search(r"\b(Admitted|admit|Axiom|Axioms|Parameter|Conjecture)\b", files[name])
 
 
-def test_of_each_theorem_it_is_asked_what_it_rests_on(files):
+def test_the_page_counts_what_coq_supposes(everything):
+    supposed = {rule: everything.exported[rule] for rule in SUPPOSED}
+    assert "the {theta} equations of the rule `theta`, the {start} of".format(**supposed) in words(
+        "trust.md"
+    )
+
+
+def test_of_each_theorem_it_is_asked_what_it_rests_on(everything):
+    files = everything.files
     stated = [
         name
         for file in in_plain_words(files)
         for name in re.findall(r"^ *Theorem (\w+)", files[file], re.MULTILINE)
     ]
-    asked = [name for x in ("plain", "computed") for name in listed(files[f"assumptions/{x}.v"])]
+    asked = [name for file in files if "assumptions/" in file for name in listed(files[file])]
     assert set(stated) - set(asked) == {"pulled_back_motion"}
 
 
