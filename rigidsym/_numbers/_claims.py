@@ -31,7 +31,7 @@ from rigidsym.errors import LedgerError
 from rigidsym.precise._balls import ball
 
 # Balls of both sides have to be this small, relative to 1 or to their size.
-WIDEST = arb(10) ** -6
+WIDEST = arb(10) ** -5
 AXES = ("a", "b", "d")
 QUATERNION = ("0", *AXES)
 # A far time is so many times the short one, in the other direction.
@@ -77,7 +77,7 @@ class Case:
             raise LedgerError(f"ledger: {place} is {shown} {motion}")
         for x in (value, truth):
             if not _radius(x) <= WIDEST * max(1, abs(x).mid()):
-                raise LedgerError(f"ledger: {place} is not known to 6 digits, for {self.motion}")
+                raise LedgerError(f"ledger: {place} is not known to 5 digits, for {self.motion}")
         self.sequences.compared.update(values.origins[x] for x in (name, *others))
 
     def state(self, values: Values, course: Course, names: str = "q Omega") -> None:

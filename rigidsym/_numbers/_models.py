@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flint import arb, arb_poly, arb_series
+from flint import arb, arb_poly, arb_series, ctx
 
 from rigidsym.errors import PrecisionError
 
@@ -106,7 +106,7 @@ def solve(
     """
     given = [arb_series(model.polynomial.coeffs()) for model in known]
     series = [arb_series([x.mid()]) for x in start]
-    for _ in range(TERMS - 1):
+    for ctx.cap in range(2, TERMS + 1):  # each round gives one more term
         rates = right(series, given)
         series = [x.mid() + rate.integral() for x, rate in zip(start, rates, strict=True)]
     polynomials = [arb_poly([x.mid() for x in s]) for s in series]
