@@ -10,12 +10,13 @@ import json
 from flint import ctx
 
 from rigidsym._numbers._claims import CLAIMS, Case
+from rigidsym._numbers._contexts import Contexts
 from rigidsym._numbers._models import TERMS
 from rigidsym._numbers._motions import motions
 from rigidsym._numbers._values import Sequences
 from rigidsym.errors import LedgerError, PrecisionError
 from rigidsym.language._specification import Proved
-from rigidsym.precise._balls import working
+from rigidsym.precise._balls import ball, working
 
 BITS = 80
 
@@ -28,7 +29,9 @@ def check_numbers(text: str) -> tuple[int, int]:
     which no comparison depends on.
     """
     try:
-        sequences = Sequences(Proved(json.loads(text)))
+        ledger = json.loads(text)
+        sequences = Sequences(Proved(ledger))
+        contexts = Contexts(ledger, sequences.functions)
     except (ValueError, LookupError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: its sequences are not readable: {error!r}") from None
     count, terms = 0, ctx.cap
@@ -37,6 +40,7 @@ def check_numbers(text: str) -> tuple[int, int]:
         try:
             for motion in motions(text):
                 case, count = Case(motion, sequences), count + 1
+                contexts.inhabit(case.worlds, ball(motion.time), motion)
                 for about, (compare, applies) in CLAIMS.items():
                     try:
                         if applies(motion):
@@ -45,6 +49,8 @@ def check_numbers(text: str) -> tuple[int, int]:
                         raise LedgerError(f"ledger: {about}: {error}, for {motion}") from None
         finally:
             ctx.cap = terms
+    if empty := sorted(contexts.contexts.keys() - contexts.inhabited):
+        raise LedgerError(f"ledger: context {empty[0]}: no motion has values of all its names")
     if left := sequences.left():
         sequence, output = left[0]
         raise LedgerError(f"ledger: sequence {sequence}: {output} is compared with nothing")

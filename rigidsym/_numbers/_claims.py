@@ -38,6 +38,7 @@ QUATERNION = ("0", *AXES)
 FAR = -3
 # Terms of Fourier series below this are bounded together.
 LEFT = arb(10) ** -14
+IDENTITY = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
 THIRD = Fraction(1, 3)
 
 
@@ -122,6 +123,76 @@ class Case:
         sigma, a = self.motion.signs["sigma"], self.motion.axes[0]
         return acb(turn[0], sigma * turn[a + 1])
 
+    # Values of sequences that several claims and contexts need.
+
+    @cached_property
+    def constants(self) -> Values:
+        """The constants of the motion."""
+        return self.evaluate("constants", self.given, cos_half_psi=1, sin_half_psi=0)
+
+    @cached_property
+    def theta_forms(self) -> dict[str, Values]:
+        """The constants of each theta form, with the quaternion in front."""
+        constants, found = self.constants, {}
+        theta = self.evaluate("theta", constants)
+        shift = self.evaluate("shift", theta).of("root_k x y z s_beta c_beta d_beta")
+        shifted = constants.plus(shift, theta.of("B_a B_d beta"))
+        forms = {"theta_state": constants.plus(theta)}
+        for name in ("circular", "hyperbolic"):
+            forms[f"{name}_state"] = shifted.plus(self.evaluate(name, shifted))
+        for name, known in forms.items():
+            begin = self.evaluate(name, known.plus(IDENTITY), t=0)
+            given = known.plus(begin, self.given.of("q_0 q_a q_b q_d"))
+            front = self.evaluate("pull_back", given).of("p_0 p_a p_b p_d")
+            found[name] = known.plus(front)
+        return found
+
+    @property
+    def worlds(self) -> dict[str, Callable[[arb], Values]]:
+        """The values of constants and of what sequences set, as functions of the time.
+
+        There are none on the edges of regimes, where contexts of theta functions do not apply, and
+        for the first motion of a kind only.
+        """
+        if self.motion.number > 1:
+            forms = {}
+        elif self.motion.circulates:
+            forms = {"state": self.constants, **self.theta_forms}
+        elif not self.motion.moves and self.motion.kind != "rest":
+            names = {f"p{k}": x for k, x in enumerate(self.motion.attitude0)}
+            names |= {f"c{k + 1}": x for k, x in enumerate(self.motion.inertia)}
+            names |= {f"Omega{k + 1}": x for k, x in enumerate(self.motion.omega0)}
+            forms = {"steady": Values(names, {})}
+        else:
+            forms = {}
+        moving = {"u", *(x for x, _ in self.sequences.sequences["state"].formulas)}
+        return {name: self._world(name, known.without(moving)) for name, known in forms.items()}
+
+    def _world(self, sequence: str, fixed: Values) -> Callable[[arb], Values]:
+        return lambda t: self.evaluate(sequence, fixed, t=t)
+
+    def sine(self, i: int) -> Values:
+        """Return the constants of the sine of the rate about an axis other than a."""
+        a, c, w = self.motion.axes[0], self.motion.inertia, self.motion.omega0
+        half = -1 if (c[i - 2] - c[i - 1]) * w[i - 2] * w[i - 1] < 0 else 1
+        names: dict[str, Any] = {"half": half}
+        for x, k in zip("ijk", (i, a, 3 - i - a), strict=True):
+            names |= {f"c_{x}": c[k], f"Omega_{x}": w[k]}
+        return self.evaluate("sine", Values(names, {}))
+
+    def theorem1(self, t: Any, rates: Sequence[Any]) -> Values:
+        """Return the attitude by Theorem 1, where axis 1 is not a."""
+        begin = {f"c{k + 1}": x for k, x in enumerate(self.motion.inertia)}
+        begin |= {f"Omega{k + 1}": x for k, x in enumerate(self.motion.omega0)}
+        sine = self.sine(0)
+        known = Values(begin, {}).plus(sine.of("zeta xi mu C_i"))
+        known["C_1"], known.origins["C_1"] = known["C_i"], known.origins["C_i"]
+        now = {f"Omega{k + 1}": x for k, x in enumerate(rates)}
+        side = -1 if self.motion.omega0[2] < 0 else 1
+        return self.evaluate(
+            "theorem1_state", self.evaluate("theorem1", known), now, t=t, side=side
+        )
+
     def _shortest(self, course: Course) -> list[arb]:
         """Return the shortest turn that takes the momentum to sigma e_a."""
         momentum = [c * w for c, w in zip(self.flow.c, course.omega, strict=True)]
@@ -137,12 +208,9 @@ def _radius(x: arb | acb) -> arb:
     return x.rad() if isinstance(x, arb) else x.real.rad().max(x.imag.rad())
 
 
-IDENTITY = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
-
-
 def regular(case: Case) -> None:
     """Compare constants, states, rates and what is put together of them."""
-    constants = case.evaluate("constants", case.given, cos_half_psi=1, sin_half_psi=0)
+    constants = case.constants
     energy = sum((c * w * w for c, w in zip(case.flow.c, case.flow.omega0, strict=True)), arb(0))
     case.same(constants, "H", energy / 2)
     for time, course in case.times:
@@ -161,30 +229,17 @@ def regular(case: Case) -> None:
 
 def by_thetas(case: Case) -> None:
     """Compare the three theta forms, where the modulus is neither 0 nor 1."""
-    constants = case.evaluate("constants", case.given, cos_half_psi=1, sin_half_psi=0)
-    theta = case.evaluate("theta", constants)
-    shift = case.evaluate("shift", constants.plus(theta))
-    functions, modulus = case.sequences.functions, theta["k_1"]
+    functions, forms = case.sequences.functions, case.theta_forms
+    shift, modulus = forms["circular_state"], number_of(forms["theta_state"]["k_1"])
     for name, kind in {"s_beta": "sn", "c_beta": "cn", "d_beta": "dn"}.items():
-        case.same(shift, name, functions[f"jacobi_{kind}"](theta["beta"], number_of(modulus) ** 2))
-    shifted = constants.plus(shift, theta.of("B_a B_d beta"))
-    forms = {
-        "theta_state": constants.plus(theta),
-        "circular_state": shifted.plus(case.evaluate("circular", shifted)),
-        "hyperbolic_state": shifted.plus(case.evaluate("hyperbolic", shifted)),
-    }
+        case.same(shift, name, functions[f"jacobi_{kind}"](shift["beta"], modulus**2))
     for name, known in forms.items():
-        begin = case.evaluate(name, known.plus(IDENTITY), t=0)
-        front = case.evaluate("pull_back", known.plus(begin, case.given.of("q_0 q_a q_b q_d")))
-        turned = known.plus(front.of("p_0 p_a p_b p_d"))
         for time, course in case.times:
-            found = case.evaluate(name, turned, t=time)
+            found = case.evaluate(name, known, t=time)
             case.state(found, course, "q")
-            case.state(
-                found if name == "theta_state" else case.evaluate("momentum", turned.plus(found)),
-                course,
-                "Omega M",
-            )
+            if name != "theta_state":
+                found = case.evaluate("momentum", found)
+            case.state(found, course, "Omega M")
 
 
 def number_of(value: Any) -> Any:
@@ -194,11 +249,8 @@ def number_of(value: Any) -> Any:
 
 def integrals(case: Case) -> None:
     """Compare psi by integrals of the third kind, by periods and by Fourier series."""
-    constants = case.evaluate("constants", case.given, cos_half_psi=1, sin_half_psi=0)
-    known = constants.plus(
-        case.evaluate("shift", constants.plus(case.evaluate("theta", constants)))
-    )
-    known = known.plus(case.evaluate("theta", constants).of("B_a B_d beta g nome_1 zeta Lambda"))
+    constants, theta = case.constants, case.theta_forms["theta_state"]
+    known = case.evaluate("shift", theta)
     periods = case.evaluate("periods", constants)
     mean = periods["J_c"] / periods["K_1"]
     _periods(case, periods)
@@ -299,31 +351,16 @@ def _series(case: Case, known: Values, start: Values) -> None:
 
 def sines(case: Case) -> None:
     """Compare rates by Lemma 1, and the attitude by Theorem 1 and the rate about axis 1."""
-    motion, a = case.motion, case.motion.axes[0]
-    c, w = motion.inertia, motion.omega0
-    for i in {0, 1, 2} - {a}:
-        half = -1 if (c[i - 2] - c[i - 1]) * w[i - 2] * w[i - 1] < 0 else 1
-        names: dict[str, Any] = {"half": half}
-        for x, k in zip("ijk", (i, a, 3 - i - a), strict=True):
-            names |= {f"c_{x}": c[k], f"Omega_{x}": w[k]}
-        sine = case.evaluate("sine", Values(names, {}))
+    for i in {0, 1, 2} - {case.motion.axes[0]}:
+        sine = case.sine(i)
         for time, course in case.times:
             case.same(case.evaluate("sine_state", sine, t=time), "Omega_i", course.omega[i])
-        if i == 0:
-            _theorem1(case, sine)
-
-
-def _theorem1(case: Case, sine: Values) -> None:
-    names = {f"c{k + 1}": x for k, x in enumerate(case.motion.inertia)}
-    names |= {f"Omega{k + 1}": x for k, x in enumerate(case.motion.omega0)}
-    known = Values(names, {}).plus(sine.of("zeta xi mu C_i"))
-    known["C_1"], known.origins["C_1"] = known["C_i"], known.origins["C_i"]
-    constants = case.evaluate("theorem1", known)
-    side, front = -1 if case.motion.omega0[2] < 0 else 1, Values({}, {})
+    if case.motion.axes[0] == 0:
+        return
+    front = Values({}, {})
     # The rates do not change their signs so soon.
     for time, course in case.times[:2]:
-        now = {f"Omega{k + 1}": x for k, x in enumerate(course.omega)}
-        found = case.evaluate("theorem1_state", constants, now, t=time, side=side)
+        found = case.theorem1(time, course.omega)
         for k, x in enumerate(QUATERNION):
             name = f"qbar_{k}"
             found[f"qbar_{x}"], found.origins[f"qbar_{x}"] = found[name], found.origins[name]

@@ -49,6 +49,11 @@ class Values(dict[str, Any]):
         origins = {name: self.origins[name] for name in chosen if name in self.origins}
         return Values({name: self[name] for name in chosen}, origins)
 
+    def without(self, names: set[str]) -> "Values":
+        """Return all values but some."""
+        kept = [name for name in self if name not in names]
+        return self.of(" ".join(kept))
+
 
 class Sequences:
     """The formula sequences that a ledger publishes, and which of their outputs are compared."""
@@ -61,7 +66,7 @@ class Sequences:
                 self.sequences[name] = FormulaSequence(
                     (
                         f.name,
-                        _by_complement(parse(f"sqrt({f.text})" if f.how == "root" else f.text)),
+                        by_complement(parse(f"sqrt({f.text})" if f.how == "root" else f.text)),
                     )
                     for f in formulas
                 )
@@ -113,9 +118,9 @@ class Sequences:
         return [origin for origin in every if origin not in reached]
 
 
-def _by_complement(expression: Expression) -> Expression:
+def by_complement(expression: Expression) -> Expression:
     """Replace the parameter m of functions by 1 - m."""
-    parts = tuple(map(_by_complement, children(expression)))
+    parts = tuple(map(by_complement, children(expression)))
     if isinstance(expression, Call) and expression.function in OF_PARAMETER:
         parts = (*parts[:-1], complement(parts[-1]))
     return rebuild(expression, parts)

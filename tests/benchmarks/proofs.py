@@ -25,7 +25,7 @@ import bench
 COMMANDS = {
     "derive": (["derive"], 5.0),
     "derive --mutants": (["derive", "--mutants"], None),
-    "check": (["check"], 2.0),
+    "check": (["check"], 3.0),
     "check --independent": (["check", "--independent"], 1.0),
     "reproduce": (["reproduce"], 15.0),
 }

@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from ledgers import LEDGER, OUTSIDE, TEXT, doubled_meanings, forger, hollow, written
+from ledgers import CONTEXTS, LEDGER, OUTSIDE, TEXT, doubled_meanings, forger, hollow, written
 
 from rigidsym._numbers import check_numbers
 from rigidsym._numbers._motions import motions
@@ -63,3 +63,46 @@ def test_an_output_without_a_comparison_is_refused():
     entry = {"context": "kick", "definition": "w1", "source": ["3"]}
     ledger["published"]["sequences"]["more"] = [entry]
     assert refused(ledger) == "ledger: sequence more: w1 is compared with nothing"
+
+
+def with_context(name, **fields):
+    """Return the sealed ledger with some fields of a context replaced."""
+    ledger = {**LEDGER, "contexts": [*LEDGER["contexts"]]}
+    ledger["contexts"][ledger["contexts"].index(CONTEXTS[name])] = {**CONTEXTS[name], **fields}
+    return ledger
+
+
+@pytest.mark.parametrize("name", ["theta_functions", "hyperbolic_functions", "theta_form"])
+@pytest.mark.parametrize("relation", ["K - 2*B_a", "rho - sigma - 1", "R**2 - 2*T4_re**2"])
+def test_contradictory_relations_are_refused(name, relation):
+    """Refuse a context that no motion is in, though its witness may be."""
+    relations = [*CONTEXTS[name]["relations"], relation]
+    told = refused(with_context(name, relations=relations))
+    assert told.startswith(f"ledger: context {name}: {relation} = 0 does not hold, for largest 1:")
+
+
+def test_functions_are_what_they_are_declared_to_be():
+    for name in ("v_s", "b_n", "N_re"):
+        thetas = CONTEXTS["theta_functions"]["thetas"]
+        changed = {**thetas, name: thetas[name].replace("(theta", "(dtheta")}
+        assert "does not hold" in refused(with_context("theta_functions", thetas=changed))
+
+
+@pytest.mark.parametrize(
+    ("name", "changed", "told"),
+    [
+        ("theta_form", {"T4_re": "T4_im"}, "T4_re' = T4_im is not its derivative"),
+        ("descended", {"J": "mu*s**2"}, "J' = mu*s**2 is not its derivative"),
+        ("hyperbolic_functions", {"v_s": "-mu*g*dv_s"}, "v_s' = -mu*g*dv_s is not its derivative"),
+    ],
+)
+def test_wrong_rates_are_refused(name, changed, told):
+    rates = {**CONTEXTS[name]["rates"], **changed}
+    assert told in refused(with_context(name, rates=rates))
+
+
+def test_conditions_hold_somewhere():
+    units = [*CONTEXTS["descended"]["units"], "A_a - A_a"]
+    assert "A_a - A_a may be zero" in refused(with_context("descended", units=units))
+    signs = [*CONTEXTS["theta_form"]["nonnegative"], "-K"]
+    assert "-K is negative" in refused(with_context("theta_form", nonnegative=signs))
