@@ -80,10 +80,11 @@ def _chosen(options: Namespace) -> dict[str, Any]:
     """
     from rigidsym import _engines as engines
     from rigidsym.validate._implementations import missing
+    from rigidsym.validate.faults import TARGETS as FAULTY
 
     targets = options.targets
     if not (targets or options.resume):
-        reasons = missing(engines.EVERY if options.faults else engines.ENGINES)
+        reasons = missing(FAULTY if options.faults else engines.ENGINES)
         for target, reason in reasons.items():
             if reason:
                 say(f"{target} is not measured: {reason}")

@@ -79,9 +79,6 @@ class Campaign:
         )
         for target in targets:
             check_target(target)
-        if len({split(target)[1] == STEP for target in targets}) > 1:
-            rule = "steps are measured within a turn: validate modules of steps in another call"
-            raise InputError("target", ", ".join(targets), rule)
         for name in strata:
             if name not in STRATA:
                 raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
@@ -233,6 +230,13 @@ def _seal(data: Mapping[str, object]) -> dict[str, str]:
     """Return the schema and the digest to store in a campaign's file."""
     text = json.dumps(data, sort_keys=True)
     return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
+
+
+def check_together(targets: Sequence[str]) -> None:
+    """Raise InputError for targets that are not measured on the same samples."""
+    if len({split(target)[1] == STEP for target in targets}) > 1:
+        rule = "steps are measured within a turn: validate modules of steps in another call"
+        raise InputError("target", ", ".join(targets), rule)
 
 
 def complete(progress: Progress, place: Place, after: Callable[[], None] = lambda: None) -> None:

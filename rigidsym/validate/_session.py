@@ -17,7 +17,7 @@ from rigidsym.errors import InputError
 from rigidsym.io._files import write_text
 from rigidsym.validate import _same_bits
 from rigidsym.validate._bounds import ULP
-from rigidsym.validate._campaign import NAME, Campaign, Progress
+from rigidsym.validate._campaign import NAME, Campaign, Progress, check_together
 from rigidsym.validate._finding import Finding, case_text, measure_case, read_case
 from rigidsym.validate._report import FAILURES, ValidationReport, as_json, markdown
 from rigidsym.validate._tally import DRAWN
@@ -77,6 +77,7 @@ def replay(name: str, campaign: Campaign) -> Finding:
 
     Raises InputError for names of neither.
     """
+    check_together(campaign.targets)
     stratum, _, number = name.rpartition(":")
     if name.endswith(".toml"):
         sample = read_case(name)

@@ -29,6 +29,7 @@ from rigidsym.validate._campaign import (
     Campaign,
     Progress,
     add_case,
+    check_together,
     complete,
 )
 from rigidsym.validate._finding import Finding, measure_case
@@ -155,6 +156,7 @@ def run(
     are lost, KeyboardInterrupt where the user stops it; the message says what is kept.
     """
     campaign, begin = progress.campaign, time.perf_counter()
+    check_together(campaign.targets)
     before = sum(progress.tally.states.values())
     progress.save()
 

@@ -11,12 +11,12 @@ import pytest
 from rigidsym import InputError, generate
 from rigidsym._codegen import header
 from rigidsym._codegen.forms import split
-from rigidsym._codegen.functions import constants, functions
+from rigidsym._codegen.functions import functions
 from rigidsym._codegen.seal import seal_text, text
 from rigidsym._codegen.targets import reader
 from rigidsym.solution import sealed
 from rigidsym.validate.faults import all_faults
-from rigidsym.validate.faults._printed import faulty
+from rigidsym.validate.faults._printed import constants_of, faulty, functions_of
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
@@ -156,5 +156,6 @@ def first_of_each_kind():
 @pytest.mark.parametrize("fault", [*first_of_each_kind()])
 def test_what_validation_catches_by_numbers_the_seal_refuses_by_the_text(fault):
     target, form = split(fault.target)
+    given = functions_of(fault.target), constants_of(fault.target)
     with pytest.raises(InputError):
-        reader(target)(faulty(fault), lets(form), constants(), form)
+        reader(target)(faulty(fault), *given, form)

@@ -28,11 +28,14 @@ from rigidsym.validate._implementations import Steps
 from rigidsym.validate._measure import measure
 from rigidsym.validate._oracle import Reference, enclose
 from rigidsym.validate._sensitivities import ColumnsReference
+from rigidsym.validate._singles import TARGETS as SINGLES
+from rigidsym.validate._singles import Singles, SingleSteps
 from rigidsym.validate.faults._fault import Fault
 from rigidsym.validate.faults._printed import faulty
 from rigidsym.validate.faults._pushed import PushedReference
 from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.strata import count, draw, stepped
+from rigidsym.validate.strata._singles import in_singles
 
 # Detections without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
@@ -40,19 +43,18 @@ RAISED, CRASHED = "raised", "crashed"
 COLUMNS, TORQUES = "sensitivities", "torques"
 # These have so many numbers that few cases of a stratum are enough.
 MOST_CASES = 4
+Measured = Engine | Steps | Singles | SingleSteps
 AnyReference = Reference | ColumnsReference | PushedReference
 # Every faulty module is compiled for a second of use.  What decides the last digits stays.
 _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 
-def mutated_engine(fault: Fault) -> Engine | Steps:
+def mutated_engine(fault: Fault) -> Measured:
     """Return an engine that runs a generated module with an injected fault."""
     return on_files(fault.target, faulty(fault), fault.options)
 
 
-def on_files(
-    target: str, files: Mapping[str, str], options: tuple[str, ...] = ()
-) -> Engine | Steps:
+def on_files(target: str, files: Mapping[str, str], options: tuple[str, ...] = ()) -> Measured:
     """Return a target's engine that runs changed files of its module.
 
     options: of the compiler, beyond the usual ones.
@@ -64,6 +66,9 @@ def on_files(
         exec(compile(text, name, "exec"), module.__dict__)
         return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+        if target in SINGLES:
+            found = load(compile_library(find(), files, Path(work), _QUICK), files).raw
+            return SingleSteps(found) if form == STEP else Singles(found)
         if language != "c":
             # The process has read the files when this returns.
             home = Path(work)
@@ -91,7 +96,7 @@ def references(
 ) -> list[Any]:
     """Compute the true states or sensitivities of a stratum's cases.
 
-    shown_in: "states" and "steps" have a `Reference` for each case, "sensitivities" a
+    shown_in: states and steps have a `Reference` for each case, "sensitivities" a
     `ColumnsReference`, "torques" a `PushedReference`; see `Fault.shown_in`.
     """
     most = min(cases, MOST_CASES) if shown_in in (COLUMNS, TORQUES) else cases
@@ -100,8 +105,12 @@ def references(
         return [ColumnsReference.of(sample, digits) for sample in samples]
     if shown_in == TORQUES:
         return [PushedReference.of(sample) for sample in samples]
-    asked = map(stepped, samples) if shown_in == "steps" else samples
-    return [enclose(sample, digits, with_condition=False) for sample in asked]
+    of, _, precision = shown_in.partition(" in ")
+    if of == "steps":
+        samples = list(map(stepped, samples))
+    if precision:
+        samples = [in_singles(x, 24 if of == "steps" else 48) for x in samples]
+    return [enclose(sample, digits, with_condition=False) for sample in samples]
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
@@ -112,7 +121,7 @@ def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[D
 
 
 def first(
-    engine: Engine | Solver | Steps,
+    engine: Measured | Solver,
     stratum: Sequence[AnyReference],
     bounds: Mapping[str, float] = BOUNDS,
 ) -> Detection | None:
@@ -124,7 +133,7 @@ def first(
 
 
 def broken(
-    engine: Engine | Solver | Steps, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
+    engine: Measured | Solver, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
     """Return the names of the measures whose bounds an engine breaks in a case."""
     try:

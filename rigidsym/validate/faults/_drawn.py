@@ -17,12 +17,13 @@ from itertools import chain
 from textwrap import shorten
 from typing import NamedTuple
 
+from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import THETA, split
-from rigidsym._codegen.functions import constants
 from rigidsym._codegen.functions.sensitivity import sensitivity
 from rigidsym._codegen.ir import Constant, Function, is_extended
 from rigidsym._codegen.passes import specialise
 from rigidsym._codegen.special_functions import angles
+from rigidsym._codegen.targets import format_of
 from rigidsym.language._expression import (
     Call,
     Expression,
@@ -36,7 +37,7 @@ from rigidsym.solution import sealed
 from rigidsym.validate._bounds import BOUND, ULP
 from rigidsym.validate.faults._by_hand import by_hand, derived
 from rigidsym.validate.faults._fault import TARGETS, Fault
-from rigidsym.validate.faults._printed import functions_of, number_text
+from rigidsym.validate.faults._printed import constants_of, functions_of, number_text
 
 # Calls whose value is replaced by a constant, and the kind of fault that makes.
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
@@ -76,7 +77,7 @@ def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set
 
     The second result has the named numbers that these functions alone use.
     """
-    _, form = split(target)
+    language, form = split(target)
     names = {function.name for function in sensitivity(sealed())}
     printed = derived(target)
     of_states = tuple(one for one in printed if one.name not in names)
@@ -84,7 +85,7 @@ def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set
         own = tuple(one for one in printed if one.name in names)
         shared = of_states
     else:
-        shared = functions_of(THETA) if form != THETA else ()
+        shared = functions_of(language) if form != THETA else ()
         own = tuple(one for one in of_states if one not in shared)
     used, elsewhere = (set(chain.from_iterable(x.used() for x in y)) for y in (own, shared))
     return own, used - elsewhere
@@ -125,7 +126,7 @@ def every(target: str) -> tuple[Fault, ...]:
     for in_sensitivities in (False, True):
         own, used = _own(target, in_sensitivities)
         part = [fault for function in own for fault in _of_function(target, function)]
-        for constant in constants():
+        for constant in constants_of(target):
             if constant.name in used:
                 part += _of_constant(target, constant)
         found += [replace(fault, in_sensitivities=in_sensitivities) for fault in part]
@@ -134,8 +135,8 @@ def every(target: str) -> tuple[Fault, ...]:
 
 def _of_function(target: str, function: Function) -> Iterator[Fault]:
     extended = function.all_extended()
-    # NumPy takes times that are doubles.
-    is_short = split(target)[0] == "numpy" and "t_lo" in function.parameters
+    # Engines on other targets than C take times that are doubles.
+    is_short = split(target)[0] not in ("c", "c_single") and "t_lo" in function.parameters
     for let in function.lets:
         old = let.expression
         place = f"{function.name[1:]}.{let.targets[0]}"
@@ -159,8 +160,13 @@ def _of_function(target: str, function: Function) -> Iterator[Fault]:
                 place,
                 to_text(old),
                 to_text(new),
-                change=f"{about}: {change.done}: {part}",
+                change=f"{about}: {change.done}: {part}{_of_format(target)}",
             )
+
+
+def _of_format(target: str) -> str:
+    """Return what changes of another format than binary64 end with: others are harmless there."""
+    return "" if format_of(split(target)[0]).is_wide else ", in floats"
 
 
 def changes(expression: Expression) -> Iterator[Change]:
@@ -206,22 +212,27 @@ def _at_the_top(expression: Expression) -> Iterator[Change]:
 
 
 def _of_constant(target: str, constant: Constant) -> Iterator[Fault]:
-    changed = [("constant", "off by 1e-12", replace(constant, hi=constant.hi * (1 + 1e-12)))]
+    binary = format_of(split(target)[0])
+    # Thousands of the last digits of a number.
+    share = "1e-12" if binary == BINARY64 else "1e-4"
+    off = replace(constant, hi=binary.rounded(constant.hi * (1 + float(share))))
+    changed = [("constant", f"off by {share}", off)]
     (single,) = struct.unpack("f", struct.pack("f", constant.hi)) if constant.hi < 1e38 else (0.0,)
     changed.append(("precision", "in single precision", replace(constant, hi=single)))
     if constant.lo is not None:
         changed.append(("constant", "its last digits lost", replace(constant, lo=0.0)))
     for kind, done, other in changed:
-        if other != constant and not is_lost(constant, other):
+        if other != constant and not is_lost(constant, other, binary):
             name, old, new = f"{constant.name} {done}", number_text(constant), number_text(other)
-            yield Fault(target, kind, name, constant.name, old, new, change=name)
+            change = f"{name}{_of_format(target)}"
+            yield Fault(target, kind, name, constant.name, old, new, change=change)
 
 
-def is_lost(constant: Constant, other: Constant) -> bool:
+def is_lost(constant: Constant, other: Constant, binary: Format = BINARY64) -> bool:
     """Return True if a change of a series coefficient is too small to affect any motion."""
     family, _, number = constant.name.rpartition("_")
     if family not in _SERIES:
         return False
     change = (other.hi - constant.hi) + ((other.lo or 0.0) - (constant.lo or 0.0))
     factor, lost = _SERIES[family]
-    return abs(change) * factor(int(number)) < lost
+    return abs(change) * factor(int(number)) < lost * 2.0 ** (BINARY64.digits - binary.digits)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from rigidsym._codegen.forms import STEP, split
 from rigidsym._engines import EVERY, STEPPERS
+from rigidsym.validate._singles import TARGETS as SINGLES
 
 KINDS = {
     "constant": "a constant off by one part in 1e12, or by its last digits",
@@ -28,7 +29,7 @@ KINDS = {
     "ulps": "an error of some units in the last place",
     "torques": "a wrong torque, orbit, or order of drifts and kicks",
 }
-TARGETS = (*EVERY, *STEPPERS)
+TARGETS = (*EVERY, *STEPPERS, *SINGLES)
 # Text of a target that might not end: a fault must not make or change it.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
 # A loop of the runtime ends, unless a bound falls below zero or its step is zero.
@@ -68,10 +69,12 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """What shows the fault: states, sensitivities, steps or torques."""
+        """What shows the fault: states, steps (of floats: "in singles"), sensitivities, torques."""
         if self.place.partition(".")[0] in _OF_TORQUES:
             return "torques"
         of_states = "steps" if split(self.target)[1] == STEP else "states"
+        if self.target in SINGLES:
+            return f"{of_states} in singles"
         return "sensitivities" if self.in_sensitivities else of_states
 
     @property

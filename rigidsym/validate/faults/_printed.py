@@ -8,20 +8,31 @@ from functools import cache
 from importlib import resources
 
 from rigidsym._codegen import routines
+from rigidsym._codegen.formats import Format
 from rigidsym._codegen.forms import split
 from rigidsym._codegen.functions import constants, functions
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Module
-from rigidsym._codegen.targets import builder
+from rigidsym._codegen.targets import builder, format_of
 from rigidsym.language._expression import parse, to_text
 from rigidsym.solution import sealed
 from rigidsym.validate.faults._fault import Fault, StaleFaultError
 
 
+def functions_of(target: str) -> tuple[Function, ...]:
+    """Return the derived functions of a target."""
+    language, form = split(target)
+    return _functions(form, format_of(language))
+
+
 @cache
-def functions_of(form: str) -> tuple[Function, ...]:
-    """Return the derived functions of a form."""
-    return functions(sealed(), form)
+def _functions(form: str, binary: Format) -> tuple[Function, ...]:
+    return functions(sealed(), form, binary)
+
+
+def constants_of(target: str) -> tuple[Constant, ...]:
+    """Return the named numbers of a target."""
+    return constants(format_of(split(target)[0]))
 
 
 def installed(target: str) -> dict[str, str]:
@@ -57,7 +68,7 @@ def check(fault: Fault) -> None:
 def sound(target: str) -> Module:
     """Return a target's module without a fault."""
     language, form = split(target)
-    return builder(language)(functions_of(form), constants(), form)
+    return builder(language)(functions_of(target), constants_of(target), form)
 
 
 def _with_text(fault: Fault) -> dict[str, str]:
@@ -73,7 +84,7 @@ Changed = tuple[
 
 def _changed(fault: Fault) -> Changed:
     """Return functions, named numbers and replaced routines after the change of one of them."""
-    of, numbers = functions_of(split(fault.target)[1]), constants()
+    of, numbers = functions_of(fault.target), constants_of(fault.target)
     where, _, part = fault.place.partition(".")
     if not part:
         found = {x.name: x for x in numbers}
