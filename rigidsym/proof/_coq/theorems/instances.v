@@ -6,7 +6,7 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Rigidsym.theorems Require Import motion pull_back asymmetric separatrix published.
-From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form.
+From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form pi_near pi_far.
 Open Scope R_scope.
 
 Lemma jacobi_at_0 : jacobi 0 sin cos (fun _ => 1).
@@ -551,3 +551,306 @@ Section Symmetric.
       auto_derive; [easy | ring].
   Qed.
 End Symmetric.
+
+(* Near the separatrix and on it, by an integral of the third kind, where dn has no zero. *)
+Section Near.
+  Variables (h sigma rho chi i_a Delta B_a B_d k K C_b phase : R) (sn cn dn : R -> R) (p : quaternion).
+  Hypotheses (H2 : h ^ 2 = 1) (Sigma : sigma ^ 2 = 1) (Rho : rho ^ 2 = 1) (Chi : chi ^ 2 = 1).
+  Hypotheses (Ia : 0 < i_a) (Id : 0 < i_a + rho * Delta) (De : 0 < Delta) (Ba : 0 < B_a) (Bd : 0 < B_d).
+  Hypotheses (Kp : 0 < k <= 1) (Jac : jacobi (k ^ 2) sn cn dn) (Dn : forall u, dn u <> 0).
+  Hypotheses (Unit : norm_squared p = 1) (Kpos : 0 < K) (K2 : K ^ 2 = B_a ^ 2 + B_d ^ 2).
+  Hypotheses (Cp : 0 < C_b) (C2 : C_b ^ 2 = (1 + k) ^ 2 * B_d ^ 2 + 4 * k * B_a ^ 2).
+
+  Let D := instance h sigma rho chi i_a Delta B_a B_d k K C_b phase sn cn dn p.
+  Let names (L R_ X_re X_im : R -> R) : pi_near.names := {|
+    pi_near.epsilon := descended.epsilon D; pi_near.sigma := descended.sigma D;
+    pi_near.rho := descended.rho D; pi_near.chi := descended.chi D; pi_near.i_a := descended.i_a D;
+    pi_near.Delta := descended.Delta D; pi_near.B_a := descended.B_a D; pi_near.B_d := descended.B_d D;
+    pi_near.k_1 := descended.k_1 D; pi_near.C_b := descended.C_b D; pi_near.t_ := descended.t_ D;
+    pi_near.phase := descended.phase D; pi_near.s := descended.s D; pi_near.c := descended.c D;
+    pi_near.d := descended.d D; pi_near.K := descended.K D; pi_near.w := descended.w D;
+    pi_near.J := descended.J D; pi_near.J_0 := descended.J_0 D; pi_near.p_0 := descended.p_0 D;
+    pi_near.p_a := descended.p_a D; pi_near.p_b := descended.p_b D; pi_near.p_d := descended.p_d D;
+    pi_near.root_k := sqrt k; pi_near.Y := sqrt ((K + B_a) * (K - B_a + k * (K + B_a))); pi_near.zeta := 0;
+    pi_near.L := L; pi_near.R_ := R_; pi_near.K_1 := 0; pi_near.j := 0; pi_near.X_re := X_re;
+    pi_near.X_im := X_im |}.
+  Let zero (t : R) := 0.
+  Let base := names zero zero zero zero.
+  Let V_re := pi_near.V_re base.
+  Let V_im := pi_near.V_im base.
+  Let size t := V_re t ^ 2 + V_im t ^ 2.
+  Let angle := RInt (fun t => pi_near.psi_rate base t / 2 - pi_near.T_rate base t) 0.
+  Definition near_instance := names (RInt (fun t => pi_near.mu base * descended.s D t ^ 2
+    / (1 - pi_near.n_2 base * descended.s D t ^ 2)) 0) (fun t => sqrt (size t))
+    (fun t => cos (angle t)) (fun t => sin (angle t)).
+
+  Lemma near_holds : descended.holds D.
+  Proof. apply instance_holds; trivial; lra. Qed.
+
+  Lemma Y_positive : 0 < pi_near.Y base /\ pi_near.Y base ^ 2 = (K + B_a) * (K - B_a + k * (K + B_a)).
+  Proof.
+    apply root_of; pose proof (pow_lt _ 2 Bd); apply Rmult_lt_0_compat; [lra|].
+    assert (B_a < K) by nra; assert (0 < k * (K + B_a)) by (apply Rmult_lt_0_compat; lra); lra.
+  Qed.
+
+  Lemma z_positive : 0 < pi_near.z base.
+  Proof. apply Rdiv_lt_0_compat; [exact Cp | apply Y_positive]. Qed.
+
+  Lemma near_inside t : 0 < 1 - pi_near.n base * descended.s D t ^ 2 /\ 0 < 1 - pi_near.n_2 base * descended.s D t ^ 2.
+  Proof.
+    split; [exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra) Jac Kpos K2 t)))|].
+    assert (P : 0 <= pi_near.delta base).
+    { unfold pi_near.delta, pi_near.m_c; change (pi_near.k_1 base) with k; apply Rmult_le_pos; [nra|].
+      left; apply Rinv_0_lt_compat, pow_lt, z_positive. }
+    pose proof (descended.relation_5 D near_holds t) as C; pose proof (descended.relation_6 D near_holds t) as E.
+    change (descended.k_1 D) with k in E.
+    pose proof (pow2_gt_0 _ (Dn (descended.mu D * t + phase)) : 0 < descended.d D t ^ 2) as Q.
+    pose proof (pow2_ge_0 (descended.s D t)) as S; pose proof (pow2_ge_0 (descended.c D t)).
+    unfold pi_near.n_2; set (s2 := descended.s D t ^ 2) in *; set (c2 := descended.c D t ^ 2) in *.
+    replace (1 - (1 - pi_near.delta base) * s2) with (c2 + pi_near.delta base * s2) by lra.
+    destruct (Req_dec c2 0) as [Z|Z]; [|pose proof (Rmult_le_pos _ _ P S); lra].
+    assert (S1 : s2 = 1) by lra; rewrite S1 in *.
+    assert (K1 : k ^ 2 < 1) by lra; unfold pi_near.delta, pi_near.m_c; change (pi_near.k_1 base) with k.
+    pose proof (Rdiv_lt_0_compat (1 - k ^ 2) (pi_near.z base ^ 2) ltac:(lra) (pow_lt _ 2 z_positive)); lra.
+  Qed.
+
+  Lemma size_positive t : 0 < size t.
+  Proof.
+    unfold size; pose proof (pow2_ge_0 (V_im t)).
+    assert (N : V_re t <> 0).
+    { change (C_b * (K + B_a) * dn (descended.mu D * t + phase) <> 0); pose proof (Dn (descended.mu D * t + phase)).
+      apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | assumption]. }
+    pose proof (pow2_gt_0 _ N); lra.
+  Qed.
+
+  Lemma derive_angle t : is_derive angle t (pi_near.psi_rate base t / 2 - pi_near.T_rate base t).
+  Proof.
+    apply (derive_integral (fun t => pi_near.psi_rate base t / 2 - pi_near.T_rate base t)); intros x.
+    pose proof (descended.rate_s D near_holds x) as Ds; pose proof (descended.rate_c D near_holds x) as Dc;
+      pose proof (descended.rate_d D near_holds x) as Dd; destruct (near_inside x) as (N1 & N2); pose proof z_positive as Z.
+    pose proof (denominator h sigma rho chi i_a Delta B_a B_d k K C_b phase sn cn dn p Sigma Ba Bd ltac:(lra) Jac Kpos K2 x) as Q.
+    change (0 < K + sigma * pi_near.M_a base x) in Q.
+    pose proof (descended.unit_10 D near_holds x) as U; change (descended.k_1 D) with k in U.
+    unfold pi_near.psi_rate, pi_near.T_rate, pi_near.Omega_a, pi_near.M_a, pi_near.dn in *.
+    change (pi_near.s base) with (descended.s D) in *; change (pi_near.c base) with (descended.c D) in *.
+    change (pi_near.d base) with (descended.d D) in *; change (pi_near.k_1 base) with k in *; change (pi_near.K base) with K in *.
+    change (pi_near.sigma base) with sigma in *; change (pi_near.B_a base) with B_a in *.
+    set (a1 := pi_near.H_ base); set (a2 := pi_near.A_a base); set (a3 := pi_near.mu base); set (a4 := pi_near.slope base).
+    set (a5 := pi_near.z base) in *; set (a6 := pi_near.n base) in *; set (a7 := pi_near.n_2 base) in *.
+    set (a8 := pi_near.rho base); set (fs := descended.s D) in *; set (fc := descended.c D) in *; set (fd := descended.d D) in *.
+    clearbody a1 a2 a3 a4 a5 a6 a7 a8 fs fc fd; auto_derive.
+    repeat split; try (eexists; eassumption); try lra.
+    all: try (apply Rgt_not_eq; repeat apply Rmult_lt_0_compat; lra).
+    all: try exact U; try (apply Rgt_not_eq; exact Q).
+  Qed.
+
+  Theorem pi_near_instance : pi_near.holds near_instance.
+  Proof.
+    pose proof near_holds as N; destruct Y_positive as (Yp & Y2); pose proof z_positive as Z.
+    assert (Rk : 0 < sqrt k /\ sqrt k ^ 2 = k) by (apply root_of; lra).
+    assert (Rp : forall t, 0 < sqrt (size t) /\ sqrt (size t) ^ 2 = size t) by (intros t; apply root_of, size_positive).
+    constructor.
+    - exact (descended.unit_0 D N).
+    - exact (descended.unit_1 D N).
+    - exact (descended.unit_2 D N).
+    - exact (descended.unit_3 D N).
+    - exact (descended.unit_4 D N).
+    - exact (descended.unit_5 D N).
+    - exact (descended.unit_6 D N).
+    - exact (descended.unit_7 D N).
+    - exact (descended.unit_8 D N).
+    - exact (descended.unit_9 D N).
+    - exact (descended.unit_10 D N).
+    - exact (descended.unit_11 D N).
+    - exact (descended.unit_12 D N).
+    - exact (descended.unit_13 D N).
+    - exact (descended.unit_14 D N).
+    - apply Rgt_not_eq; exact (proj1 Rk).
+    - apply Rgt_not_eq; exact Yp.
+    - apply Rgt_not_eq; exact Z.
+    - apply Rgt_not_eq; change (0 < 1 + k * pi_near.x base ^ 2).
+      pose proof (Rmult_le_pos k _ ltac:(lra) (pow2_ge_0 (pi_near.x base))); lra.
+    - intros t; apply Rgt_not_eq; exact (proj2 (near_inside t)).
+    - intros t; apply Rgt_not_eq; exact (proj1 (Rp t)).
+    - exact (descended.relation_0 D N).
+    - exact (descended.relation_1 D N).
+    - exact (descended.relation_2 D N).
+    - exact (descended.relation_3 D N).
+    - exact (descended.relation_4 D N).
+    - exact (descended.relation_5 D N).
+    - exact (descended.relation_6 D N).
+    - exact (descended.relation_7 D N).
+    - exact (descended.relation_8 D N).
+    - exact (descended.relation_9 D N).
+    - change (sqrt k ^ 2 - k = 0); lra.
+    - change (pi_near.Y base ^ 2 - (K + B_a) * (K - B_a + k * (K + B_a)) = 0); lra.
+    - intros t; change (sqrt (size t) ^ 2 - V_re t ^ 2 - V_im t ^ 2 = 0); rewrite (proj2 (Rp t)); unfold size; ring.
+    - intros t; change (sin (angle t) ^ 2 + cos (angle t) ^ 2 - 1 = 0).
+      pose proof (sin2_cos2 (angle t)) as S; unfold Rsqr in S; lra.
+    - exact (descended.sign_0 D N).
+    - exact (descended.sign_1 D N).
+    - exact (descended.sign_2 D N).
+    - exact (descended.sign_3 D N).
+    - exact (descended.sign_4 D N).
+    - exact (descended.sign_5 D N).
+    - exact (descended.sign_6 D N).
+    - exact (descended.sign_7 D N).
+    - left; exact (proj1 Rk).
+    - left; exact Yp.
+    - left; exact Ba.
+    - left; exact Cp.
+    - intros t; left; exact (proj1 (Rp t)).
+    - intros t; left; change (0 < sqrt (size t) / (pi_near.Y base * (K + B_a))).
+      apply Rdiv_lt_0_compat; [exact (proj1 (Rp t)) | apply Rmult_lt_0_compat; lra].
+    - exact (descended.rate_t_ D N).
+    - exact (descended.rate_s D N).
+    - exact (descended.rate_c D N).
+    - exact (descended.rate_d D N).
+    - exact (descended.rate_w D N).
+    - exact (descended.rate_J D N).
+    - intros t; apply (derive_integral (fun t => pi_near.mu base * descended.s D t ^ 2
+        / (1 - pi_near.n_2 base * descended.s D t ^ 2))); intros x.
+      pose proof (descended.rate_s D N x) as E; pose proof (proj2 (near_inside x)).
+      set (a := pi_near.mu base); set (b := pi_near.n_2 base) in *; set (f := descended.s D) in *; clearbody a b f.
+      auto_derive; repeat split; try (eexists; exact E); lra.
+    - intros t; destruct (Rp t) as (R1 & R2).
+      pose proof (descended.rate_s D N t) as Es; pose proof (descended.rate_c D N t) as Ec; pose proof (descended.rate_d D N t) as Ed.
+      change (is_derive (fun t => sqrt (size t)) t (- pi_near.mu base * (V_re t * C_b * (K + B_a) * k ^ 2 * descended.s D t * descended.c D t
+        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2) * descended.d D t) / sqrt (size t))).
+      assert (E : is_derive size t (2 * (- pi_near.mu base * (V_re t * C_b * (K + B_a) * k ^ 2 * descended.s D t * descended.c D t
+        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2) * descended.d D t)))).
+      { change size with (fun t => (C_b * (K + B_a) * descended.d D t) ^ 2
+          + (- rho * k * B_d * (K - B_a + k * (K + B_a)) * descended.s D t * descended.c D t) ^ 2).
+        change (V_re t) with (C_b * (K + B_a) * descended.d D t).
+        change (V_im t) with (- rho * k * B_d * (K - B_a + k * (K + B_a)) * descended.s D t * descended.c D t).
+        change (pi_near.mu base) with (descended.mu D); change (descended.k_1 D) with k in *.
+        set (m := descended.mu D) in *; set (fs := descended.s D) in *; set (fc := descended.c D) in *; set (fd := descended.d D) in *.
+        clearbody m fs fc fd; derive_known; ring. }
+      pose proof (size_positive t) as P; clearbody size; set (v := 2 * _) in E.
+      replace (_ / sqrt (size t)) with (v / (2 * sqrt (size t))) by (unfold v; field; lra); clearbody v.
+      derive_known; [exact P | field; lra].
+    - intros t; pose proof (derive_angle t) as E.
+      change (is_derive (fun t => cos (angle t)) t (- (pi_near.psi_rate base t / 2 - pi_near.T_rate base t) * sin (angle t))).
+      clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
+    - intros t; pose proof (derive_angle t) as E.
+      change (is_derive (fun t => sin (angle t)) t ((pi_near.psi_rate base t / 2 - pi_near.T_rate base t) * cos (angle t))).
+      clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
+  Qed.
+End Near.
+
+Theorem pi_near_by_tanh (h sigma rho chi i_a Delta B_a B_d phase : R) (p : quaternion) :
+  h ^ 2 = 1 -> sigma ^ 2 = 1 -> rho ^ 2 = 1 -> chi ^ 2 = 1 ->
+  0 < i_a -> 0 < i_a + rho * Delta -> 0 < Delta -> 0 < B_a -> 0 < B_d -> norm_squared p = 1 ->
+  let K := sqrt (B_a ^ 2 + B_d ^ 2) in
+  pi_near.holds (near_instance h sigma rho chi i_a Delta B_a B_d 1 K (2 * K) phase tanh sech sech p).
+Proof.
+  intros ? ? ? ? ? ? ? Ba Bd ? K; pose proof (pow_lt _ 2 Ba); pose proof (pow_lt _ 2 Bd).
+  destruct (root_of (B_a ^ 2 + B_d ^ 2)) as (Kp & K2); [lra|]; fold K in Kp, K2.
+  apply pi_near_instance; trivial; [lra | | | lra | transitivity (4 * K ^ 2); [ring | rewrite K2; ring]].
+  - replace (1 ^ 2) with 1 by ring; exact jacobi_at_1.
+  - intros u; apply Rgt_not_eq, sech_positive.
+Qed.
+
+(* Far from the separatrix. *)
+Section Far.
+  Variables (h sigma rho chi i_a Delta B_a B_d k K C_b phase : R) (sn cn dn : R -> R) (p : quaternion).
+  Hypotheses (H2 : h ^ 2 = 1) (Sigma : sigma ^ 2 = 1) (Rho : rho ^ 2 = 1) (Chi : chi ^ 2 = 1).
+  Hypotheses (Ia : 0 < i_a) (Id : 0 < i_a + rho * Delta) (De : 0 < Delta) (Ba : 0 < B_a) (Bd : 0 < B_d).
+  Hypotheses (Kp : 0 < k < 1) (Jac : jacobi (k ^ 2) sn cn dn).
+  Hypotheses (Unit : norm_squared p = 1) (Kpos : 0 < K) (K2 : K ^ 2 = B_a ^ 2 + B_d ^ 2).
+  Hypotheses (Cp : 0 < C_b) (C2 : C_b ^ 2 = (1 + k) ^ 2 * B_d ^ 2 + 4 * k * B_a ^ 2).
+
+  Let D := instance h sigma rho chi i_a Delta B_a B_d k K C_b phase sn cn dn p.
+  Let names (L : R -> R) : pi_far.names := {|
+    pi_far.epsilon := descended.epsilon D; pi_far.sigma := descended.sigma D;
+    pi_far.rho := descended.rho D; pi_far.chi := descended.chi D; pi_far.i_a := descended.i_a D;
+    pi_far.Delta := descended.Delta D; pi_far.B_a := descended.B_a D; pi_far.B_d := descended.B_d D;
+    pi_far.k_1 := descended.k_1 D; pi_far.C_b := descended.C_b D; pi_far.t_ := descended.t_ D;
+    pi_far.phase := descended.phase D; pi_far.s := descended.s D; pi_far.c := descended.c D;
+    pi_far.d := descended.d D; pi_far.K := descended.K D; pi_far.w := descended.w D;
+    pi_far.J := descended.J D; pi_far.J_0 := descended.J_0 D; pi_far.p_0 := descended.p_0 D;
+    pi_far.p_a := descended.p_a D; pi_far.p_b := descended.p_b D; pi_far.p_d := descended.p_d D;
+    pi_far.root_k := sqrt k; pi_far.Y := sqrt ((K + B_a) * (K - B_a + k * (K + B_a))); pi_far.zeta := 0;
+    pi_far.L := L; pi_far.X_re := descended.cos_half_psi D; pi_far.X_im := descended.sin_half_psi D |}.
+  Let base := names (fun _ => 0).
+  Let L_rate t := - pi_far.mu base * pi_far.z base ^ 2 * descended.c D t ^ 2
+    / (pi_far.m_c base * (1 - pi_far.n base * descended.s D t ^ 2)).
+  Definition far_instance := names (RInt L_rate 0).
+
+  Theorem pi_far_instance : pi_far.holds far_instance.
+  Proof.
+    assert (N : descended.holds D) by (apply instance_holds; trivial; lra).
+    assert (Y : 0 < pi_far.Y base /\ pi_far.Y base ^ 2 = (K + B_a) * (K - B_a + k * (K + B_a))).
+    { apply root_of; pose proof (pow_lt _ 2 Bd); apply Rmult_lt_0_compat; [lra|].
+      assert (B_a < K) by nra; assert (0 < k * (K + B_a)) by (apply Rmult_lt_0_compat; lra); lra. }
+    destruct Y as (Yp & Y2).
+    assert (Rk : 0 < sqrt k /\ sqrt k ^ 2 = k) by (apply root_of; lra).
+    assert (M : 0 < pi_far.m_c base) by (change (0 < 1 - k ^ 2); nra).
+    assert (I : forall t, 0 < 1 - pi_far.n base * descended.s D t ^ 2).
+    { intros t; exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra) Jac Kpos K2 t))). }
+    constructor.
+    - exact (descended.unit_0 D N).
+    - exact (descended.unit_1 D N).
+    - exact (descended.unit_2 D N).
+    - exact (descended.unit_3 D N).
+    - exact (descended.unit_4 D N).
+    - exact (descended.unit_5 D N).
+    - exact (descended.unit_6 D N).
+    - exact (descended.unit_7 D N).
+    - exact (descended.unit_8 D N).
+    - exact (descended.unit_9 D N).
+    - exact (descended.unit_10 D N).
+    - exact (descended.unit_11 D N).
+    - exact (descended.unit_12 D N).
+    - exact (descended.unit_13 D N).
+    - exact (descended.unit_14 D N).
+    - apply Rgt_not_eq; exact (proj1 Rk).
+    - apply Rgt_not_eq; exact Yp.
+    - apply Rgt_not_eq; exact (Rdiv_lt_0_compat _ _ Cp Yp).
+    - apply Rgt_not_eq; change (0 < 1 + k * pi_far.x base ^ 2).
+      pose proof (Rmult_le_pos k _ ltac:(lra) (pow2_ge_0 (pi_far.x base))); lra.
+    - intros t; change (descended.d D t <> 0); intros Z.
+      pose proof (descended.relation_5 D N t) as A; pose proof (descended.relation_6 D N t) as B.
+      rewrite Z in B; change (descended.k_1 D) with k in B; pose proof (pow2_ge_0 (descended.c D t)).
+      assert (k ^ 2 < 1) by nra; pose proof (pow2_ge_0 (descended.s D t)); pose proof (pow2_ge_0 k); nra.
+    - change (1 - k <> 0); lra.
+    - exact (descended.relation_0 D N).
+    - exact (descended.relation_1 D N).
+    - exact (descended.relation_2 D N).
+    - exact (descended.relation_3 D N).
+    - exact (descended.relation_4 D N).
+    - exact (descended.relation_5 D N).
+    - exact (descended.relation_6 D N).
+    - exact (descended.relation_7 D N).
+    - exact (descended.relation_8 D N).
+    - exact (descended.relation_9 D N).
+    - change (sqrt k ^ 2 - k = 0); lra.
+    - change (pi_far.Y base ^ 2 - (K + B_a) * (K - B_a + k * (K + B_a)) = 0); lra.
+    - exact (descended.relation_10 D N).
+    - exact (descended.sign_0 D N).
+    - exact (descended.sign_1 D N).
+    - exact (descended.sign_2 D N).
+    - exact (descended.sign_3 D N).
+    - exact (descended.sign_4 D N).
+    - exact (descended.sign_5 D N).
+    - exact (descended.sign_6 D N).
+    - exact (descended.sign_7 D N).
+    - left; exact (proj1 Rk).
+    - left; exact Yp.
+    - left; exact Ba.
+    - left; exact Cp.
+    - exact (descended.rate_t_ D N).
+    - exact (descended.rate_s D N).
+    - exact (descended.rate_c D N).
+    - exact (descended.rate_d D N).
+    - exact (descended.rate_w D N).
+    - exact (descended.rate_J D N).
+    - intros t; apply (derive_integral L_rate); intros x; specialize (I x).
+      pose proof (descended.rate_s D N x) as Es; pose proof (descended.rate_c D N x) as Ec; unfold L_rate.
+      set (a := pi_far.mu base); set (b := pi_far.z base); set (m := pi_far.m_c base) in *; set (n := pi_far.n base) in *.
+      set (fs := descended.s D) in *; set (fc := descended.c D) in *; clearbody a b m n fs fc.
+      auto_derive; repeat split; try (eexists; eassumption); apply Rgt_not_eq, Rmult_lt_0_compat; lra.
+    - exact (descended.rate_cos_half_psi D N).
+    - exact (descended.rate_sin_half_psi D N).
+  Qed.
+End Far.
