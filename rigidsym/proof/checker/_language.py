@@ -103,7 +103,7 @@ class Language(ABC, Generic[Meaning]):
             value = self._read(tokens, depth=depth + 1)
             _expect(tokens, ")")
             return value
-        if not is_name(token):
+        if not token[:1].isidentifier() or keyword.iskeyword(token):
             raise Refused(f"{token!r} stands where a quantity is due")
         if tokens[-1] == "(":
             return self.call(token, self._arguments(tokens, depth + 1))

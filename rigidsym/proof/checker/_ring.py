@@ -100,10 +100,13 @@ class Ring(Language[Quotient]):
         Raises Refused unless the numerator is a product of units.
         The numerator may be reduced by the relations for that.
         """
-        for above in (quotient.above, self.remainder(quotient.above)):
-            if scale := self.scale(above):
-                return Quotient(quotient.below / scale, above / scale)
-        raise Refused("a division by what is not a product of units")
+        above = quotient.above
+        if not (scale := self.scale(above)):
+            above = self.remainder(above)
+            scale = self.scale(above)
+        if not scale:
+            raise Refused("a division by what is not a product of units")
+        return Quotient(quotient.below / scale, above / scale)
 
     def scale(self, polynomial: fmpq_mpoly) -> fmpq:
         """Return c if a polynomial is c times a product of units, else 0."""
@@ -136,7 +139,8 @@ class Ring(Language[Quotient]):
             raise Refused("this context has no time derivative")
         (above, below), total = (quotient.above, quotient.below), self.over_one(self.one * 0)
         for name, rate in self.rates.items():
-            if slope := above.derivative(name) * below - above * below.derivative(name):
+            up, down = above.derivative(name), below.derivative(name)
+            if (up or down) and (slope := up * below - above * down):
                 if rate is None:
                     raise Refused(f"D({name}) is not known")
                 total += Quotient(slope, below**2) * rate
