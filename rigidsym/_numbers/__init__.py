@@ -40,13 +40,14 @@ def check_numbers(text: str) -> tuple[int, int]:
         try:
             for motion in motions(text):
                 case, count = Case(motion, sequences), count + 1
-                contexts.inhabit(case.worlds, ball(motion.time), motion)
-                for about, (compare, applies) in CLAIMS.items():
-                    try:
+                try:
+                    for compare, applies in CLAIMS:
                         if applies(motion):
                             compare(case)
-                    except (PrecisionError, ZeroDivisionError) as error:
-                        raise LedgerError(f"ledger: {about}: {error}, for {motion}") from None
+                except (PrecisionError, ZeroDivisionError) as error:
+                    place = f"sequence {sequences.last}"
+                    raise LedgerError(f"ledger: {place}: {error}, for {motion}") from None
+                contexts.inhabit(case.worlds, ball(motion.time), motion)
         finally:
             ctx.cap = terms
     if empty := sorted(contexts.contexts.keys() - contexts.inhabited):

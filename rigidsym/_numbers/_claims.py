@@ -26,7 +26,7 @@ from rigidsym._numbers._flow import (
 )
 from rigidsym._numbers._models import Model, solve
 from rigidsym._numbers._motions import Motion
-from rigidsym._numbers._values import Sequences, Values
+from rigidsym._numbers._values import Sequences, Values, number
 from rigidsym.errors import LedgerError
 from rigidsym.precise._balls import ball
 
@@ -230,7 +230,7 @@ def regular(case: Case) -> None:
 def by_thetas(case: Case) -> None:
     """Compare the three theta forms, where the modulus is neither 0 nor 1."""
     functions, forms = case.sequences.functions, case.theta_forms
-    shift, modulus = forms["circular_state"], number_of(forms["theta_state"]["k_1"])
+    shift, modulus = forms["circular_state"], number(forms["theta_state"]["k_1"])
     for name, kind in {"s_beta": "sn", "c_beta": "cn", "d_beta": "dn"}.items():
         case.same(shift, name, functions[f"jacobi_{kind}"](shift["beta"], modulus**2))
     for name, known in forms.items():
@@ -240,11 +240,6 @@ def by_thetas(case: Case) -> None:
             if name != "theta_state":
                 found = case.evaluate("momentum", found)
             case.state(found, course, "Omega M")
-
-
-def number_of(value: Any) -> Any:
-    """Return a ball of a number."""
-    return value if isinstance(value, arb | acb) else ball(value)
 
 
 def integrals(case: Case) -> None:
@@ -266,11 +261,11 @@ def integrals(case: Case) -> None:
         zero = {"X_re": 1, "X_im": 0}
         first = case.evaluate("pi_hyperbolic", given.plus(start.of("s c d"), zero))
         third = [
-            tables["elliptic_j"](u, first["n_2"], number_of(known["m_c"]))
+            tables["elliptic_j"](u, first["n_2"], number(known["m_c"]))
             for u in (state["u_1"], start["u_1"])
         ]
         rho, phase = case.motion.signs["rho"], first["Lambda"] * ball(time)
-        moved = number_of(known["mu"]) * ball(time)
+        moved = number(known["mu"]) * ball(time)
         phase -= rho * (first["g_1"] * moved + first["g_2"] * (third[0] - third[1]))
         found = case.evaluate(
             "pi_hyperbolic", given.plus(state.of("s c d"), X_re=phase.cos(), X_im=phase.sin())
@@ -280,7 +275,7 @@ def integrals(case: Case) -> None:
         case.same(found, "cos_half_psi sin_half_psi Lambda g_1 g_2 n_2", turn, value)
         # Far from it, by the same integral at K_1 - u_1.
         past = [
-            tables["elliptic_j"](periods["K_1"] - u, first["n_2"], number_of(known["m_c"]))
+            tables["elliptic_j"](periods["K_1"] - u, first["n_2"], number(known["m_c"]))
             for u in (state["u_1"], start["u_1"])
         ]
         angle = first["Lambda"] * ball(time) - rho * (
@@ -320,8 +315,8 @@ def _periods(case: Case, periods: Values) -> None:
 def _series(case: Case, known: Values, start: Values) -> None:
     """Compare Fourier series of Jacobi's functions (DLMF 22.11.1 to 22.11.3) and of psi/2."""
     functions, rho = case.sequences.functions, case.motion.signs["rho"]
-    scale, nome, mc = known["g"], known["nome_1"], number_of(known["m_c"])
-    first, moved = number_of(start["u_1"]), number_of(known["mu"]) * ball(case.time)
+    scale, nome, mc = known["g"], known["nome_1"], number(known["m_c"])
+    first, moved = number(start["u_1"]), number(known["mu"]) * ball(case.time)
     v, modulus = scale * (first + moved), (1 - mc).sqrt()
     for kind, e in (("sn", 1), ("cn", -1), ("dn", -1)):
         wave, odd = arb.sin if kind == "sn" else arb.cos, kind != "dn"
@@ -424,7 +419,7 @@ def steps(case: Case) -> None:
 
 def _elapsed(known: Values, start: list[arb], time: arb) -> list[Model]:
     """Return X and Y for a time, with X' = Y and Y' = -e_1 X + 2 e_2 X^3."""
-    e_1, e_2 = number_of(known["e_1"]), number_of(known["e_2"])
+    e_1, e_2 = number(known["e_1"]), number(known["e_2"])
 
     def right(v: Sequence[Any], _: Sequence[Any]) -> list[Any]:
         x, y = v
@@ -437,7 +432,7 @@ def _third_kind(found: Values, x: Model) -> arb:
     """Return the integral of J_rate over the time of X, by the constants of the projection."""
     square = x * x
     names = ("nu_re", "nu_im", "rate_re", "rate_im")
-    nu_re, nu_im, rate_re, rate_im = (number_of(found[name]) for name in names)
+    nu_re, nu_im, rate_re, rate_im = (number(found[name]) for name in names)
     g_re, g_im = 1 - square * nu_re, -(square * nu_im)
     rate = square * (g_re * rate_im - g_im * rate_re) / (g_re * g_re + g_im * g_im)
     return rate.integral().end()
@@ -470,7 +465,7 @@ def sensitivities(case: Case) -> None:
     given |= {f"Omega_{x}0": case.given[f"Omega_{x}"] for x in AXES}
     moments = case.evaluate("moments", Values(given, {}))
     columns = case.evaluate("columns", moments)
-    p, r, time = number_of(columns["p"]), number_of(columns["r"]), ball(case.time)
+    p, r, time = number(columns["p"]), number(columns["r"]), ball(case.time)
     triple = _Triple(p, r, time)
     known = moments.plus(columns, triple.values, t=case.time)
     found = case.evaluate("sensitivity", known)
@@ -648,16 +643,16 @@ def _modulus(spare: Sequence[Fraction]) -> tuple[arb, ...]:
     return (k, (1 - k * k).sqrt(), *(ball(abs(x) / 2 + THIRD) for x in spare[1:4]))
 
 
-# Claims by what they are about, each with the motions that it holds for.
-CLAIMS: dict[str, tuple[Callable[[Case], None], Callable[[Motion], bool]]] = {
-    "constant rates": (steady, lambda motion: not motion.moves and motion.kind != "rest"),
-    "states": (regular, lambda motion: motion.moves),
-    "theta forms": (by_thetas, lambda motion: motion.circulates),
-    "sines": (sines, lambda motion: motion.circulates),
-    "psi, periods and series": (integrals, lambda motion: motion.circulates),
-    "steps": (steps, lambda motion: motion.kind != "rest"),
-    "sensitivities": (sensitivities, lambda motion: True),
-    "turns": (turns, lambda motion: motion.kind != "rest"),
-    "kicks": (kicks, lambda motion: True),
-    "descents": (descents, lambda motion: True),
-}
+# Claims, each with the motions that it holds for.
+CLAIMS: list[tuple[Callable[[Case], None], Callable[[Motion], bool]]] = [
+    (steady, lambda motion: not motion.moves and motion.kind != "rest"),
+    (regular, lambda motion: motion.moves),
+    (by_thetas, lambda motion: motion.circulates),
+    (sines, lambda motion: motion.circulates),
+    (integrals, lambda motion: motion.circulates),
+    (steps, lambda motion: motion.kind != "rest"),
+    (sensitivities, lambda motion: True),
+    (turns, lambda motion: motion.kind != "rest"),
+    (kicks, lambda motion: True),
+    (descents, lambda motion: True),
+]

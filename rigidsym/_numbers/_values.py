@@ -80,11 +80,13 @@ class Sequences:
         self.constants = {x: self.functions[x] for x in CONSTANTS}
         self.uses: dict[Origin, set[Origin]] = {}
         self.compared: set[Origin] = set()
+        self.last = ""
 
     def evaluate(self, name: str, given: Values, *others: Mapping[str, Any], **more: Any) -> Values:
         """Evaluate a published sequence; return its outputs beside all that is given."""
         if name not in self.sequences:
             raise LedgerError(f"ledger: the sequence {name} is not published")
+        self.last = name
         sequence, known = self.sequences[name], given.plus(*others, more)
         if missing := sorted(sequence.inputs - {*known}):
             raise LedgerError(f"ledger: sequence {name}: it needs {', '.join(missing)}")

@@ -50,6 +50,27 @@ def test_a_doubled_meaning_is_refused(name):
     assert refused(doubled_meanings()[name]).startswith("ledger: ")
 
 
+@pytest.mark.parametrize(
+    ("context", "name", "changed", "sequence"),
+    [
+        ("descended", "psi", "psi_0*t + kappa*(J - J_0) + 1", "state"),
+        ("descended", "u_1", "mu*t + phase + 1", "state"),
+        ("theta_form", "Lambda", "psi_0/2 - rho*mu*zeta", "theta_state"),
+        ("attitude", "s_b", "-sigma*epsilon*M_d/nu", "state"),
+        ("steady", "theta", "omega*t + 1", "steady"),
+        ("period", "period", "8*K_1/mu", "periods"),
+        ("period", "period", "12*K_1/mu", "periods"),
+        ("theorem1_motion", "phi1", "K/c1*t + kappa*Pi + 1", "theorem1_state"),
+        ("step", "psi_0", "(2*H_0 - K*sigma*Omega_a0)/(K + sigma*M_a0)", "thirds"),
+        ("elapsed_E", "E_t", "(t - S_t*C_t/D_t - (p - r)*F_t)/p + 1", "elapsed_E"),
+    ],
+)
+def test_wrong_starts_and_signs_are_refused(context, name, changed, sequence):
+    definitions = {**CONTEXTS[context]["definitions"], name: changed}
+    told = refused(with_context(context, definitions=definitions))
+    assert told.startswith(f"ledger: sequence {sequence}: ")
+
+
 @pytest.mark.parametrize("sequence", ["constants", "kick", "periods", "turn"])
 def test_a_sequence_has_to_be_published(sequence):
     ledger = json.loads(TEXT)
