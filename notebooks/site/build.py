@@ -70,6 +70,7 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     from generate import api, command, displays, errata, formats, kernel, live
 
     shutil.copytree(SITE / "pages", source)
+    shutil.copyfile(ROOT / "derivations" / "specification.txt", source / "specification.txt")
     for name, page in project.pages(ROOT).items():
         _write(source / name, page)
     _stage_guide(source, notebooks)

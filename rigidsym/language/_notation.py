@@ -145,6 +145,7 @@ class Notation:
     """The names of one block that stand for several components, and those that depend on inputs."""
 
     axes: tuple[str, ...] = ("1", "2", "3")
+    gap: str = ""
     hand: Expression = ONE
     named: dict[str, Value] = field(default_factory=lambda: {"i": (ZERO, ONE)})
     # Which names change where `d` is a small change, and with which inputs where it is `d_x`.
@@ -155,11 +156,12 @@ class Notation:
         """Read a clause that declares names: `vectors c Omega along a b d epsilon`, for example."""
         names, _, axes = content.partition(" along ")
         if axes:
-            self.axes = tuple(axes.split()[:3])
+            self.gap = "" if axes[0].isdigit() else "_"
+            self.axes = tuple(axis.removeprefix("_") for axis in axes.split()[:3])
             self.hand = Name(axes.split()[3]) if len(axes.split()) > 3 else ONE
         for name in names.split():
             if kind == "complex":
-                self.named[name] = Name(f"{name}_re"), Name(f"{name}_im")
+                self.parts(name)
             elif kind == "vectors":
                 self.named[name] = tuple(Name(self._component(name, x)) for x in self.axes)
             elif kind == "quaternions":
@@ -168,8 +170,8 @@ class Notation:
                 rows = (self._component(name, x) for x in self.axes)
                 self.named[name] = tuple(tuple(Name(f"{x}{y}") for y in self.axes) for x in rows)
 
-    def turn(self, name: str) -> tuple[str, str]:
-        """Declare a number of modulus 1, and return the names of its two parts."""
+    def parts(self, name: str) -> tuple[str, str]:
+        """Declare a complex number, and return the names of its two parts."""
         half = name.startswith("half_")
         parts = (f"cos_{name}", f"sin_{name}") if half else (f"{name}_re", f"{name}_im")
         self.named[name] = tuple(map(Name, parts))
@@ -178,8 +180,7 @@ class Notation:
     def _component(self, name: str, axis: str) -> str:
         """Return a component: of Omega0 that along a is Omega_a0, of n_0 that along 1 is n1_0."""
         stem = re.split(r"[^A-Za-z]", name)[0]
-        gap = "" if self.axes[0].isdigit() else "_"
-        return f"{stem}{gap}{axis}{name.removeprefix(stem)}"
+        return f"{stem}{self.gap}{axis}{name.removeprefix(stem)}"
 
     def derive(self, content: str) -> None:
         """Read a clause on derivatives: `d: c Omega`, or `d_x: Omega by Omega_0 c; alpha by c`."""

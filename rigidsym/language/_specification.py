@@ -9,9 +9,10 @@ indented further than their clause.
 
     under A B                            the hypotheses of other blocks
     vectors v w along a b d epsilon      v is v_a, v_b, v_d; epsilon is the handedness of these axes
-    vectors v w along 1 2 3              v is v1, v2, v3
+    vectors v w along 1 2 3              v is v1, v2, v3; these axes are those of the block if it
+                                         names no others
     quaternions q                        q is q_0, q_a, q_b, q_d, or q0, q1, q2, q3
-    complex z                            z is z_re, z_im
+    complex z half_psi                   z is z_re, z_im; half_psi is cos_half_psi, sin_half_psi
     matrices R                           R is R11, R12 and so on
     derivatives d: x y                   d(x) and d(y), small changes, are dx and dy
     derivatives d_x: y by z0             d_x(y), for each input x of z0, is y_by_z
@@ -20,8 +21,7 @@ indented further than their clause.
     nonnegative a; b                     a >= 0, b >= 0
     positive a                           a >= 0 and a != 0
     moving x' = a; y' = ?                time derivatives, known or not; other names are constant
-    turning z at a; half_psi at b        z = z_re + i z_im and cos_half_psi + i sin_half_psi are of
-                                         modulus 1, and turn at the rates a and b
+    turning z at a; half_psi at b        complex z and half_psi, of modulus 1, turn at rates a and b
     let x = a                            definitions of names
     with x = a                           definitions of names that would be free otherwise
     without a                            a = 0 is not assumed
@@ -47,7 +47,16 @@ from functools import cache
 from hashlib import sha256
 from typing import Any, NamedTuple, TypeAlias
 
-from rigidsym.language._expression import Call, Expression, Name, Number, Operation, names, to_text
+from rigidsym.language._expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    children,
+    names,
+    to_text,
+)
 from rigidsym.language._expression import parse as _parse
 from rigidsym.language._notation import ZERO, Notation, derivative, pairs
 
@@ -132,7 +141,7 @@ class Theorem:
             case "turning":
                 for item in content.split(";"):
                     name, _, rate = item.strip().partition(" at ")
-                    x, y = self.notation.turn(name)
+                    x, y = self.notation.parts(name)
                     self.fill("zero", f"{y}**2 + {x}**2 - 1")
                     self.fill("moving", f"{x}' = -({rate})*{y}; {y}' = ({rate})*{x}")
             case "let" | "with":
@@ -199,8 +208,11 @@ def read(text: str) -> dict[str, Theorem]:
             if word == "under":
                 for other in content.split():
                     block.include(blocks[other])
-            else:
+                continue
+            try:
                 block.fill(word, content)
+            except (ValueError, SyntaxError) as error:
+                raise ValueError(f"specification: {name}: {word}: {error}") from None
         blocks[name] = block
     return blocks
 
@@ -236,6 +248,8 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
         for theorem in theorems(specification).values():
             if lack := next(proved.lacks(theorem), ""):
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
+        if name := next(proved.undetermined(theorems(specification).values()), ""):
+            raise Unproved(f"the published formula {name} is determined by no theorem")
     except (LookupError, TypeError, AttributeError, SyntaxError) as error:
         raise Unproved(f"its published formulas are not readable: {error}") from None
 
@@ -321,6 +335,26 @@ class Values:
         return relation, x, y
 
 
+def _names(tree: Expression, *, rates: bool) -> set[str]:
+    """Return the names in an expression whose rates it has, or the others."""
+    match tree:
+        case Call("D", (operand,)):
+            return {*names(operand)} if rates else set()
+        case Name(name):
+            return set() if rates else {name}
+    return set().union(*(_names(part, rates=rates) for part in children(tree)))
+
+
+def _reached(found: set[str], from_: Mapping[str, set[str]]) -> set[str]:
+    """Return names, those that they are computed from, and so on."""
+    waiting = [*found]
+    while waiting:
+        new = from_.get(waiting.pop(), set()) - found
+        found |= new
+        waiting += new
+    return found
+
+
 def _rate(name: str) -> Expression:
     return Call("D", (Name(name),))
 
@@ -385,6 +419,44 @@ class Proved:
                 yield f"{written(statement)} is not proved under its hypotheses"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
+
+    def undetermined(self, specified: Iterable[Theorem]) -> Iterator[str]:
+        """Yield the published formulas that no theorem determines.
+
+        A theorem determines the names in its equations, those that it defines, those that are
+        free in its hypotheses, and what these are computed from.  A rate determines a
+        name, and what that is computed from, if another theorem is about its start.
+        """
+        determined, moving, starting = set(), set(), set()
+        for theorem in specified:
+            formulas = [
+                (part[0], formula) for part in theorem.formulas for formula in self._formulas(*part)
+            ]
+            from_: dict[str, set[str]] = {}
+            computed = [(x.name, x.text) for _, x in formulas if x.how != "reading"]
+            rates = [pair for pair in (theorem.moving or {}).items() if pair[1] != "?"]
+            for name, text in (*computed, *theorem.let.items(), *rates):
+                from_.setdefault(name, set()).update(names(parse(text)))
+            for related in (set(names(parse(text))) for text in theorem.zero):
+                for name in related:
+                    from_.setdefault(name, set()).update(related)
+            sides = [parse(side) for _, *both in theorem.then for side in both]
+            free = {*self.contexts[theorem.name]["generators"]}
+            said = set().union(theorem.let, free, *(_names(side, rates=False) for side in sides))
+            known = _reached(said, from_)
+            turned = _reached(set().union(*(_names(side, rates=True) for side in sides)), from_)
+            for sequence, formula in formulas:
+                key = f"{sequence}: {formula.name}"
+                if formula.name in known or formula.how == "reading":
+                    determined.add(key)
+                if formula.name in turned:
+                    moving.add(key)
+                if theorem.moving is None:
+                    starting.add(key)
+        for sequence, entries in self.sequences.items():
+            for key in (f"{sequence}: {self.formula(entry).name}" for entry in entries):
+                if key not in determined | (moving & starting):
+                    yield key
 
     def values(self, theorem: Theorem) -> Values:
         """Return the values of expressions in the context of a theorem.

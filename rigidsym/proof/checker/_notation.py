@@ -23,7 +23,8 @@ FIELD = fmpz_mod_ctx(2**127 - 1)
 class Components(Language[Value]):
     """Parser of a block's expressions into components."""
 
-    axes: list[str] = field(default_factory=list)
+    axes: list[str] = field(default_factory=lambda: ["1", "2", "3"])
+    gap: str = ""
     hand: Form = 1
     named: dict[str, Value] = field(default_factory=lambda: {"i": [0, 1]})
     changes: set[Form] = field(default_factory=set)
@@ -39,10 +40,13 @@ class Components(Language[Value]):
         names, _, axes = rest.partition(" along ")
         if axes:
             self.axes, self.hand = axes.split()[:3], [*axes.split(), 1][3]
+            self.gap, self.axes = "_" * (axes[0] != "1"), [x.strip("_") for x in self.axes]
         for name in names.split():
             along = {"vectors": self.axes, "quaternions": ["0", *self.axes]}
             if word == "complex":
-                self.named[name] = [f"{name}_re", f"{name}_im"]
+                half = name.startswith("half_")
+                parts = [f"cos_{name}", f"sin_{name}"] if half else [f"{name}_re", f"{name}_im"]
+                self.named[name] = parts
             elif word == "matrices":
                 self.named[name] = [[f"{name}{j}{k}" for k in self.axes] for j in self.axes]
             else:
@@ -50,7 +54,7 @@ class Components(Language[Value]):
 
     def _part(self, name: str, axis: str) -> str:
         end = len(re.split(r"[^A-Za-z]", name)[0])
-        return name[:end] + ("" if "1" in self.axes else "_") + axis + name[end:]
+        return name[:end] + self.gap + axis + name[end:]
 
     def _depend(self, symbol: str, items: str) -> None:
         for item in items.split(";"):

@@ -69,9 +69,8 @@ class Block:
 
     def turn(self, name: str, rate: str) -> None:
         """Assume that a number of modulus 1 turns at a rate."""
-        half = name.startswith("half_")
-        x, y = (f"cos_{name}", f"sin_{name}") if half else (f"{name}_re", f"{name}_im")
-        self.components.named[name] = [x, y]
+        self.components.declare("complex", name)
+        x, y = self.components.parts(name)
         self.assume("zero", self.items(f"{x}**2 + {y}**2 - 1"))
         turned = self.equations(f"{x}' = -{y}*({rate}); {y}' = {x}*({rate})", "' =")
         self.rates = {**(self.rates or {}), **turned}
@@ -113,9 +112,8 @@ def _lines(text: str) -> list[str]:
         if line.startswith("     "):
             lines[-1] += " " + line.strip()
         elif line:
-            head, *more = line.split(" | ")
-            lines += [head, *(f"    {clause.strip()}" for clause in more)]
-    return lines
+            lines.append(line)
+    return [part for line in lines for part in line.replace(" | ", "\n    ").split("\n")]
 
 
 def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Block]]) -> None:
