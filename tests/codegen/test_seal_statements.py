@@ -52,7 +52,7 @@ def is_sealed(form, one, text):
     """Return True if the seal accepts a text as the body of a routine."""
     try:
         ((_, node),) = reader.functions("f.c", reader.parsed(text))
-        read = reader.Reader("f.c", one, printer(form)).statements(node)
+        read = reader.Reader("f.c", one, printer(form)).body(node)
         Body("f.c", text.split("\n"), one).check(read, one.body)
     except InputError:
         return False

@@ -218,7 +218,8 @@ def read(text):
     head = "static void f(double_double a, double b, double c, const double *t, size_t k)"
     text = f"{head}\n{{\n{text}\n}}"
     ((_, node),) = functions_in("f.c", parsed(text))
-    read = Reader("f.c", one, Printer(program, "", {})).block(node.child_by_field_name("body"))
+    body = node.child_by_field_name("body")
+    read = list(Reader("f.c", one, Printer(program, "", {})).block(body))
     return "\n".join(map(ast.unparse, read))
 
 

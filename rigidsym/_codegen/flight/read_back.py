@@ -67,7 +67,7 @@ def check_body(text: str, node: Node, one: Routine, printer: FlightPrinter) -> N
     asserted = _assertions(text).get(name, [])
     if asserted != list(preconditions(one)) or body is None:
         raise InputError(SOURCE, name, f"asserts {asserted}")
-    read = reader.Reader(SOURCE, one, printer).block(body)
+    read = list(reader.Reader(SOURCE, one, printer).block(body))
     # Names are members of structs here: a derived line is compared as any other.
     Body(SOURCE, text.split("\n"), replace(one, function=None)).check(read, one.body)
 

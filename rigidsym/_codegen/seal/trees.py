@@ -24,6 +24,7 @@ from rigidsym.errors import InputError
 
 OPERATED = {text: kind for kind, (text, _) in OPERATIONS.items() if kind is not ast.FloorDiv}
 _LOGICAL: dict[str, type[ast.boolop]] = {"&&": ast.And, "||": ast.Or}
+_BLOCKS = ("block", "statement_block", "compound_statement")
 _COMMENTS = ("block_comment", "line_comment", "comment")
 # The head of a function, a struct or a number, as words and trees.
 Definition = Sequence[str | ast.AST]
@@ -134,23 +135,13 @@ def call(name: str, *given: ast.expr) -> ast.Call:
     return ast.Call(ast.Name(name, ast.Load()), list(given), [])
 
 
-@cache
-def _parser(reader: "type[Reader]") -> Parser:
-    return Parser(Language(reader.grammar()))
-
-
-class Reader(ABC):
-    """Abstract reader of functions, structs and numbers, which refuses what is not in its tables.
+class BodyReader:
+    """Reader of the bodies of functions, which refuses what is not in its tables.
 
     A subclass adds the nodes of its language to the tables of statements and expressions.
-    language: its name.  grammar: that of tree-sitter.  function: the node of a function.  words:
-    replacements in texts.  compared: the comparisons by their symbols.
+    compared: the comparisons by their symbols.
     """
 
-    language: ClassVar[str]
-    grammar: ClassVar[Callable[[], object]]
-    function: ClassVar[str]
-    words: ClassVar[Mapping[str, str]]
     compared: ClassVar[Mapping[str, type]] = {
         text: kind for kind, text in COMPARISONS.items() if kind not in (ast.Is, ast.IsNot)
     }
@@ -163,44 +154,6 @@ class Reader(ABC):
             "parenthesized_expression": lambda node: self.read(*parts(node)),
         }
 
-    @abstractmethod
-    def wanted(self, made: Program) -> Iterator[tuple[str, Definition]]:
-        """Yield the names of a program's functions, structs and numbers with their definitions."""
-
-    @abstractmethod
-    def defined(self, node: Node, name: str) -> Definition:
-        """Read the definition of a name."""
-
-    @classmethod
-    def name_of(cls, node: Node) -> str:
-        """Return the name that a node defines, if any."""
-        return text_of(node.child_by_field_name("name"))
-
-    @classmethod
-    def items(cls, text: str) -> Iterator[Node]:
-        """Parse a text, and yield its definitions without the word that exports them."""
-        for node in _parser(cls).parse(text.encode()).root_node.named_children:
-            yield node.named_children[0] if node.type == "export_statement" else node
-
-    @classmethod
-    def bodies(cls, file: str, text: str, names: Collection[str]) -> Iterator[tuple[str, Node]]:
-        """Yield the names and bodies of the functions that print routines."""
-        for node in cls.items(text) if names else ():
-            name = cls.name_of(node)
-            if node.type == cls.function and name in names:
-                if node.has_error:
-                    place = f"{file}:{node.start_point.row + 1}"
-                    raise InputError(place, name, f"is no {cls.language}")
-                yield name, child(node, "body")
-
-    def definitions(
-        self, text: str, names: Collection[str]
-    ) -> Iterator[tuple[str, int, Definition]]:
-        """Yield the definitions of names in a text, with the numbers of their lines."""
-        for node in self.items(text):
-            if (name := self.name_of(node)) in names:
-                yield name, node.start_point.row + 1, self.defined(node, name)
-
     def plain(self, node: ast.AST) -> ast.AST:
         """Return a tree that is equal where the language says the same."""
         return node
@@ -212,7 +165,7 @@ class Reader(ABC):
 
     def block(self, node: Node) -> Iterator[ast.stmt]:
         """Read the statements of a block; each knows its line."""
-        if node.type not in ("block", "statement_block"):
+        if node.type not in _BLOCKS:
             raise self.refusal(node)
         for one in parts(node):
             inner = parts(one)[0] if one.type == "expression_statement" else one
@@ -277,3 +230,59 @@ class Reader(ABC):
         if symbol not in OPERATED:
             raise self.refusal(node)
         return ast.BinOp(one, OPERATED[symbol](), other)
+
+
+@cache
+def _parser(reader: "type[Reader]") -> Parser:
+    return Parser(Language(reader.grammar()))
+
+
+class Reader(BodyReader, ABC):
+    """Abstract reader of functions, structs and numbers.
+
+    language: its name.  grammar: that of tree-sitter.  function: the node of a function.  words:
+    replacements in texts.
+    """
+
+    language: ClassVar[str]
+    grammar: ClassVar[Callable[[], object]]
+    function: ClassVar[str]
+    words: ClassVar[Mapping[str, str]]
+
+    @abstractmethod
+    def wanted(self, made: Program) -> Iterator[tuple[str, Definition]]:
+        """Yield the names of a program's functions, structs and numbers with their definitions."""
+
+    @abstractmethod
+    def defined(self, node: Node, name: str) -> Definition:
+        """Read the definition of a name."""
+
+    @classmethod
+    def name_of(cls, node: Node) -> str:
+        """Return the name that a node defines, if any."""
+        return text_of(node.child_by_field_name("name"))
+
+    @classmethod
+    def items(cls, text: str) -> Iterator[Node]:
+        """Parse a text, and yield its definitions without the word that exports them."""
+        for node in _parser(cls).parse(text.encode()).root_node.named_children:
+            yield node.named_children[0] if node.type == "export_statement" else node
+
+    @classmethod
+    def bodies(cls, file: str, text: str, names: Collection[str]) -> Iterator[tuple[str, Node]]:
+        """Yield the names and bodies of the functions that print routines."""
+        for node in cls.items(text) if names else ():
+            name = cls.name_of(node)
+            if node.type == cls.function and name in names:
+                if node.has_error:
+                    place = f"{file}:{node.start_point.row + 1}"
+                    raise InputError(place, name, f"is no {cls.language}")
+                yield name, child(node, "body")
+
+    def definitions(
+        self, text: str, names: Collection[str]
+    ) -> Iterator[tuple[str, int, Definition]]:
+        """Yield the definitions of names in a text, with the numbers of their lines."""
+        for node in self.items(text):
+            if (name := self.name_of(node)) in names:
+                yield name, node.start_point.row + 1, self.defined(node, name)

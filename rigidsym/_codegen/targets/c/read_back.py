@@ -80,7 +80,7 @@ def compared(
             one = routines[names[name]]
             check_head(file, one, *reader.head(node))
             body = Body(file, plain.split("\n"), one)
-            decided += body.check(reader.Reader(file, one, printer).statements(node), one.body)
+            decided += body.check(reader.Reader(file, one, printer).body(node), one.body)
             if reader.comments(node) != notes.get(name):
                 raise InputError(file, name, "has other comments")
         seen |= found.keys()
