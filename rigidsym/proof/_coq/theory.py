@@ -230,12 +230,11 @@ class Theory:
         """Divide a polynomial by all premises and relations.
 
         Returns the cofactors of the relations, then those of the premises, and the remainder.
-        The division uses premises only if the relations alone leave a remainder.
+        If premises and relations together leave a remainder, the relations alone may not.
         """
-        cofactors, remainder = divide(self.ring, polynomial)
-        if not remainder or not self.extra:
-            return cofactors, remainder
         cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
+        if remainder:
+            return divide(self.ring, polynomial)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder
 

@@ -6,7 +6,8 @@
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Rigidsym.theorems Require Import motion pull_back asymmetric separatrix published.
-From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form pi_near pi_far.
+From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form pi_near
+  pi_far.
 Open Scope R_scope.
 
 Lemma jacobi_at_0 : jacobi 0 sin cos (fun _ => 1).
@@ -596,13 +597,16 @@ Section Near.
   Lemma z_positive : 0 < pi_near.z base.
   Proof. apply Rdiv_lt_0_compat; [exact Cp | apply Y_positive]. Qed.
 
-  Lemma near_inside t : 0 < 1 - pi_near.n base * descended.s D t ^ 2 /\ 0 < 1 - pi_near.n_2 base * descended.s D t ^ 2.
+  Lemma near_inside t : 0 < 1 - pi_near.n base * descended.s D t ^ 2 /\
+    0 < 1 - pi_near.n_2 base * descended.s D t ^ 2.
   Proof.
-    split; [exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra) Jac Kpos K2 t)))|].
+    split; [exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra)
+      Jac Kpos K2 t)))|].
     assert (P : 0 <= pi_near.delta base).
     { unfold pi_near.delta, pi_near.m_c; change (pi_near.k_1 base) with k; apply Rmult_le_pos; [nra|].
       left; apply Rinv_0_lt_compat, pow_lt, z_positive. }
-    pose proof (descended.relation_5 D near_holds t) as C; pose proof (descended.relation_6 D near_holds t) as E.
+    pose proof (descended.relation_5 D near_holds t) as C; pose proof (descended.relation_6 D near_holds t)
+      as E.
     change (descended.k_1 D) with k in E.
     pose proof (pow2_gt_0 _ (Dn (descended.mu D * t + phase)) : 0 < descended.d D t ^ 2) as Q.
     pose proof (pow2_ge_0 (descended.s D t)) as S; pose proof (pow2_ge_0 (descended.c D t)).
@@ -618,8 +622,10 @@ Section Near.
   Proof.
     unfold size; pose proof (pow2_ge_0 (V_im t)).
     assert (N : V_re t <> 0).
-    { change (C_b * (K + B_a) * dn (descended.mu D * t + phase) <> 0); pose proof (Dn (descended.mu D * t + phase)).
-      apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, Rmult_lt_0_compat; lra | assumption]. }
+    { change (C_b * (K + B_a) * dn (descended.mu D * t + phase) <> 0);
+      pose proof (Dn (descended.mu D * t + phase)).
+      apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, Rmult_lt_0_compat;
+        lra | assumption]. }
     pose proof (pow2_gt_0 _ N); lra.
   Qed.
 
@@ -627,17 +633,22 @@ Section Near.
   Proof.
     apply (derive_integral (fun t => pi_near.psi_rate base t / 2 - pi_near.T_rate base t)); intros x.
     pose proof (descended.rate_s D near_holds x) as Ds; pose proof (descended.rate_c D near_holds x) as Dc;
-      pose proof (descended.rate_d D near_holds x) as Dd; destruct (near_inside x) as (N1 & N2); pose proof z_positive as Z.
-    pose proof (denominator h sigma rho chi i_a Delta B_a B_d k K C_b phase sn cn dn p Sigma Ba Bd ltac:(lra) Jac Kpos K2 x) as Q.
+      pose proof (descended.rate_d D near_holds x) as Dd; destruct (near_inside x) as (N1 & N2);
+        pose proof z_positive as Z.
+    pose proof (denominator h sigma rho chi i_a Delta B_a B_d k K C_b phase sn cn dn p Sigma Ba Bd ltac:(lra)
+      Jac Kpos K2 x) as Q.
     change (0 < K + sigma * pi_near.M_a base x) in Q.
     pose proof (descended.unit_10 D near_holds x) as U; change (descended.k_1 D) with k in U.
     unfold pi_near.psi_rate, pi_near.T_rate, pi_near.Omega_a, pi_near.M_a, pi_near.dn in *.
     change (pi_near.s base) with (descended.s D) in *; change (pi_near.c base) with (descended.c D) in *.
-    change (pi_near.d base) with (descended.d D) in *; change (pi_near.k_1 base) with k in *; change (pi_near.K base) with K in *.
+    change (pi_near.d base) with (descended.d D) in *; change (pi_near.k_1 base) with k in *;
+      change (pi_near.K base) with K in *.
     change (pi_near.sigma base) with sigma in *; change (pi_near.B_a base) with B_a in *.
-    set (a1 := pi_near.H_ base); set (a2 := pi_near.A_a base); set (a3 := pi_near.mu base); set (a4 := pi_near.slope base).
+    set (a1 := pi_near.H_ base); set (a2 := pi_near.A_a base); set (a3 := pi_near.mu base);
+      set (a4 := pi_near.slope base).
     set (a5 := pi_near.z base) in *; set (a6 := pi_near.n base) in *; set (a7 := pi_near.n_2 base) in *.
-    set (a8 := pi_near.rho base); set (fs := descended.s D) in *; set (fc := descended.c D) in *; set (fd := descended.d D) in *.
+    set (a8 := pi_near.rho base); set (fs := descended.s D) in *; set (fc := descended.c D) in *;
+      set (fd := descended.d D) in *.
     clearbody a1 a2 a3 a4 a5 a6 a7 a8 fs fc fd; auto_derive.
     repeat split; try (eexists; eassumption); try lra.
     all: try (apply Rgt_not_eq; repeat apply Rmult_lt_0_compat; lra).
@@ -648,7 +659,8 @@ Section Near.
   Proof.
     pose proof near_holds as N; destruct Y_positive as (Yp & Y2); pose proof z_positive as Z.
     assert (Rk : 0 < sqrt k /\ sqrt k ^ 2 = k) by (apply root_of; lra).
-    assert (Rp : forall t, 0 < sqrt (size t) /\ sqrt (size t) ^ 2 = size t) by (intros t; apply root_of, size_positive).
+    assert (Rp : forall t, 0 < sqrt (size t) /\ sqrt (size t) ^ 2 = size t) by (intros t;
+      apply root_of, size_positive).
     constructor.
     - exact (descended.unit_0 D N).
     - exact (descended.unit_1 D N).
@@ -684,7 +696,8 @@ Section Near.
     - exact (descended.relation_9 D N).
     - change (sqrt k ^ 2 - k = 0); lra.
     - change (pi_near.Y base ^ 2 - (K + B_a) * (K - B_a + k * (K + B_a)) = 0); lra.
-    - intros t; change (sqrt (size t) ^ 2 - V_re t ^ 2 - V_im t ^ 2 = 0); rewrite (proj2 (Rp t)); unfold size; ring.
+    - intros t; change (sqrt (size t) ^ 2 - V_re t ^ 2 - V_im t ^ 2 = 0); rewrite (proj2 (Rp t));
+      unfold size; ring.
     - intros t; change (sin (angle t) ^ 2 + cos (angle t) ^ 2 - 1 = 0).
       pose proof (sin2_cos2 (angle t)) as S; unfold Rsqr in S; lra.
     - exact (descended.sign_0 D N).
@@ -711,29 +724,39 @@ Section Near.
     - intros t; apply (derive_integral (fun t => pi_near.mu base * descended.s D t ^ 2
         / (1 - pi_near.n_2 base * descended.s D t ^ 2))); intros x.
       pose proof (descended.rate_s D N x) as E; pose proof (proj2 (near_inside x)).
-      set (a := pi_near.mu base); set (b := pi_near.n_2 base) in *; set (f := descended.s D) in *; clearbody a b f.
+      set (a := pi_near.mu base); set (b := pi_near.n_2 base) in *; set (f := descended.s D) in *;
+        clearbody a b f.
       auto_derive; repeat split; try (eexists; exact E); lra.
     - intros t; destruct (Rp t) as (R1 & R2).
-      pose proof (descended.rate_s D N t) as Es; pose proof (descended.rate_c D N t) as Ec; pose proof (descended.rate_d D N t) as Ed.
-      change (is_derive (fun t => sqrt (size t)) t (- pi_near.mu base * (V_re t * C_b * (K + B_a) * k ^ 2 * descended.s D t * descended.c D t
-        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2) * descended.d D t) / sqrt (size t))).
-      assert (E : is_derive size t (2 * (- pi_near.mu base * (V_re t * C_b * (K + B_a) * k ^ 2 * descended.s D t * descended.c D t
-        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2) * descended.d D t)))).
+      pose proof (descended.rate_s D N t) as Es; pose proof (descended.rate_c D N t) as Ec;
+        pose proof (descended.rate_d D N t) as Ed.
+      change (is_derive (fun t => sqrt (size t)) t (- pi_near.mu base * (V_re t * C_b * (K + B_a)
+        * k ^ 2 * descended.s D t * descended.c D t
+        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2)
+          * descended.d D t) / sqrt (size t))).
+      assert (E : is_derive size t (2 * (- pi_near.mu base * (V_re t * C_b * (K + B_a)
+        * k ^ 2 * descended.s D t * descended.c D t
+        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2)
+          * descended.d D t)))).
       { change size with (fun t => (C_b * (K + B_a) * descended.d D t) ^ 2
           + (- rho * k * B_d * (K - B_a + k * (K + B_a)) * descended.s D t * descended.c D t) ^ 2).
         change (V_re t) with (C_b * (K + B_a) * descended.d D t).
-        change (V_im t) with (- rho * k * B_d * (K - B_a + k * (K + B_a)) * descended.s D t * descended.c D t).
+        change (V_im t) with (- rho * k * B_d * (K - B_a + k * (K + B_a))
+          * descended.s D t * descended.c D t).
         change (pi_near.mu base) with (descended.mu D); change (descended.k_1 D) with k in *.
-        set (m := descended.mu D) in *; set (fs := descended.s D) in *; set (fc := descended.c D) in *; set (fd := descended.d D) in *.
+        set (m := descended.mu D) in *; set (fs := descended.s D) in *; set (fc := descended.c D) in *;
+          set (fd := descended.d D) in *.
         clearbody m fs fc fd; derive_known; ring. }
       pose proof (size_positive t) as P; clearbody size; set (v := 2 * _) in E.
       replace (_ / sqrt (size t)) with (v / (2 * sqrt (size t))) by (unfold v; field; lra); clearbody v.
       derive_known; [exact P | field; lra].
     - intros t; pose proof (derive_angle t) as E.
-      change (is_derive (fun t => cos (angle t)) t (- (pi_near.psi_rate base t / 2 - pi_near.T_rate base t) * sin (angle t))).
+      change (is_derive (fun t => cos (angle t)) t (- (pi_near.psi_rate base t / 2 - pi_near.T_rate base t)
+        * sin (angle t))).
       clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
     - intros t; pose proof (derive_angle t) as E.
-      change (is_derive (fun t => sin (angle t)) t ((pi_near.psi_rate base t / 2 - pi_near.T_rate base t) * cos (angle t))).
+      change (is_derive (fun t => sin (angle t)) t ((pi_near.psi_rate base t / 2 - pi_near.T_rate base t)
+        * cos (angle t))).
       clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
   Qed.
 End Near.
@@ -787,7 +810,8 @@ Section Far.
     assert (Rk : 0 < sqrt k /\ sqrt k ^ 2 = k) by (apply root_of; lra).
     assert (M : 0 < pi_far.m_c base) by (change (0 < 1 - k ^ 2); nra).
     assert (I : forall t, 0 < 1 - pi_far.n base * descended.s D t ^ 2).
-    { intros t; exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra) Jac Kpos K2 t))). }
+    { intros t; exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra)
+      Jac Kpos K2 t))). }
     constructor.
     - exact (descended.unit_0 D N).
     - exact (descended.unit_1 D N).
@@ -847,7 +871,8 @@ Section Far.
     - exact (descended.rate_J D N).
     - intros t; apply (derive_integral L_rate); intros x; specialize (I x).
       pose proof (descended.rate_s D N x) as Es; pose proof (descended.rate_c D N x) as Ec; unfold L_rate.
-      set (a := pi_far.mu base); set (b := pi_far.z base); set (m := pi_far.m_c base) in *; set (n := pi_far.n base) in *.
+      set (a := pi_far.mu base); set (b := pi_far.z base); set (m := pi_far.m_c base) in *;
+        set (n := pi_far.n base) in *.
       set (fs := descended.s D) in *; set (fc := descended.c D) in *; clearbody a b m n fs fc.
       auto_derive; repeat split; try (eexists; eassumption); apply Rgt_not_eq, Rmult_lt_0_compat; lra.
     - exact (descended.rate_cos_half_psi D N).
