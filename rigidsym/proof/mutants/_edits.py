@@ -66,7 +66,7 @@ def edits(definitions: Mapping[str, str]) -> list[Edit]:
     for name in definitions:
         for other, is_complex in partners(name, definitions):
             one, two = (name, definitions[name]), (other, definitions[other])
-            used = {*_reach(one[1], definitions), *_reach(two[1], definitions)}
+            used = {*reach(one[1], definitions), *reach(two[1], definitions)}
             if one[1] != two[1] and not used & {name, other}:  # no definition is about itself
                 found.append(exchange(one, two))
                 if is_complex:
@@ -114,7 +114,7 @@ def partners(name: str, definitions: Mapping[str, str]) -> Iterator[tuple[str, b
                 yield other, patterns is _COMPLEX
 
 
-def _reach(text: str, definitions: Mapping[str, str]) -> set[str]:
+def reach(text: str, definitions: Mapping[str, str]) -> set[str]:
     """Return the names in an expression and in the definitions that it uses."""
     waiting: list[Any] = [parse(text)]
     seen: set[str] = set()

@@ -15,7 +15,7 @@ from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel._language import Tree, parse
 
 PRIME = 2**31 - 1
-TRIES = 12  # draws of a point for a mutant
+TRIES = 60  # draws of a point for a mutant
 ENOUGH, MANY = 16, 2**17  # points of a context that are kept, and the most that are drawn
 Array: TypeAlias = Any  # of int64, from 0 to PRIME - 1
 # For each changed name: texts, each with its factors, whose sum is the name's new definition.
@@ -43,6 +43,14 @@ class Values:
         self.known: dict[str, Array] = dict(point)
         self.slopes: dict[str, Array] = {}
         self.defined: Array = np.True_
+
+    def keep(self, chosen: Array) -> None:
+        """Forget all mutants but the chosen ones."""
+        self.changes = _chosen(self.changes, chosen)
+        for table in (self.known, self.slopes):
+            for name, values in table.items():
+                table[name] = values[chosen] if values.size > 1 else values
+        self.defined = self.defined[chosen] if self.defined.size > 1 else self.defined
 
     def value(self, tree: Tree) -> Array:
         """Return the values of an expression."""
@@ -127,6 +135,10 @@ class Values:
         return self.slopes[name]
 
 
+def _chosen(changes: Changes, chosen: Array) -> Changes:
+    return {x: [(text, n[chosen]) for text, n in terms] for x, terms in changes.items()}
+
+
 def _combined(operator: str, x: Array, y: Array) -> Array:
     if operator in "+-":
         return (x + y if operator == "+" else x - y) % PRIME
@@ -197,16 +209,17 @@ class Points:
 
     def of(self, changes: Changes, size: int) -> tuple[dict[str, Array], Array]:
         """Return a point of each mutant, and the mutants for which one was found."""
-        point = dict.fromkeys(self.context.generators, np.zeros(size, np.int64))
-        found = np.zeros(size, bool)
+        point = {x: np.zeros(size, np.int64) for x in self.context.generators}
+        left = np.arange(size)
         for turn in range(TRIES):
-            free = self._any(size) if turn % 2 and self.order else self._known(size)
-            trial, valid = self._solved(changes, free, size)
-            point = {x: np.where(found, point[x], trial[x]) for x in point}
-            found |= valid
-            if found.all():
+            free = self._any(len(left)) if turn % 2 and self.order else self._known(len(left))
+            trial, valid = self._solved(_chosen(changes, left), free, len(left))
+            for x, values in point.items():
+                values[left[valid]] = trial[x][valid]
+            left = left[~valid]
+            if not len(left):
                 break
-        return point, found
+        return point, ~np.isin(np.arange(size), left)
 
     def _known(self, size: int) -> dict[str, Array]:
         chosen = self.random.integers(max(map(len, self.free.values()), default=1), size=size)

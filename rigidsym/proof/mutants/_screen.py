@@ -7,11 +7,11 @@ from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from rigidsym.language._specification import Proved, theorems
+from rigidsym.language._specification import Proved, Theorem, theorems
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel._language import parse
 from rigidsym.proof.kernel._rules import _frozen
-from rigidsym.proof.mutants._edits import Edit, alone, edits
+from rigidsym.proof.mutants._edits import Edit, alone, edits, reach
 from rigidsym.proof.mutants._field import PRIME, Array, Points, Values
 
 MOST, BLOCK = 3, 8192
@@ -49,14 +49,21 @@ class Screen:
     def __init__(self, specification: str, ledger: Mapping[str, Any]) -> None:
         self.theorems, proved = theorems(specification), Proved(ledger)
         contexts = {x["name"]: Context(**_frozen(x)) for x in ledger["contexts"]}
-        self.definitions = {name: contexts[name].definitions for name in self.theorems}
+        published = [proved.formula(entry) for x in proved.sequences.values() for entry in x]
+        said = {(formula.name, formula.text) for formula in published}
+        facts = {formula.name for formula in published if formula.how in ("fact", "root")}
         self.contexts: dict[str, Context] = {}
+        self.definitions: dict[str, dict[str, str]] = {}
         for name, theorem in self.theorems.items():
             # It may use names that only it defines, or a context that its context models.
             definitions = {**theorem.let}
             for place in reversed(proved.modelled(name)):
                 definitions |= contexts[place].definitions
             self.contexts[name] = replace(contexts[name], definitions=definitions)
+            # Names that nothing uses may mean anything.
+            used = facts | _used(theorem, definitions)
+            here = contexts[name].definitions.items()
+            self.definitions[name] = {x: t for x, t in here if x in used or (x, t) in said}
         self._points: dict[str, Points] = {}
 
     def mutants(self) -> Iterator[tuple[str, Mutants]]:
@@ -116,15 +123,29 @@ class Screen:
         point, found = self._points[name].of(summed, size)
         values = Values(context, summed, point)
         definitions = [("=", name, text) for name, text in theorem.let.items()]
+        left = np.arange(size)
         for relation, lhs, rhs in (*definitions, *theorem.then):
-            if relation != ">=" and not refuted.all():
-                try:
-                    one, other = values.value(parse(lhs)), values.value(parse(rhs))
-                except (KernelError, RecursionError):  # for example a second derivative
-                    continue
-                one = one * one % PRIME if relation == "sqrt" else one
-                refuted = refuted | ((one != other) & found & values.defined)
+            if relation == ">=" or not len(left):
+                continue
+            try:
+                one, other = values.value(parse(lhs)), values.value(parse(rhs))
+            except (KernelError, RecursionError):  # for example a second derivative
+                continue
+            one = one * one % PRIME if relation == "sqrt" else one
+            wrong = (one != other) & found[left] & values.defined
+            refuted[left[wrong]] = True
+            if wrong.mean() > 0.5:
+                values.keep(~wrong)
+                left = left[~wrong]
         return refuted
+
+
+def _used(theorem: Theorem, definitions: Mapping[str, str]) -> set[str]:
+    """Return the names that the hypotheses, definitions and equations of a theorem rest on."""
+    texts = [*theorem.let, *theorem.zero, *theorem.nonzero, *theorem.nonnegative]
+    texts += [text for text in (theorem.moving or {}).values() if text != "?"]
+    texts += [side for _, *sides in theorem.then for side in sides]
+    return set().union(*(reach(text, definitions) for text in texts))
 
 
 def _sets(found: Sequence[Edit]) -> Array:
