@@ -32,8 +32,8 @@ def check_numbers(text: str) -> tuple[int, int]:
         ledger = json.loads(text)
         sequences = Sequences(Proved(ledger))
         contexts = Contexts(ledger, sequences.functions)
-    except (ValueError, LookupError, TypeError, AttributeError) as error:
-        raise LedgerError(f"ledger: its sequences are not readable: {error!r}") from None
+    except (ValueError, LookupError, TypeError, AttributeError):
+        raise LedgerError("ledger: its contexts and sequences are not readable") from None
     count, terms = 0, ctx.cap
     with working(BITS):
         ctx.cap = TERMS

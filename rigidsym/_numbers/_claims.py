@@ -68,7 +68,10 @@ class Case:
     def same(self, values: Values, names: str, truth: Any, value: Any = None) -> None:
         """Refuse an output unless it, or a value made of several, may be the true one."""
         name, *others = names.split()
-        sequence, output = values.origins.get(name, ("", name))
+        for x in (name, *others):
+            if x not in values.origins:
+                raise LedgerError(f"ledger: no published sequence sets {x}, for {self.motion}")
+        sequence, output = values.origins[name]
         value = values[name] if value is None else value
         place = f"sequence {sequence}: {output}"
         value, truth = (x if isinstance(x, acb) else ball(x) for x in (value, truth))
@@ -165,7 +168,7 @@ class Case:
             forms = {"steady": Values(names, {})}
         else:
             forms = {}
-        moving = {"u", *(x for x, _ in self.sequences.sequences["state"].formulas)}
+        moving = {"u", *(x for x, _ in self.sequences.published("state").formulas)}
         return {name: self._world(name, known.without(moving)) for name, known in forms.items()}
 
     def _world(self, sequence: str, fixed: Values) -> Callable[[arb], Values]:

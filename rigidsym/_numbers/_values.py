@@ -32,6 +32,10 @@ class Values(dict[str, Any]):
         super().__init__(values)
         self.origins = dict(origins)
 
+    def __missing__(self, name: str) -> Any:
+        """Refuse a ledger that does not set a name."""
+        raise LedgerError(f"ledger: no published sequence sets {name}")
+
     def plus(self, *others: Mapping[str, Any], **more: Any) -> "Values":
         """Return these values with others in their place where names agree."""
         found = Values(self, self.origins)
@@ -82,12 +86,16 @@ class Sequences:
         self.compared: set[Origin] = set()
         self.last = ""
 
-    def evaluate(self, name: str, given: Values, *others: Mapping[str, Any], **more: Any) -> Values:
-        """Evaluate a published sequence; return its outputs beside all that is given."""
+    def published(self, name: str) -> FormulaSequence:
+        """Return a published sequence."""
         if name not in self.sequences:
             raise LedgerError(f"ledger: the sequence {name} is not published")
+        return self.sequences[name]
+
+    def evaluate(self, name: str, given: Values, *others: Mapping[str, Any], **more: Any) -> Values:
+        """Evaluate a published sequence; return its outputs beside all that is given."""
         self.last = name
-        sequence, known = self.sequences[name], given.plus(*others, more)
+        sequence, known = self.published(name), given.plus(*others, more)
         if missing := sorted(sequence.inputs - {*known}):
             raise LedgerError(f"ledger: sequence {name}: it needs {', '.join(missing)}")
         values = {x: known[x] for x in sequence.inputs} | self.constants

@@ -71,12 +71,20 @@ def test_wrong_starts_and_signs_are_refused(context, name, changed, sequence):
     assert told.startswith(f"ledger: sequence {sequence}: ")
 
 
-@pytest.mark.parametrize("sequence", ["constants", "kick", "periods", "turn"])
+@pytest.mark.parametrize("sequence", ["constants", "state", "kick", "turn"])
 def test_a_sequence_has_to_be_published(sequence):
     ledger = json.loads(TEXT)
     group = "forms" if sequence in ledger["published"]["forms"] else "sequences"
     del ledger["published"][group][sequence]
     assert sequence in refused(ledger)
+
+
+@pytest.mark.parametrize("sequence", ["constants", "state", "theta", "step", "kick", "turn"])
+def test_an_output_has_to_be_published(sequence):
+    for place in (0, -1):
+        ledger = json.loads(TEXT)
+        del ledger["published"]["sequences"][sequence][place]
+        assert refused(ledger).startswith("ledger: ")
 
 
 def test_an_output_without_a_comparison_is_refused():
@@ -127,3 +135,8 @@ def test_conditions_hold_somewhere():
     assert "A_a - A_a may be zero" in refused(with_context("descended", units=units))
     signs = [*CONTEXTS["theta_form"]["nonnegative"], "-K"]
     assert "-K is negative" in refused(with_context("theta_form", nonnegative=signs))
+
+
+@pytest.mark.parametrize("text", ["{}", "[]", "x", '{"contexts": [], "facts": 1, "published": {}}'])
+def test_what_is_no_ledger_is_refused_in_a_line(text):
+    assert refused(text) == "ledger: its contexts and sequences are not readable"
