@@ -70,7 +70,6 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     from generate import api, command, displays, errata, formats, kernel, live
 
     shutil.copytree(SITE / "pages", source)
-    shutil.copyfile(ROOT / "derivations" / "specification.txt", source / "specification.txt")
     for name, page in project.pages(ROOT).items():
         _write(source / name, page)
     _stage_guide(source, notebooks)
@@ -80,6 +79,9 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     _write(source / "displays.md", displays.page())
     page = source / "live.md"
     _write(page, page.read_text("utf-8").replace(live.PLACE, live.block()))
+    page, printed = source / "trust.md", "derivations/specification.txt\n"
+    specification = (ROOT / printed.strip()).read_text("utf-8")
+    _write(page, page.read_text("utf-8").replace(f"text\n{printed}", f"text\n{specification}"))
     _write(source / "reference" / "kernel.md", kernel.page())
     contents = source / "reference" / "api.md"
     _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))
