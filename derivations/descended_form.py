@@ -110,6 +110,10 @@ def derive(builder: LedgerBuilder) -> None:
     builder.model("descended", "attitude")
     builder.carry("descended", ["regular.euler", "attitude.solution"])
     builder.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
+    start = ("t", "J - J_0", "cos_half_psi - 1", "sin_half_psi")
+    builder.begin("descended", start, "", {"u_1": "phase", "psi": "0"}, "20", "21", "33", "34")
+    builder.model("descended_start", "rates_start")
+    builder.model("descended_start", "attitude_begun")
 
 
 def _descent(builder: LedgerBuilder) -> None:

@@ -14,7 +14,7 @@ separatrix 1 - m = 0, for symmetric bodies m = 0.
 import re
 
 from derivations.regular_form import FORMULAS
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, part_of
 
 BODY = Part(
     witness={
@@ -146,6 +146,24 @@ def _moving(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
     if edge:
         values = {_named(SQUARES[key], axes): value for key, value in edge.items()}
         builder.claim(f"{leaf}.edge", values, ["10", "13", "14"])
+    _constants(builder, leaf, axes)
+
+
+def _constants(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
+    """Prove that the regular form has its constants here: squares of real numbers, 0 <= m <= 1."""
+    whole, context = builder.ledger.contexts[leaf], f"{leaf}_constants"
+    squares = part_of(builder.ledger.contexts["any_motion"]).definitions
+    named = {f"{x}_{axis}": f"{x}_{axes[axis]}" for x in ("c", "Omega") for axis in "abd"}
+    differ = ("c_23",) if leaf == "prolate_motion" else ()
+    definitions = {**squares, **whole.definitions, **named}
+    builder.open(extend(context, whole, Part(units=differ, definitions=definitions)))
+    builder.model(context, "any_motion")
+    names = {"m": "m", "m_1": "1 - m"}
+    edge = EDGES.get(leaf, {})
+    forms = {names.get(key, f"{key}_squared"): x for key, x in (VISIBLY[axes["a"]] | edge).items()}
+    builder.sign(f"{context}.squares", forms, ["10", "13", "14"])
+    if edge:
+        builder.claim(f"{context}.edge", {"m": edge["m"]}, ["10", "13", "14"])
 
 
 def _named(text: str, axes: dict[str, str]) -> str:

@@ -10,7 +10,7 @@ Which nome and which b belong to a body is said by the readings: nome(1 - m_c) a
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from derivations.attitude import MOMENTUM
 from derivations.descended_form import MOMENTUM as SHORTEST
@@ -141,5 +141,5 @@ def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
         reading=READINGS,
     )
     reading = READING if norm.family is HYPERBOLIC else Part()
-    parts = (replace(part, units=()) for part in given((*FORM, CLASSICAL), values, SHOWN))
+    parts = given((*FORM, CLASSICAL), values, SHOWN)
     builder.open(join(context, functions, *parts, made, reading))

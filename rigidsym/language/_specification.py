@@ -22,12 +22,15 @@ indented further than their clause.
     positive a                           a >= 0 and a != 0
     moving x' = a; y' = ?                time derivatives, known or not; other names are constant
     turning z at a; half_psi at b        complex z and half_psi, of modulus 1, turn at rates a and b
+    thetas x = re(theta1(v, q))          x is part of a theta function, or of a derivative of one
+    start a; b                           a = 0, b = 0 at one instant of the motion
     let x = a                            definitions of names
     with x = a                           definitions of names that would be free otherwise
     without a                            a = 0 is not assumed
     formulas s t                         the published sequences s and t hold: names mean that, too
     formulas s: x y                      of the sequence s the formulas for x and y hold
     then a = b; a = sqrt(b); a >= 0      the conclusions
+    enclosed a = b                       a conclusion that balls confirm at points, by a reference
     cases A, B, C                        the conclusion that exactly one of these theorems applies
 
 Names that nothing defines are any real numbers, and constant where nothing moves them.  A theorem
@@ -104,8 +107,11 @@ class Theorem:
     nonnegative: set[str] = field(default_factory=set)
     moving: dict[str, str] | None = None
     let: dict[str, str] = field(default_factory=dict)
+    thetas: dict[str, str] = field(default_factory=dict)
+    start: set[str] = field(default_factory=set)
     formulas: list[tuple[str, tuple[str, ...]]] = field(default_factory=list)
     then: list[Statement] = field(default_factory=list)
+    enclosed: list[Statement] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
     notation: Notation = field(default_factory=Notation)
 
@@ -131,8 +137,11 @@ class Theorem:
                 self.notation.declare(clause, content)
             case "derivatives":
                 self.notation.derive(content)
-            case "zero" | "nonzero" | "nonnegative":
+            case "zero" | "nonzero" | "nonnegative" | "start":
                 getattr(self, clause).update(self._expressions(content))
+            case "thetas":
+                items = (item.partition("=") for item in content.split(";"))
+                self.thetas |= {name.strip(): text.strip() for name, _, text in items}
             case "positive":
                 self.nonzero.update(self._expressions(content))
                 self.nonnegative.update(self._expressions(content))
@@ -156,6 +165,8 @@ class Theorem:
                 self.formulas += [(name, every) for name in sequences.split()]
             case "then":
                 self.then += self._statements(content)
+            case "enclosed":
+                self.enclosed += self._statements(content)
             case "cases":
                 self.cases += [name.strip() for name in content.split(",")]
             case _:
@@ -374,6 +385,11 @@ class Proved:
         self._models: dict[str, list[str]] = {}
         self._stated: dict[str, list[Statement]] = {}
         self._partitions: set[tuple[str, ...]] = set()
+        self._enclosed: dict[str, list[Statement]] = {}
+        for fact in ledger["facts"]:
+            if fact["grade"] == "ENCLOSED":
+                sides = zip(fact["lhs"], fact["rhs"], strict=True)
+                self._enclosed.setdefault(fact["context"], []).extend(("=", *x) for x in sides)
         for fact in self.proved:
             place, kind = fact["context"], fact["kind"]
             relation = {"equal": "=", "root": "sqrt", "nonnegative": ">="}.get(kind)
@@ -417,6 +433,10 @@ class Proved:
         for statement in theorem.then:
             if not _holds(statement, facts, values):
                 yield f"{written(statement)} is not proved under its hypotheses"
+        enclosed = {*map(values.said, self._enclosed.get(theorem.name, ()))}
+        for statement in theorem.enclosed:
+            if not _holds(statement, enclosed, values):
+                yield f"{written(statement)} is not enclosed under its hypotheses"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
@@ -528,9 +548,8 @@ class Proved:
         context = self.contexts[theorem.name]
         if (context["rates"] is None) != (theorem.moving is None):
             yield "it is about one instant, or about a motion, where the ledger has the other"
-        for text in (*context["start"], *context["thetas"].values()):
-            yield f"{text}: the ledger declares this beyond it"
-        columns = {"zero": "relations", "nonzero": "units", "nonnegative": "nonnegative"}
+        columns = {"zero": "relations", "nonzero": "units"}
+        columns |= {name: name for name in ("nonnegative", "start")}
         for clause, column in columns.items():
             here, there = (
                 {_hypothesis(clause, text, values): text for text in texts}
@@ -545,6 +564,11 @@ class Proved:
             for rates in (theorem.moving, context["rates"])
         )
         yield from _differences("moving", here, there)
+        here, there = (
+            {f"{name} = {text}": f"{name} = {text}" for name, text in thetas.items()}
+            for thetas in (theorem.thetas, context["thetas"])
+        )
+        yield from _differences("thetas", here, there)
 
     def _unsaid(
         self, theorem: Theorem, values: Values, formulas: Iterable[Published]
@@ -563,10 +587,11 @@ class Proved:
         mentioned = {
             name
             for text in (
-                *(theorem.zero | theorem.nonzero | theorem.nonnegative),
+                *(theorem.zero | theorem.nonzero | theorem.nonnegative | theorem.start),
+                *theorem.thetas.values(),
                 *(text for text in (theorem.moving or {}).values() if text != "?"),
                 *theorem.let.values(),
-                *(side for _, *sides in theorem.then for side in sides),
+                *(side for _, *sides in theorem.then + theorem.enclosed for side in sides),
                 *(formula.text for formula in computed),
             )
             for name in names(parse(text))

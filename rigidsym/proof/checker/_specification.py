@@ -28,7 +28,9 @@ class Block:
     rates: dict[str, Form] | None = None
     named: dict[str, Form] = field(default_factory=dict)
     sequences: list[tuple[str, list[str]]] = field(default_factory=list)
+    thetas: dict[str, str] = field(default_factory=dict)
     stated: list[Said] = field(default_factory=list)
+    enclosed: list[Said] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
     components: Components = field(default_factory=Components)
 
@@ -124,8 +126,12 @@ def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Blo
         pass
     elif word in ("vectors", "quaternions", "complex", "matrices", "derivatives"):
         block.components.declare(word, rest)
-    elif word in ("zero", "nonzero", "nonnegative"):
+    elif word in ("zero", "nonzero", "nonnegative", "start"):
         block.assume(word, block.items(rest))
+    elif word == "thetas":
+        for item in rest.split(";"):
+            name, function = item.split(" = ")
+            block.thetas[name.strip()] = function.strip()
     elif word == "positive":
         block.assume("nonzero", block.items(rest))
         block.assume("nonnegative", block.items(rest))
@@ -144,12 +150,13 @@ def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Blo
         sequences, _, names = rest.partition(":")
         wanted = [*block.components.parts(names)]
         block.sequences += [(sequence, wanted) for sequence in sequences.split()]
-    elif word == "then":
+    elif word in ("then", "enclosed"):
+        said = block.stated if word == "then" else block.enclosed
         for item in rest.split(";"):
             kind = "sign" if ">=" in item else "="
             for left, right in block.sides(item, ">=" if kind == "sign" else " = "):
                 is_root = isinstance(right, tuple) and right[:2] == ("call", "sqrt")
-                block.stated.append(("root", left, right[2]) if is_root else (kind, left, right))
+                said.append(("root", left, right[2]) if is_root else (kind, left, right))
     elif word == "cases":
         block.cases = [case.strip() for case in rest.split(",")]
     else:
@@ -175,7 +182,7 @@ class Catalogue:
 
     def _theorem(self, name: str, block: Block) -> None:
         context = self.contexts.get(name)
-        if context is None or context.start or context.thetas:
+        if context is None or context.thetas != block.thetas:
             raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
         places = self._applicable_contexts(name)
         others = [pair for place in places[1:] for pair in _pairs(self.contexts[place].definitions)]
@@ -211,6 +218,10 @@ class Catalogue:
         for said in block.stated:
             if residues.said(said) not in holds:
                 raise Refused(f"theorem {name}: it is not proved: {said}")
+        believed = [f for f in self.facts.values() if (f.context, f.grade) == (name, "ENCLOSED")]
+        enclosed = {*_residues([said for f in believed for said in _sayings(f)], residues)}
+        if {*map(residues.said, block.enclosed)} - enclosed:
+            raise Refused(f"theorem {name}: an equation is not enclosed")
         if block.cases and not any(
             (fact.kind, fact.context, fact.rhs) == ("partition", name, block.cases)
             for fact in self.best
@@ -254,22 +265,23 @@ class Catalogue:
 
 def _due(block: Block, residues: Residues) -> list[Any]:
     """Return the hypotheses of a theorem as sets of residues; the rates follow."""
-    zero, nonzero, nonnegative = (
+    zero, nonzero, start, nonnegative = (
         {*map(residues.of, block.assumed.get(clause, ()))}
-        for clause in ("zero", "nonzero", "nonnegative")
+        for clause in ("zero", "nonzero", "start", "nonnegative")
     )
-    return [_unsigned(zero), _unsigned(nonzero), nonnegative, _moving(block.rates, residues)]
+    unsigned = map(_unsigned, (zero, nonzero, start))
+    return [*unsigned, nonnegative, _moving(block.rates, residues)]
 
 
 def _hypotheses(
     context: Hypotheses, rates: dict[str, Form] | None, residues: Residues
 ) -> list[Any]:
     """Return the hypotheses of a context as sets of residues; the rates follow."""
-    zero, nonzero, nonnegative = (
+    zero, nonzero, start, nonnegative = (
         {residues.of(read(text)) for text in column}
-        for column in (context.relations, context.units, context.nonnegative)
+        for column in (context.relations, context.units, context.start, context.nonnegative)
     )
-    return [_unsigned(zero), _unsigned(nonzero), nonnegative, _moving(rates, residues)]
+    return [*map(_unsigned, (zero, nonzero, start)), nonnegative, _moving(rates, residues)]
 
 
 def _unsigned(found: set[Any]) -> set[Any]:
