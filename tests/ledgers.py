@@ -18,10 +18,10 @@ from rigidsym.language._expression import (
     rebuild,
     to_text,
 )
+from rigidsym.proof._mutants import Edit, Forger, sign, turn
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, replay
-from rigidsym.proof.mutants import Edit, Forger, sign, turn
 
 # The sealed ledger.  Tests leave these as they are; for changes they take `json.loads(TEXT)`.
 TEXT = ledger_text()

@@ -15,8 +15,8 @@ from rigidsym.io._files import read_text, write_text
 
 if TYPE_CHECKING:
     from rigidsym.proof._coq import Export
+    from rigidsym.proof._mutants import Checks
     from rigidsym.proof.derivation import Derivation
-    from rigidsym.proof.mutants import Checks
     from rigidsym.proof.paper import Verdict
     from rigidsym.proof.paper._prose import Judged
 
@@ -151,7 +151,7 @@ def checks(text: str) -> "Checks":
     from rigidsym._numbers import check_numbers
     from rigidsym.language import _specification as first
     from rigidsym.proof import checker as second
-    from rigidsym.proof.mutants import Checks
+    from rigidsym.proof._mutants import Checks
 
     readers, refusals = (first.require, second.require), (first.Unproved, second.Refused)
     specification = stored.specification_text()
@@ -163,7 +163,7 @@ def _mutants_noticed(text: str) -> int:
 
     Returns 1 if one goes unnoticed.
     """
-    from rigidsym.proof.mutants import FATES, run
+    from rigidsym.proof._mutants import FATES, run
     from rigidsym.validate._executors import local
 
     with local() as place:

@@ -24,6 +24,7 @@ from rigidsym.language._specification import (
     theorems,
 )
 from rigidsym.proof._audit import audit, totals
+from rigidsym.proof._mutants import Edit
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.checker import Refused
 from rigidsym.proof.checker import require as require_again
@@ -31,7 +32,6 @@ from rigidsym.proof.checker._language import Forms
 from rigidsym.proof.checker._notation import Residues
 from rigidsym.proof.checker._specification import blocks
 from rigidsym.proof.derivation import DerivationError, require_specified
-from rigidsym.proof.mutants import Edit
 from rigidsym.solution import load
 
 SPECIFICATION = specification_text()

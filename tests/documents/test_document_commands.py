@@ -40,7 +40,7 @@ _NOT_RUN = {
     "tests/cli/test_cli.py replays the sealed ledger by it": (
         "rigidsym check", "rigidsym check --independent",
     ),
-    "tests/proof/mutants/test_mutants.py runs a sample of it": ("rigidsym check --mutants",),
+    "tests/proof/test_mutants.py runs a sample of it": ("rigidsym check --mutants",),
     "tests/derivations/test_specification.py runs it": ("rigidsym audit", "rigidsym audit --json"),
     "tests/cli/test_cli.py writes targets, and compares all modules": (
         "rigidsym codegen --check", "rigidsym codegen c --check",

@@ -9,7 +9,7 @@ from random import Random
 from typing import Any
 
 from rigidsym.language._expression import Call, Expression, Number, Operation, parse, to_text
-from rigidsym.proof.mutants._edits import Edit, double, partners, sign
+from rigidsym.proof._mutants._edits import Edit, double, partners, sign
 
 Ledger = Mapping[str, Any]
 SEED, PAIRS = 33, 100

@@ -8,11 +8,11 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from rigidsym.language._specification import Proved, Theorem, theorems
+from rigidsym.proof._mutants._edits import Edit, alone, edits, reach
+from rigidsym.proof._mutants._field import PRIME, Array, Points, Values
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel._language import parse
 from rigidsym.proof.kernel._rules import _frozen
-from rigidsym.proof.mutants._edits import Edit, alone, edits, reach
-from rigidsym.proof.mutants._field import PRIME, Array, Points, Values
 
 MOST, BLOCK = 3, 8192
 Mutant: TypeAlias = tuple[Edit, ...]

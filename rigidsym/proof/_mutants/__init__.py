@@ -10,9 +10,9 @@ evaluates a context modulo a prime, and `screen` refutes most mutants at such po
 `publications` has the mutants of everything else, and `campaign` decides them all.
 """
 
-from rigidsym.proof.mutants._campaign import FATES, Checks, Tally, run
-from rigidsym.proof.mutants._edits import Edit, double, exchange, sign, turn
-from rigidsym.proof.mutants._forger import Forger
+from rigidsym.proof._mutants._campaign import FATES, Checks, Tally, run
+from rigidsym.proof._mutants._edits import Edit, double, exchange, sign, turn
+from rigidsym.proof._mutants._forger import Forger
 
 __all__ = [
     "FATES",

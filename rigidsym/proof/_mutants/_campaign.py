@@ -15,10 +15,10 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from rigidsym.language._specification import Proved, theorems
-from rigidsym.proof.mutants._edits import Edit
-from rigidsym.proof.mutants._forger import Forger
-from rigidsym.proof.mutants._publications import meanings, publications, rates
-from rigidsym.proof.mutants._screen import Mutant, Screen
+from rigidsym.proof._mutants._edits import Edit
+from rigidsym.proof._mutants._forger import Forger
+from rigidsym.proof._mutants._publications import meanings, publications, rates
+from rigidsym.proof._mutants._screen import Mutant, Screen
 
 Ledger: TypeAlias = Mapping[str, Any]
 Submit: TypeAlias = Callable[..., Future[str]]
@@ -164,5 +164,5 @@ def _drawn(mutants: Iterable[Any], sample: int, random: Random) -> list[Any]:
 @cache
 def equivalents() -> Mapping[str, str]:
     """Return the mutants that publish the same numbers, with the reason for each."""
-    text = resources.files("rigidsym.proof.mutants").joinpath("equivalent.toml").read_text("utf-8")
+    text = resources.files("rigidsym.proof._mutants").joinpath("equivalent.toml").read_text("utf-8")
     return {told: one["reason"] for one in tomllib.loads(text)["mutants"] for told in one["edits"]}

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Any
 
+from rigidsym.proof._mutants._edits import Edit
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, Ledger
 from rigidsym.proof.kernel._rules import _frozen
-from rigidsym.proof.mutants._edits import Edit
 
 
 class Unwitnessed(Context):

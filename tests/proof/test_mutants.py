@@ -12,14 +12,14 @@ from ledgers import CONTEXTS, LEDGER, TEXT, defined, forger
 from rigidsym._cli.proofs import checks
 from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, require
+from rigidsym.proof._mutants import double, exchange, run, sign, turn
+from rigidsym.proof._mutants._edits import alone, edits, written
+from rigidsym.proof._mutants._field import PRIME, Points, Values
+from rigidsym.proof._mutants._publications import doubled, meanings, publications, rates
+from rigidsym.proof._mutants._screen import Screen
 from rigidsym.proof.kernel import Context, KernelError, replay
 from rigidsym.proof.kernel._language import parse
 from rigidsym.proof.kernel._rules import _frozen
-from rigidsym.proof.mutants import double, exchange, run, sign, turn
-from rigidsym.proof.mutants._edits import alone, edits, written
-from rigidsym.proof.mutants._field import PRIME, Points, Values
-from rigidsym.proof.mutants._publications import doubled, meanings, publications, rates
-from rigidsym.proof.mutants._screen import Screen
 from rigidsym.validate._executors import Here
 
 SPECIFICATION = specification_text()
@@ -163,7 +163,7 @@ def test_a_sample_of_the_campaign_goes_not_unnoticed():
 
 def test_equivalent_mutants_change_hidden_names_alone(screen):
     """Compare the values of all names of the theorem's context with those before the change."""
-    text = resources.files("rigidsym.proof.mutants").joinpath("equivalent.toml").read_text("utf-8")
+    text = resources.files("rigidsym.proof._mutants").joinpath("equivalent.toml").read_text("utf-8")
     for entry in tomllib.loads(text)["mutants"]:
         for told in entry["edits"]:
             name, _, wanted = told.partition(": ")
