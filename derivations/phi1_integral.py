@@ -15,6 +15,7 @@ from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
 from rigidsym.language.functions._jacobi import jacobi_dn, jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps import Scope, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps._names import symbol, symbols
 
@@ -58,7 +59,7 @@ class ThirdKind:
 
     axis: int
     parts: tuple[Part, ...]
-    rate: sympy.Expr
+    rate: Computation
 
 
 def derive(builder: LedgerBuilder) -> None:

@@ -9,6 +9,8 @@ from typing import Any, TypeAlias, TypeVar
 
 from sympy import Expr
 
+from rigidsym.proof.algebra import _parts
+from rigidsym.proof.algebra._computation import Computation, Printed
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
@@ -16,8 +18,8 @@ from rigidsym.proof.kernel._rules import differences
 
 Result = TypeVar("Result")
 # An expression that `text` converts to the kernel's language.
-Side: TypeAlias = str | int | Element | Expr
-Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
+Side: TypeAlias = str | int | Element | Expr | Computation
+Equations: TypeAlias = Mapping[Any, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
 # The name of a case, and the values of its witness that differ from the whole context's.
 Case: TypeAlias = tuple[str, Point]
@@ -66,7 +68,7 @@ class LedgerBuilder:
 
         The part of the id before the dot is the context.  Each component is proved by itself.
         """
-        return self.decide(_fact(fact_id, "equal", equations, "identity", source))
+        return self.decide(self._fact(fact_id, "equal", equations, "identity", source))
 
     def compare(
         self,
@@ -75,13 +77,15 @@ class LedgerBuilder:
         points: Iterable[Point] = (),
         source: Iterable[str] = (),
     ) -> Fact | None:
-        """Prove equations, or refute them at a rational point.
+        """Prove equations that the paper prints, or refute them at a rational point.
 
         The points tried are the given ones, the witness of the context, and points that differ
         from it in one name.  Return None if the normal form is not zero, but the sides agree at
         all these points.
         """
-        fact = _fact(fact_id, "equal", equations, "identity", source)
+        fact = self._fact(fact_id, "equal", equations, "identity", source)
+        sides = {side: tuple(map(Printed, getattr(fact, side))) for side in ("lhs", "rhs")}
+        fact = replace(fact, **sides)
         try:
             return self.decide(fact)
         except KernelError as error:
@@ -102,11 +106,11 @@ class LedgerBuilder:
 
         The proof uses the square of `name` and its sign.
         """
-        return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
+        return self.decide(self._fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
         """Prove that quantities are nonnegative by rewriting them in a visibly nonnegative form."""
-        return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
+        return self.decide(self._fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
         self,
@@ -119,7 +123,8 @@ class LedgerBuilder:
 
         `point` overrides values of the context's witness.
         """
-        return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
+        fact = self._fact(fact_id, "unequal", equations, "counterexample", source)
+        return self._refute(fact, point)
 
     def _refute(self, fact: Fact, point: Point) -> Fact:
         witness = self.ledger.contexts[fact.context].witness
@@ -134,7 +139,7 @@ class LedgerBuilder:
         source: Iterable[str] = (),
     ) -> Fact:
         """Prove equations by substituting linear forms into a theta-function identity."""
-        fact = _fact(fact_id, "equal", equations, "theta", source)
+        fact = self._fact(fact_id, "equal", equations, "theta", source)
         certificate = {"identity": identity, "forms": dict(forms)}
         return self.ledger.add(replace(fact, certificate=certificate))
 
@@ -143,7 +148,7 @@ class LedgerBuilder:
 
         They hold at the initial instant, and d/dt preserves them.
         """
-        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+        return self.ledger.add(self._fact(fact_id, "equal", equations, "start", source))
 
     def begin(
         self, context: str, zero: Iterable[str], names: str, equations: Equations, *source: str
@@ -186,7 +191,7 @@ class LedgerBuilder:
 
         It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
         """
-        fact = _fact(fact_id, "equal", equations, "assumption", [reference])
+        fact = self._fact(fact_id, "equal", equations, "assumption", [reference])
         certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
         if names := list(whole):
             certificate["whole"] = names
@@ -269,17 +274,20 @@ class LedgerBuilder:
         cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
+    def _fact(
+        self, fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]
+    ) -> Fact:
+        pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
+        context = fact_id.split(".", maxsplit=1)[0]
+        found = self.ledger.contexts.get(context)
+        names = () if found is None else (*found.generators, *found.definitions)
+        lhs, rhs = (tuple(text(x, names) for x in column) for column in zip(*pairs, strict=True))
+        return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
+
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
         grades = [self.ledger.facts[premise].grade for premise in premises]
         grade = min([fact.grade, *grades], key=[*Grade].index)
         return self.ledger.add(replace(fact, premises=premises, grade=grade))
-
-
-def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]) -> Fact:
-    pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
-    lhs, rhs = (tuple(map(text, column)) for column in zip(*pairs, strict=True))
-    context = fact_id.split(".", maxsplit=1)[0]
-    return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
 
 
 def facts(context: str, names: str) -> list[Entry]:
@@ -310,10 +318,13 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
     return [{"context": context, how: name, "source": list(source)} for name in names.split()]
 
 
-def text(side: Side) -> str:
-    """Convert a number, an expression or a ring element to text that the kernel can parse."""
+def text(side: Side, names: Iterable[str] = ()) -> str:
+    """Convert a number, an expression or a ring element to text that the kernel can parse.
+
+    The names of an expression are printed in the given order.
+    """
     if not isinstance(side, Element):
-        return str(side)
+        return _parts.text(side, names)
     below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
     return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
 
@@ -323,4 +334,4 @@ def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
 
     Trivial equations are left out.
     """
-    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]
+    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if str(x) != str(y)]

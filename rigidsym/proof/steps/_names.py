@@ -15,6 +15,7 @@ from sympy.printing.str import StrPrinter
 
 from rigidsym.language._expression import parse
 from rigidsym.language.functions._translation import BY_PARAMETER, sympified
+from rigidsym.proof.algebra._computation import Computation, computed, plain
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.steps._record import StepError
 
@@ -72,16 +73,16 @@ class Dictionary:
         """Replace names in an expression by their functions."""
         return expression.xreplace(dict(self.functions))
 
-    def text(self, expression: sympy.Expr | int) -> str:
+    def text(self, expression: sympy.Expr | Computation | int) -> str:
         """Convert a SymPy expression to text that the kernel can parse.
 
         Raises StepError if a part has no name.
         """
-        named = self.named(sympy.sympify(expression))
+        named = self.named(sympy.sympify(plain(expression)))
         strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
         if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
             raise StepError(f"{strange[0]} has no name in {self.context.name}")
-        return _Printer().doprint(named)
+        return computed(_Printer().doprint(named), expression)
 
 
 class _Printer(StrPrinter):
