@@ -293,7 +293,7 @@ FORMATS = (
             "chapters[].chapter": "the module under `derivations`",
             "chapters[].title": "its first words",
             "chapters[].computed": "how many of its facts have a side that SymPy computed",
-            "chapters[].chosen": "how many say that one context is a model of another, or its cases",
+            "chapters[].chosen": "how many make a context a model of another, or its cases",
             "chapters[].printed": "how many are lines of the paper",
             "chapters[].guessed": "how many were typed, and then decided by the kernel",
             "chapters[].facts[].id": "context and name",

@@ -24,7 +24,7 @@ from rigidsym.solution._polhode import classify
 _STATES = ("theta_form", "hyperbolic_form", "rates_start", "attitude_start", "start_signs")
 _THEOREMS = (
     *("steady", "steady_start", *_STATES, "any_motion", "landen", "scaling"),
-    *("step", "doubling", "second_half", "thirds", "halves"),
+    *("step_motion", "step_motion_start", "doubling", "doubling_start", "halves", "halves_start"),
 )
 _PARTITION = "sorted_body"
 _STEADY = ("steady", "steady_start")
