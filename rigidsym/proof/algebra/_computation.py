@@ -49,6 +49,10 @@ class Computation:
         """Return the same with names that come first when it is printed, as numbers need it."""
         return replace(self, order=tuple(names.split()))
 
+    def held(self) -> "Computation":
+        """Return the same as a part that is worked out by itself, as numbers need it."""
+        return replace(self, value=sympy.UnevaluatedExpr(self.value))
+
     def apply(self, function: Callable[..., Any], *given: Any, **options: Any) -> Any:
         """Return the result of a function of the value, such as `sympy.apart`."""
         return self._after(

@@ -2,13 +2,14 @@
 
 SymPy sorts names alphabetically.  A text printed here may become a formula of the number half,
 where terms are added in the printed order.  Names have the listed order, terms are sorted by
-degree, and positive terms precede negative ones.
+degree, and positive terms precede negative ones.  What SymPy's `UnevaluatedExpr` holds together is
+printed in parentheses, for numbers that need it worked out first.
 """
 
 from collections.abc import Iterable
 from typing import Any, TypeAlias
 
-from sympy import Add, Expr, Function, Mul, Rational
+from sympy import Add, Expr, Function, Mul, Rational, UnevaluatedExpr
 
 Ranks: TypeAlias = dict[str, int]
 
@@ -24,6 +25,8 @@ def printed(expression: Expr, names: str | Iterable[str]) -> str:
     'b - a + e*(2*a**2 - e*b)'
     >>> printed(-3*a/(2*b*(a - e)**2), "e b a")
     '-3*a/(2*b*(a - e)**2)'
+    >>> printed(b*UnevaluatedExpr(a/e)**2, "e b a")
+    'b*(a/e)**2'
     """
     listed = names.split() if isinstance(names, str) else names
     return _sum(expression, {name: rank for rank, name in enumerate(listed)})
@@ -67,11 +70,11 @@ def _factor(base: Expr, power: int, ranks: Ranks) -> tuple[int, str, int]:
 
     Sums have the last rank.
     """
-    if isinstance(base, Add):
-        rank, text = len(ranks), f"({_sum(base, ranks)})"
-        degree = max(_term(term, ranks)[0] for term in base.args)
+    inner: Any = base if isinstance(base, Add) else base.args[0] if base.args else base
+    if isinstance(base, Add | UnevaluatedExpr):
+        rank, text = len(ranks), f"({_sum(inner, ranks)})"
+        degree = max(_term(term, ranks)[0] for term in Add.make_args(inner))
     elif isinstance(base, Function) and base.func.__name__ == "D":
-        inner: Any = base.args[0]
         rank, text, degree = len(ranks), f"D({_sum(inner, ranks)})", 1
     elif str(base) not in ranks:
         raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")

@@ -48,6 +48,13 @@ def test_an_answer_that_was_put_in_is_guessed(typed):
     assert standing(stated(typed)) == Standing.GUESSED
 
 
+def test_a_part_that_is_held_together_is_no_computation_by_that():
+    assert not compute(X + Y).held().computed
+    found = compute((X**2 - Y**2) / (X - Y)).cancel().held()
+    assert found.computed
+    assert stated(X * found / X).rhs == ("(x + y)",)
+
+
 def test_a_computation_goes_on_through_arithmetic_and_other_computations():
     found = compute((X**2 - Y**2) / (X - Y)).cancel()
     for later in (2 * found, X * found - 1, -found, found**2, compute(Y).subs(Y, found)):
