@@ -49,7 +49,7 @@ def derive(builder: LedgerBuilder) -> None:
     found = _phi1(builder, reduction, rates[UNKNOWN[0]])
     builder.keep(found)
     setting = builder.result(Algebra).setting
-    along = setting.sequence[0] - 1
+    along = setting.sequence[2] - 1
     why = "phi3' without a denominator"
     last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, ["3"])
     _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
@@ -87,16 +87,16 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi
 
 
 def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
-    """Substitute the angles, and sin(phi2)^2 by the momentum, into phi1'."""
-    factor = builder.result(Algebra).setting.factor
-    _, middle, third = (axis - 1 for axis in builder.result(Algebra).setting.axes)
-    sine = sympy.sin(2 * factor * PHI[1])
-    last = [f(2 * factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
+    """Substitute phi3, and phi2 by the square of the momentum across the last axis, into phi1'."""
+    setting = builder.result(Algebra).setting
+    _, middle, third = (axis - 1 for axis in setting.axes)
+    _, across = setting.nutation(PHI[1])
+    last = [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (middle, third)]
     angles = sympy.solve(gaps, last, dict=True)[0]
     square = (MOMENTA[middle] ** 2 + MOMENTA[third] ** 2) / K**2
     above, below = sympy.fraction(sympy.together(rate.subs(angles)))
-    return sympy.cancel(above / below.subs(sine**2, square))
+    return sympy.cancel(above / below.subs(across**2, square))
 
 
 def _motion(

@@ -7,7 +7,7 @@ R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from itertools import permutations
+from itertools import product
 from typing import Any
 
 import sympy
@@ -17,16 +17,18 @@ from rigidsym.proof.steps._names import read, symbols
 
 KINETIC = "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2"
 AXES = (1, 2, 3)
+# Twelve sequences of turns: no two in a row are about the same axis.
+SEQUENCES = tuple((i, j, k) for i, j, k in product(AXES, repeat=3) if j not in (i, k))
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
     """Choices of a derivation; raises InputError for an invalid one.
 
-    `sequence` are the axes of three turns, the outer two alike, and `axis` is the one that the
-    momentum is turned onto.  The basis is sign * factor times the quaternions i, j, k in the order
-    `order`.  `lagrangian` is diagonal and quadratic in the rates plus linear: constant wheel
-    momenta h1, h2, h3 make a gyrostat of the body.
+    `sequence` are the axes of three turns: Euler's such as 3-1-3, or Tait's and Bryan's such as
+    3-2-1.  `axis` is the one that the momentum is turned onto.  The basis is sign * factor times
+    the quaternions i, j, k in the order `order`.  `lagrangian` is diagonal and quadratic in the
+    rates plus linear: constant wheel momenta h1, h2, h3 make a gyrostat of the body.
     """
 
     sequence: tuple[int, int, int] = (1, 2, 1)
@@ -37,9 +39,8 @@ class Setting:
     lagrangian: str = KINETIC
 
     def __post_init__(self) -> None:
-        outer, middle, last = (*self.sequence, None, None, None)[:3]
-        if len(self.sequence) != 3 or {outer, middle} - {*AXES} or outer != last or outer == middle:
-            known = ", ".join(f"{i}-{j}-{i}" for i, j in permutations(AXES, 2))
+        if self.sequence not in SEQUENCES:
+            known = ", ".join(map(_dashed, SEQUENCES))
             raise InputError("sequence", _dashed(self.sequence), f"must be one of: {known}")
         if self.axis not in (0, *AXES):
             raise InputError("axis", self.axis, "must be 1, 2 or 3")
@@ -54,7 +55,7 @@ class Setting:
 
     @property
     def target(self) -> int:
-        """The axis that the momentum is turned onto: the outer one of the sequence by default."""
+        """The axis that the momentum is turned onto: the first one of the sequence by default."""
         return self.axis or self.sequence[0]
 
     @property
@@ -64,9 +65,18 @@ class Setting:
 
     @property
     def axes(self) -> tuple[int, int, int]:
-        """The outer, the middle and the third axis of the sequence."""
-        outer, middle, _ = self.sequence
-        return outer, middle, 6 - outer - middle
+        """The last axis of the sequence, the middle one, and the one that is neither."""
+        _, middle, last = self.sequence
+        return last, middle, 6 - last - middle
+
+    def nutation(self, phi2: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
+        """Return two functions of phi2: of the momentum along the last axis, and across it.
+
+        They are the cosine and the sine of the whole angle, or the sine and the cosine where the
+        first and the last axis differ.
+        """
+        pair = sympy.cos(2 * self.factor * phi2), sympy.sin(2 * self.factor * phi2)
+        return pair if self.sequence[0] == self.sequence[2] else pair[::-1]
 
     def basis(self) -> tuple[sympy.ImmutableMatrix, ...]:
         """Return the basis A1, A2, A3."""

@@ -283,12 +283,13 @@ turning = builder.result(Phi1).by_invariants.subs(numbers)
 motion = function([*accelerations, *algebra.kinematics, turning], *RATES, *Q)
 
 reduction = builder.result(Reduction)
-w = 2 * setting.factor
+w, (nutation, pole) = 2 * setting.factor, setting.nutation(PHI[1])
+inverse = np.arccos if isinstance(nutation, sympy.cos) else np.arcsin
 shares = [
     *step(builder, "compared.phi2").value.values(),
     *step(builder, "compared.phi3").value.values(),
 ]
-shares = function([x.subs(sympy.sin(w * PHI[1]), 1).subs(numbers) for x in shares], *MOMENTA)
+shares = function([x.subs(pole, 1).subs(numbers) for x in shares], *MOMENTA)
 scope = Scope.open(builder, "flown", *reduction.angles, matrices=reduction.matrices, static=True)
 factors = scope.explicit(matrix("R"))
 attitude = function(list(factors), *PHI)
@@ -296,8 +297,8 @@ attitude = function(list(factors), *PHI)
 
 def turned(phi1, rates):
     """R by its three angles, phi2 and phi3 from the momentum."""
-    cosine2, cosine3, sine3 = shares(*momentum(*rates))
-    phi2, phi3 = np.arccos(cosine2), np.arctan2(sine3, cosine3)
+    along, cosine3, sine3 = shares(*momentum(*rates))
+    phi2, phi3 = inverse(along), np.arctan2(sine3, cosine3)
     return np.array(attitude(phi1, phi2 / float(w), phi3 / float(w)), dtype=complex)
 
 
@@ -352,8 +353,17 @@ figure.tight_layout()
 #
 # ## What else can be changed
 #
-# Everything that [`Setting`](02_from_lax_pair_to_k_a1.ipynb) has, in any combination. With $3$-$1$-$3$
-# turns, the momentum onto axis 3, and the wheel along axis 2, the chapters give
+# Everything that [`Setting`](02_from_lax_pair_to_k_a1.ipynb) has, in any combination. With the turns
+# 3-2-1 of an aircraft, $\phi_2$ is found by its sine, and $\dot\phi_1$ is the same function of the
+# rate about the *last* axis: all twelve sequences have the same integral.
+
+# %%
+aircraft = begun(Setting(sequence=(3, 2, 1)), "kinematics")
+display(step(aircraft, "three_angles.momentum"), step(aircraft, "compared.phi2"))
+display(step(aircraft, "line32.by_invariants"))
+
+# %% [markdown]
+# With 3-1-3 turns, the momentum onto axis 3, and the wheel along axis 2, the chapters give
 
 # %%
 other = Setting(sequence=(3, 1, 3), lagrangian=KINETIC + " + h2*Omega2")
@@ -379,7 +389,7 @@ display(step(varied_book, "line32.rate"), step(varied_book, "line32.by_invariant
 
 # %%
 refused = (
-    {"sequence": (1, 2, 3)},
+    {"sequence": (1, 1, 2)},
     {"axis": 4},
     {"order": (1, 1, 2)},
     {"lagrangian": KINETIC + " + Omega1*Omega2"},

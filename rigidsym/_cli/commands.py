@@ -134,8 +134,8 @@ ARTICLES = ("text", "markdown", "latex", "html")
 TEMPLATES = ("motion.toml", "slew.toml", "observations.csv", "observations.toml")
 SHELLS = ("bash", "zsh", "tcsh")
 SETTING = {
-    "sequence": ("I-J-I", "axes of the rotations; 1-2-1 by default"),
-    "axis": ("I", "axis to which the momentum is rotated; the outer axis by default"),
+    "sequence": ("I-J-K", "axes of the rotations; 1-2-1 by default"),
+    "axis": ("I", "axis to which the momentum is rotated; the first axis by default"),
     "factor": ("F", "factor of the basis (4), 1/2 or 1; 1/2 by default"),
     "sign": ("S", "sign of the basis (4), 1 or -1; 1 by default"),
     "order": ("I-J-K", "order of i, j, k in the basis; 1-2-3 by default"),

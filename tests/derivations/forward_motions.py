@@ -110,9 +110,14 @@ class Motion:
         K = float(np.linalg.norm(momentum))
         point = {symbol("K"): K, **dict(zip(MOMENTA, momentum, strict=True))}
         double = 2 * self.setting.factor
-        (cosine,) = steps["compared.phi2"].value.values()
-        phi2 = float(np.arccos(value(cosine, point)))  # the sine is not negative
-        point[sympy.sin(double * symbol("phi2"))] = np.sin(phi2)
+        ((function, along),) = steps["compared.phi2"].value.items()
+        # The other function of phi2 is not negative.
+        if isinstance(function, sympy.cos):
+            phi2 = float(np.arccos(value(along, point)))
+            point[sympy.sin(double * symbol("phi2"))] = np.sin(phi2)
+        else:
+            phi2 = float(np.arcsin(value(along, point)))
+            point[sympy.cos(double * symbol("phi2"))] = np.cos(phi2)
         C, S = (value(x, point) for x in steps["compared.phi3"].value.values())
         return phi2 / float(double), float(np.arctan2(S, C)) / float(double)
 
