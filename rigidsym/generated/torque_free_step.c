@@ -670,18 +670,18 @@ static void step_kick(size_t n, lanes *x)
         const double Q23 = x->Q23[i];
         const double Q13 = x->Q13[i];
         const double Q12 = x->Q12[i];
-        const double w1 = 2.0 * fused(u2, q3, -(u3 * q2)); /* fact: definition kick.w1; (3) */
-        const double w2 = 2.0 * fused(u3, q1, -(u1 * q3)); /* fact: definition kick.w2; (3) */
-        const double w3 = 2.0 * fused(u1, q2, -(u2 * q1)); /* fact: definition kick.w3; (3) */
-        const double v1 = fused(q0, w1, u1) + fused(w2, q3, -(w3 * q2)); /* fact: definition kick.v1; (3) */
-        const double v2 = fused(q0, w2, u2) + fused(w3, q1, -(w1 * q3)); /* fact: definition kick.v2; (3) */
-        const double v3 = fused(q0, w3, u3) + fused(w1, q2, -(w2 * q1)); /* fact: definition kick.v3; (3) */
-        const double g1 = fused(Q13, v3, fused(Q11, v1, Q12 * v2)) - m1; /* fact: definition kick.g1; (3) */
-        const double g2 = fused(Q23, v3, fused(Q12, v1, Q22 * v2)) - m2; /* fact: definition kick.g2; (3) */
-        const double g3 = fused(Q33, v3, fused(Q13, v1, Q23 * v2)) - m3; /* fact: definition kick.g3; (3) */
-        const double T1 = fused(k, v1, b1) + fused(v2, g3, -(v3 * g2)); /* fact: definition kick.T1; (3) */
-        const double T2 = fused(k, v2, b2) + fused(v3, g1, -(v1 * g3)); /* fact: definition kick.T2; (3) */
-        const double T3 = fused(k, v3, b3) + fused(v1, g2, -(v2 * g1)); /* fact: definition kick.T3; (3) */
+        const double w1 = 2.0 * fused(q3, u2, -(q2 * u3)); /* fact: definition kick.w1; (3) */
+        const double w2 = 2.0 * fused(q1, u3, -(q3 * u1)); /* fact: definition kick.w2; (3) */
+        const double w3 = 2.0 * fused(q2, u1, -(q1 * u2)); /* fact: definition kick.w3; (3) */
+        const double v1 = fused(-q2, w3, fused(q3, w2, fused(q0, w1, u1))); /* fact: definition kick.v1; (3) */
+        const double v2 = fused(-q3, w1, fused(q1, w3, fused(q0, w2, u2))); /* fact: definition kick.v2; (3) */
+        const double v3 = fused(-q1, w2, fused(q2, w1, fused(q0, w3, u3))); /* fact: definition kick.v3; (3) */
+        const double g1 = fused(v3, Q13, fused(v2, Q12, fused(v1, Q11, -m1))); /* fact: definition kick.g1; (3) */
+        const double g2 = fused(v3, Q23, fused(v2, Q22, fused(v1, Q12, -m2))); /* fact: definition kick.g2; (3) */
+        const double g3 = fused(v3, Q33, fused(v2, Q23, fused(v1, Q13, -m3))); /* fact: definition kick.g3; (3) */
+        const double T1 = fused(-v3, g2, fused(v2, g3, fused(k, v1, b1))); /* fact: definition kick.T1; (3) */
+        const double T2 = fused(-v1, g3, fused(v3, g1, fused(k, v2, b2))); /* fact: definition kick.T2; (3) */
+        const double T3 = fused(-v2, g1, fused(v1, g2, fused(k, v3, b3))); /* fact: definition kick.T3; (3) */
         x->T1[i] = T1;
         x->T2[i] = T2;
         x->T3[i] = T3;
@@ -1522,6 +1522,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "f57adcd792b684c026b57aab9ae7513d76838116226a525961ecb014327bfd8c";
+    return "9f01e82bb2b8bb159d98fdaa7b255dca2a8f975b935c60c59f2c8b79c3f477f2";
 }
 

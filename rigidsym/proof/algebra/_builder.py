@@ -151,7 +151,7 @@ class LedgerBuilder:
         return self.ledger.add(self._fact(fact_id, "equal", equations, "start", source))
 
     def begin(
-        self, context: str, zero: Iterable[str], names: str, equations: Equations, *source: str
+        self, context: str, zero: Iterable[Side], names: str, equations: Equations, *source: str
     ) -> None:
         """Prove equations at the instant at which a motion starts, where more is zero.
 
@@ -159,7 +159,8 @@ class LedgerBuilder:
         """
         whole = self.ledger.contexts[context]
         instant = f"{context}_start"
-        relations = (*whole.relations, *zero)
+        known = (*whole.generators, *whole.definitions)
+        relations = (*whole.relations, *(text(x, known) for x in zero))
         self.open(replace(whole, name=instant, relations=relations, rates=None))
         for name in names.split():
             fact = self.ledger.facts[f"{context}.{name}"]
