@@ -14,7 +14,7 @@ separatrix 1 - m = 0, for symmetric bodies m = 0.
 import re
 
 from derivations.regular_form import FORMULAS
-from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, part_of
+from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, part_of, text
 
 BODY = Part(
     witness={
@@ -74,7 +74,10 @@ TREE = (
 # The regular form's axes, and its E's in terms of those above; c_a - c_d > 0 or < 0.
 LARGEST = {"a": "1", "b": "2", "d": "3", "E_a": "E_1", "E_b": "E_2", "E_d": "E_3"}
 SMALLEST = {"a": "3", "b": "2", "d": "1", "E_a": "(-E_3)", "E_b": "E_2", "E_d": "(-E_1)"}
-SQUARES = FORMULAS | {"m": "E_a/E_d*c_bd/c_ab", "m_1": "E_b/E_d*c_ad/c_ab"}
+SQUARES = {name: text(form) for name, form in FORMULAS.items()} | {
+    "m": "E_a/E_d*c_bd/c_ab",
+    "m_1": "E_b/E_d*c_ad/c_ab",
+}
 VISIBLY = {
     "1": {
         "A_a": "E_3/(c_1*c_13)",

@@ -5,9 +5,11 @@ Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel de
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import reduce
+from operator import mul, truediv
 from typing import Any, TypeAlias, TypeVar
 
-from sympy import Expr
+from sympy import Expr, cancel
 
 from rigidsym.proof.algebra import _parts
 from rigidsym.proof.algebra._computation import Computation, Printed
@@ -70,6 +72,23 @@ class LedgerBuilder:
         """
         return self.decide(self._fact(fact_id, "equal", equations, "identity", source))
 
+    def value(self, context: str, expression: Side) -> Computation:
+        """Compute what an expression is in a context: zero, a number or a short expression.
+
+        Definitions are put in, D is carried out by the rates of the context, and the numerator and
+        the denominator are reduced by its relations.
+        """
+        found, ring = self.ledger.contexts[context], self.ledger.rings[context]
+        element = ring.read(text(expression, (*found.generators, *found.definitions)))
+        below = reduce(mul, element.below.elements(), ring.poly(1))
+        sides = (divide(ring, side)[1].as_expr() for side in (element.numerator, below))
+        return Computation(cancel(truediv(*sides)), ("value",))
+
+    def evaluate(self, fact_id: str, sides: Iterable[Side], source: Iterable[str] = ()) -> Fact:
+        """Prove what expressions are, each by its computed value."""
+        context = fact_id.split(".", maxsplit=1)[0]
+        return self.claim(fact_id, [(side, self.value(context, side)) for side in sides], source)
+
     def compare(
         self,
         fact_id: str,
@@ -101,7 +120,7 @@ class LedgerBuilder:
                 continue
         return None
 
-    def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
+    def root(self, fact_id: str, name: Any, radicand: Side, source: Iterable[str] = ()) -> Fact:
         """Prove that a quantity is the square root of another.
 
         The proof uses the square of `name` and its sign.

@@ -183,8 +183,14 @@ def reasons(fact: Fact) -> tuple[str, ...]:
 
 
 def compute(value: Any) -> Computation:
-    """Begin a computation with typed expressions."""
-    return value if isinstance(value, Computation) else Computation(value, (), (value,))
+    """Begin a computation with typed expressions, or go on with several computations at once."""
+    if isinstance(value, Computation):
+        return value
+    if not (before := [*_inside(value)]):
+        return Computation(value, (), (value,))
+    done = dict.fromkeys(name for x in before for name in x.operations)
+    typed = _once([*(x.typed for x in before), [*_plain_inside(value)]])
+    return Computation(plain(value), tuple(done), typed)
 
 
 def computed(text: str, origin: Any) -> str:

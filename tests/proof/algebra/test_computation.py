@@ -63,6 +63,15 @@ def test_a_computation_goes_on_through_arithmetic_and_other_computations():
     assert compute(1 / (X**2 - 1)).apply(apart, X).operations == ("apart",)
 
 
+def test_several_computations_go_on_as_one():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    both = compute((found, X))
+    assert both.value == (X + Y, X)
+    assert both.computed
+    assert [each.operations for each in both] == [("cancel",)] * 2
+    assert not compute((compute(X**2), X)).computed
+
+
 def test_a_part_that_was_found_is_computed_in_the_context():
     found = compute((X**2 - Y**2) / (X - Y)).cancel()
     context = join("there", CONTEXT, Part(definitions={"s": found, "d": X - Y}))
