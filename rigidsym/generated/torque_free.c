@@ -485,9 +485,9 @@ static FLAT void initial_state(lanes *lane)
         const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
         const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
         const double_double common_10 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-        const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+        const double_double common_11 = dd_mul_xx(common_10, dd_add_dx(1.0, k_1)); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
         const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-        const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+        const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(k_c, dn))); /* fact: landen.v; DLMF 22.7.4 */
         const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
         const double_double d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
         lane->K_hi[i] = K.hi;
@@ -530,20 +530,20 @@ static void landen(double_double k, double_double kc, double_double s, double_do
     double_double *d_next_out, double_double *r_next_out, double_double *Y_next_out)
 {
     const double_double common_1 = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
-    const double_double common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const double_double common_2 = dd_mul_xx(common_1, common_1); /* fact: landen.k_next, landen.r_next; DLMF 22.7.1 */
+    const double_double k_next = dd_div_xx(dd_mul_xx(k, k), common_2); /* fact: landen.k_next; DLMF 22.7.1 */
     const double_double root_kc = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
     const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_3 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
-    const double_double common_4 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double common_3 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double common_4 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
     const double_double common_5 = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const double_double s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    const double_double v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(kc, d))); /* fact: landen.v; DLMF 22.7.4 */
     const double_double c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double d_next = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
-    const double_double S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
-    const double_double Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
+    const double_double d_next = dd_div_xx(v, common_3); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double r_next = dd_div_xx(dd_mul_xx(k, r), common_2); /* fact: landen.r_next; DLMF 22.7.1 */
+    const double_double S = dd_sqrt(dd_add_xx(dd_mul_xx(common_4, common_4), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    const double_double Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_4, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     *k_next_out = k_next;
     *kc_next_out = kc_next;
     *s_next_out = s_next;
@@ -685,14 +685,14 @@ static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *
         const double_double r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
         const double_double root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
         const double_double Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
-        const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
+        const double_double Y = dd_div_xx(B_d, dd_mul_xx(root_r, dd_add_xx(K, B_a))); /* fact: definition scaling.Y; (28) */
         double_double K_1;
         double_double sin_v;
         double_double cos_v;
         double_double Y_b;
         ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
-        const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
-        const double_double h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+        const double_double root_h = dd_sqrt(dd_add_xx(Q, dd_mul_xx(Y_b, Y_b))); /* fact: scaling.root_h; (28) */
+        const double_double h_plus = dd_add_xx(Y_b, root_h); /* fact: scaling.h_plus; (28) */
         const double_double h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
         const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
         const double_double up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
@@ -4518,6 +4518,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "c988c90e12f1b299b6391121e5083d29a3565f23d52330cc7d70448e6e3f784a";
+    return "e6ebf8f8c6963533c23019b313e81cedd846e3849a512043c8a84a9dd9f0e448";
 }
 

@@ -37,47 +37,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.7e-16  3.1e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.2e-16  4.2e-16
-  sphere                 8.1e-16  6.9e-43
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  7.6e-53
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest ae9471c7a09aa70bfe8350e56799d87425f983806450813bab87a6a7346bbd74
+digest 4e34d7149420823f655f91be47dd596bbfb069ceff3a106bedbfbfe9c3dae8fa
 """
 
 # ruff: noqa
@@ -441,9 +404,9 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     root_kc = _sqrt(k_c)  # fact: landen.root_kc; DLMF 22.7.1
     kc_1 = 2 * root_kc / common_8  # fact: definition landen.kc_next; DLMF 22.7.1
     common_10 = 1 + dn  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
-    common_11 = (1 + k_1) * common_10  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_11 = common_10 * (1 + k_1)  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s = 2 * sn / common_11  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_11 * (dn + k_c))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_11 * (k_c + dn))  # fact: landen.v; DLMF 22.7.4
     c = 2 * cn / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
     d = v / common_10  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
     return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi
@@ -452,20 +415,20 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
 def _landen(k, kc, s, c, d, r, Y):
     """One step of Landen's descending transformation."""
     common_1 = 1 + kc  # fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1
-    common_2 = k / common_1  # fact: landen.k_next; DLMF 22.7.1
-    k_next = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    common_2 = common_1 * common_1  # fact: landen.k_next, landen.r_next; DLMF 22.7.1
+    k_next = k * k / common_2  # fact: landen.k_next; DLMF 22.7.1
     root_kc = _sqrt(kc)  # fact: landen.root_kc; DLMF 22.7.1
     kc_next = 2 * root_kc / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_3 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
-    common_4 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_3 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_4 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
     common_5 = common_3 * common_4  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s_next = 2 * s / common_5  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_5 * (d + kc))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_5 * (kc + d))  # fact: landen.v; DLMF 22.7.4
     c_next = 2 * c / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
-    d_next = v / common_4  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
-    r_next = r * k / (common_1 * common_1)  # fact: landen.r_next; DLMF 22.7.1
-    S = _sqrt(common_3 * common_3 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
-    Y_next = 2 * Y / (common_3 + S)  # fact: landen.Y_next; DLMF 22.7.2
+    d_next = v / common_3  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
+    r_next = k * r / common_2  # fact: landen.r_next; DLMF 22.7.1
+    S = _sqrt(common_4 * common_4 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
+    Y_next = 2 * Y / (common_4 + S)  # fact: landen.Y_next; DLMF 22.7.2
     return k_next, kc_next, s_next, c_next, d_next, r_next, Y_next
 
 
@@ -533,10 +496,10 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
     r = _root_ratio(k_1, kc_1)  # classical: DLMF 20.9.1
     root_r = _sqrt(r)  # fact: scaling.root_r; (27)
     Q = k_1 / r  # fact: scaling.Q; (27)
-    Y = B_d / ((K + B_a) * root_r)  # fact: definition scaling.Y; (28)
+    Y = B_d / (root_r * (K + B_a))  # fact: definition scaling.Y; (28)
     K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)  # classical: DLMF 19.8.12
-    root_h = _sqrt(Y_b * Y_b + Q)  # fact: scaling.root_h; (28)
-    h_plus = root_h + Y_b  # fact: scaling.h_plus; (28)
+    root_h = _sqrt(Q + Y_b * Y_b)  # fact: scaling.root_h; (28)
+    h_plus = Y_b + root_h  # fact: scaling.h_plus; (28)
     h_minus = root_h - Y_b  # fact: scaling.h_minus; (28)
     g = pi / (2 * K_1)  # fact: reading theta_form.g; (10)
     up1 = h_plus  # classical: DLMF 20.2.1, DLMF 20.2.4
