@@ -375,6 +375,27 @@ display(step(varied_book, "line32.rate"), step(varied_book, "line32.by_invariant
 # Two of the squares have gone, and a linear $\Omega_2$ has stayed: with a wheel across the axis,
 # $\dot\phi_1$ is a function of two rates, and to eliminate one of them takes a square root.
 #
+# Two moments may be equal. About the axis of symmetry, the tilt of the axis stays and $\phi_1$ grows
+# evenly; across it, the rates are a cosine and a sine:
+
+# %%
+top = Setting(sequence=(3, 1, 3), lagrangian="(c1*(Omega1**2 + Omega2**2) + c3*Omega3**2)/2")
+regular = begun(top, "lemma1")
+display(step(regular, "symmetric.swing"), step(regular, "line32.rate"))
+display(step(regular, "three_angle_motion.tilt"), step(regular, "precession.phi1"))
+
+# %% [markdown]
+# And the axes need not be the principal ones. With a product of inertia, $\dot\phi_1$ is the same
+# quotient in the momentum $M_3$ and the rate $\Omega_3$ about the last axis; and the pencil finds the
+# principal moments by itself: one factor of the quartic is the characteristic polynomial of the
+# inertia tensor, whose roots they are.
+
+# %%
+tilted = Setting(sequence=(3, 1, 3), lagrangian=KINETIC + " + c12*Omega1*Omega2")
+general = begun(tilted, "lemma1")
+display(step(general, "line32.by_invariants"), step(general, "pencil.quartic"))
+
+# %% [markdown]
 # The same in a terminal, proved in the same way, and as an article with `--format latex`, `markdown`
 # or `html`:
 #
@@ -385,7 +406,8 @@ display(step(varied_book, "line32.rate"), step(varied_book, "line32.by_invariant
 # ```
 #
 # Nothing of that touches the sealed ledger of the project. And what is no choice is refused, in a
-# line that says why:
+# line that says why. The last one is a heavy top: its potential is linear in the vertical direction
+# $n$, its torque changes the momentum, and there is no axis left to turn it onto.
 
 # %%
 refused = (
@@ -394,6 +416,7 @@ refused = (
     {"order": (1, 1, 2)},
     {"lagrangian": KINETIC + " + Omega1*Omega2"},
     {"lagrangian": KINETIC + " + g*Omega1"},
+    {"lagrangian": KINETIC + " - g*n3"},
 )
 refusals = []
 for choice in refused:
@@ -424,10 +447,12 @@ except StepError as error:
 ledger = builder.ledger
 assert grades(ledger, *ledger.facts) == {Grade.PROVED}
 assert grades(varied_book.ledger, "line32.by_invariants") == {Grade.PROVED}
+assert grades(regular.ledger, *regular.ledger.facts) == {Grade.PROVED}
+assert grades(general.ledger, *general.ledger.facts) == {Grade.PROVED}
 derived_here = ("variation.euler", "body.lax", "partner.found", "reduced.conjugate", "compared.phi3",
                 "line32.by_invariants", "gyrostat.quartic", "pencil.quartic")  # fmt: skip
 assert {*derived_here} <= {*ledger.facts}
-assert len(refusals) == 6
+assert len(refusals) == 7
 assert all("\n" not in refusal for refusal in refusals)
 # The illustration agrees with the facts.
 assert gap < 1e-9

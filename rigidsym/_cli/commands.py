@@ -139,7 +139,10 @@ SETTING = {
     "factor": ("F", "factor of the basis (4), 1/2 or 1; 1/2 by default"),
     "sign": ("S", "sign of the basis (4), 1 or -1; 1 by default"),
     "order": ("I-J-K", "order of i, j, k in the basis; 1-2-3 by default"),
-    "lagrangian": ("L", "a Lagrangian with wheels: ... + h1*Omega1"),
+    "lagrangian": (
+        "L",
+        "a Lagrangian: equal moments, products of inertia, wheels (... + h1*Omega1)",
+    ),
 }
 "Options of `derive` for another derivation."
 

@@ -29,6 +29,18 @@ WHEELS = [
     Setting(lagrangian=f"{KINETIC} + h2*Omega2"),
     Setting((2, 1, 2), 1, lagrangian=f"{KINETIC} + h1*Omega1 + h3*Omega3"),
 ]
+# Products of inertia, one of them with a wheel; equal moments, across the last axis and along it.
+TILTED = [
+    Setting((3, 1, 3), lagrangian=f"{KINETIC} - c12*Omega1*Omega2 - c13*Omega1*Omega3"),
+    Setting((1, 2, 3), lagrangian=f"{KINETIC} + c23*Omega2*Omega3 + h1*Omega1"),
+]
+FULL = Setting(lagrangian=f"{KINETIC} - c12*Omega1*Omega2 - c13*Omega1*Omega3 - c23*Omega2*Omega3")
+TWO_ALIKE = "(c1*(Omega1**2 + Omega2**2) + c3*Omega3**2)/2"
+EQUAL = [
+    Setting((2, 3, 2), lagrangian=TWO_ALIKE),
+    Setting((1, 2, 3), 2, lagrangian=TWO_ALIKE),
+    Setting((3, 1, 3), lagrangian="c1*(Omega1**2 + Omega2**2 + Omega3**2)/2"),
+]
 THREE_WHEELS = Setting((3, 2, 3), lagrangian=f"{KINETIC} + h1*Omega1 + h2*Omega2 + h3*Omega3")
 
 
@@ -132,7 +144,7 @@ def numbers(call: ast.Call) -> Iterator[ast.AST]:
             waiting += ast.iter_child_nodes(node)
 
 
-@pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat"])
+@pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat", "symmetric"])
 def test_no_right_side_is_typed(chapter):
     assert list(typed((FOLDER / f"{chapter}.py").read_text("utf-8"))) == []
 
@@ -209,7 +221,7 @@ def follows(setting: Setting, fact: str) -> None:
 
 
 @pytest.mark.parametrize("fact", ["line32.rate", "line32.by_invariants"])
-@pytest.mark.parametrize("setting", DRAWN, ids=str)
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, EQUAL[0]], ids=str)
 def test_a_derivation_is_a_motion_by_numbers(setting, fact):
     follows(setting, fact)
 
@@ -226,47 +238,70 @@ def test_each_of_twelve_sequences_is_a_motion_by_numbers(sequence):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS], ids=str)
+@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS, FULL], ids=str)
 def test_every_derivation_is_a_motion_by_numbers(setting):
     follows(setting, "line32.by_invariants")
 
 
-@pytest.mark.parametrize("setting", DRAWN, ids=str)
+@pytest.mark.parametrize("setting", EQUAL[1:], ids=str)
+def test_about_a_symmetry_axis_phi1_turns_at_K_over_c(setting):
+    follows(setting, "line32.rate")
+    steps = found(setting)
+    assert steps["line32.rate"].value == symbol("K") / symbol("c1")
+    assert steps["precession.phi1"].value == symbol("K") / symbol("c1") * symbol("t")
+    assert steps["three_angle_motion.tilt"].value == 0
+
+
+@pytest.mark.parametrize("setting", EQUAL[:2], ids=str)
+def test_the_rates_across_a_symmetry_axis_are_a_cosine_and_a_sine(setting):
+    motion, steps = Motion(setting), found(setting)
+
+    def slope(rates):
+        return np.linalg.solve(motion.tensor, motion.moments(motion.momentum(rates)))
+
+    point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
+    ends = [slope(RATES0 + sign * slope(RATES0)) for sign in (1, -1)]
+    second = (ends[0] - ends[1]) / 2  # exact: a slope is quadratic in the rates
+    assert value(steps["symmetric.swing"].value, point) == pytest.approx(second[0], rel=1e-12)
+    assert {"swinging.Omega1", "swinging.Omega2"} <= {*steps}
+    assert "eliminated.square" not in steps
+
+
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, *EQUAL], ids=str)
 def test_euler_s_equations_are_those_of_the_matrices(setting):
     motion = Motion(setting)
     point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
     rates = [value(x, point) for x in found(setting)["variation.euler"].value.values()]
-    assert np.allclose(rates, motion.moments(INERTIA * RATES0 + motion.wheel) / INERTIA, atol=1e-14)
+    expected = np.linalg.solve(motion.tensor, motion.moments(motion.momentum(RATES0)))
+    assert np.allclose(rates, expected, atol=1e-14)
 
 
 # Wheels: the quartic by numbers, and that both quartics are of one curve.
 
 
 def invariants(motion: Motion) -> dict[sympy.Symbol, float]:
-    momentum = INERTIA * RATES0 + motion.wheel
+    momentum = motion.momentum(RATES0)
     squared = {symbol("K_squared"): float(momentum @ momentum)}
-    return {**constants(), **squared, symbol("H"): float(INERTIA @ RATES0**2) / 2}
+    return {**constants(), **squared, symbol("H"): motion.energy(RATES0)}
 
 
 def test_the_quartic_of_one_wheel_is_the_square_of_its_rate():
     motion = Motion(WHEELS[0])
-    momentum = INERTIA * RATES0 + motion.wheel
-    rate = motion.moments(momentum)[1] / INERTIA[1]
+    rate = motion.moments(motion.momentum(RATES0))[1] / INERTIA[1]
     quartic = found(WHEELS[0])["gyrostat.quartic"].value
     squared = value(quartic, {**invariants(motion), symbol("Omega2"): RATES0[1]})
     assert squared == pytest.approx(rate**2, rel=1e-12)
 
 
-@pytest.mark.parametrize("setting", WHEELS, ids=str)
-def test_the_quartic_of_any_wheels_is_the_determinant_of_the_pencil(setting):
+@pytest.mark.parametrize("setting", [*WHEELS, *TILTED], ids=str)
+def test_the_quartic_of_wheels_or_products_is_the_determinant_of_the_pencil(setting):
     motion = Motion(setting)
     point = invariants(motion)
     H, K2 = (point[symbol(name)] for name in ("H", "K_squared"))
-    mixed = motion.wheel[:, None] * INERTIA[:, None] * np.eye(3)
-    energy = np.block([[np.diag(INERTIA), np.zeros((3, 1))], [np.zeros((1, 3)), -2 * H]])
+    energy = np.block([[motion.tensor, np.zeros((3, 1))], [np.zeros((1, 3)), -2 * H]])
     corner = np.sum(motion.wheel**2) - K2
-    along = mixed.sum(axis=1, keepdims=True)
-    momentum = np.block([[np.diag(INERTIA**2), along], [along.T, corner]])
+    along = (motion.tensor @ motion.wheel)[:, None]
+    momentum = np.block([[motion.tensor @ motion.tensor, along], [along.T, corner]])
     quartic = found(setting)["pencil.quartic"].value
     for x in (-1.5, 0.3, 4.0):
         expected = np.linalg.det(x * energy - momentum)
@@ -402,7 +437,17 @@ BAD = [
     ("--lagrangian", "Omega1**3", "plus a linear part"),
     ("--lagrangian", PLUS + "h1", "plus a linear part"),
     ("--lagrangian", PLUS + "1/Omega1", "plus a linear part"),
-    ("--lagrangian", PLUS + "Omega1*Omega2", "plus a linear part"),
+    (
+        "--lagrangian",
+        PLUS + "Omega1*Omega2",
+        "the product of inertia c12 in front of Omega1*Omega2",
+    ),
+    ("--lagrangian", PLUS + "c12*Omega1*Omega3", "the product of inertia c13"),
+    ("--lagrangian", "c2*(Omega1**2 + Omega3**2)/2 + c1*Omega2**2/2", "the moments c1, c2, c3"),
+    ("--lagrangian", "h1*Omega1", "the moments c1, c2, c3"),
+    ("--lagrangian", f"{KINETIC} - g*n3", "no potential (-g*n3): its torque adds to [M, Omega]"),
+    ("--lagrangian", f"{KINETIC} - m*g*l*cos(phi2)", "so the spectrum of M, that is K, is not"),
+    ("--lagrangian", f"{KINETIC} - g*n3*Omega1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "w*Omega1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "Omega1/h1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "sqrt(h1)*Omega1", "polynomials in h1, h2, h3"),
