@@ -38,7 +38,7 @@ def derive(options: Namespace) -> int:
     if reading and options.json:
         raise InputError("json", "given", "is not for --show and --format")
     try:
-        setting = setting_of(chosen) if chosen or reading else None
+        setting = setting_of(chosen) if chosen else None
         sealed = "" if options.mutants or options.in_place else sealed_counts()
         derivation = derive(options.chapters, progress("derive"), setting, sealed)
     except DerivationError as error:

@@ -9,6 +9,7 @@ from importlib import import_module, resources
 from itertools import chain
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 from sympy.core import random
 
@@ -20,7 +21,7 @@ from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra import LedgerBuilder
 from rigidsym.proof.algebra._computation import Computed, Standing, reasons, standing
 from rigidsym.proof.claims import Claim, Claims
-from rigidsym.proof.kernel import Fact, KernelError, Ledger
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
 from rigidsym.proof.steps import Step, StepError
 from rigidsym.view._proofs import chapter_html, derivation_html
 
@@ -34,7 +35,10 @@ class DerivationError(RuntimeError):
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """Result of one chapter: its facts, its derivation steps and its run time in seconds."""
+    """Result of one chapter: its facts, its derivation steps and its run time in seconds.
+
+    `contexts` are those that its facts are about, and `matrices` the matrices that these name.
+    """
 
     name: str
     title: str
@@ -42,6 +46,8 @@ class Chapter:
     seconds: float
     steps: tuple[Step, ...] = ()
     opening: str = ""
+    contexts: Mapping[str, Context] = field(default_factory=dict)
+    matrices: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
     @property
     def standings(self) -> Counter[Standing]:
@@ -218,7 +224,13 @@ def _run(builder: LedgerBuilder, name: str) -> Chapter:
     title = " ".join(re.split(r"[:.](?:\s|$)", head)[0].split())
     found = tuple(builder.ledger.facts.values())[facts:]
     seconds = perf_counter() - start
-    return Chapter(name, title, found, seconds, tuple(builder.steps[steps:]), opening)
+    about = chain.from_iterable(
+        (*(fact.rhs if fact.kind in ("model", "partition") else ()), fact.context) for fact in found
+    )
+    contexts = {context: builder.ledger.contexts[context] for context in about}
+    matrices = {context: builder.matrices.get(context, {}) for context in contexts}
+    taken = tuple(builder.steps[steps:])
+    return Chapter(name, title, found, seconds, taken, opening, contexts, matrices)
 
 
 def statement(fact: Fact) -> str:

@@ -42,6 +42,8 @@ class LedgerBuilder:
         self.sealed, self.recounted = sealed, 0
         # The steps of the derivation, in order, for readers; no fact rests on them.
         self.steps: list[Any] = []
+        # The matrices of contexts as they were given, for readers, too.
+        self.matrices: dict[str, Mapping[str, Any]] = {}
         self._results: dict[type, Any] = {}
 
     def keep(self, result: Any) -> None:

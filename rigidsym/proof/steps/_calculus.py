@@ -12,19 +12,22 @@ from rigidsym.proof.kernel import KernelError
 from rigidsym.proof.steps._names import collected, symbol
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
+from rigidsym.view._statements import derived_by
 
 
 def differentiate(
     scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Differentiate an expression with respect to time.
+    """Differentiate an expression with respect to time, or to the one name that moves at rate 1.
 
-    The context gives the time derivatives of its names.
+    The context gives the derivatives of its names.
     """
     value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
     origin = Computation(value, ("differentiate",))
     fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source, origin)
-    return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
+    along = derived_by(scope.context)
+    slope = rate_of(expression) if along is None else sympy.Derivative(expression, symbol(along))
+    return scope.note("differentiate", why, value, [(slope, value)], fact)
 
 
 def rate_of(expression: Expr) -> Expr:
@@ -235,6 +238,7 @@ def match(
     found.sort(key=lambda solution: sympy.default_sort_key(solution[unknowns[0]]))
     pairs = [(ansatz.subs(solution), wanted.subs(solution)) for solution in found]
     fact = scope.decide(fact_id, pairs, source, Computation(found, ("match",)))
-    equations = [equation for solution in found for equation in solution.items()]
-    conditions = scope.divisors(*(value for _, value in equations))
-    return scope.note("match", why, found, equations, fact, conditions)
+    names = sympy.Tuple(*unknowns)
+    choices = [(names, names.subs(solution)) for solution in found]
+    conditions = scope.divisors(*(value for solution in found for value in solution.values()))
+    return scope.note("match", why, found, choices, fact, conditions)

@@ -55,6 +55,7 @@ class Scope:
         for matrix, value in (matrices or {}).items():
             scope._define(matrix, value)
         builder.open(scope.context)
+        builder.matrices[name] = dict(matrices or {})
         return scope
 
     def _define(self, name: str, value: ImmutableMatrix | MatrixExpr) -> None:
@@ -84,6 +85,7 @@ class Scope:
         units = tuple(map(self.text, nonzero))
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
         self.builder.open(narrower)
+        self.builder.matrices[name] = self.builder.matrices.get(self.name, {})
         return Scope(self.builder, narrower, self.matrices)
 
     @property

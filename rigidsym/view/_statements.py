@@ -1,0 +1,465 @@
+"""Contexts and facts of a ledger as paragraphs of an article.
+
+A paragraph is a sentence with equations below it.  Its words, formulas and names have types of
+their own, so that each format of an article can write them in its own way.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import zip_longest
+from textwrap import wrap
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from rigidsym.language import _latex as language
+from rigidsym.language._expression import Name, names, parse
+from rigidsym.language._lines import rows, width
+
+if TYPE_CHECKING:
+    from rigidsym.proof.kernel import Context, Fact
+
+# The width of a line of LaTeX, in widths of a digit, and of a line of a terminal.
+WIDE, COLUMNS = 62.0, 96
+# A statement of more rows of LaTeX than these is shown in part.
+MOST_ROWS = 24
+# A context is described by earlier ones, if each of them says at least this much of it.
+_LEAST_SHARED, _MOST_BASES = 4, 3
+NOTATION = {
+    "jacobi_sn": ("jacobi_sn(u, m)", "Jacobi's elliptic function sn with the parameter m = k^2"),
+    "jacobi_cn": ("jacobi_cn(u, m)", "Jacobi's elliptic function cn"),
+    "jacobi_dn": ("jacobi_dn(u, m)", "Jacobi's elliptic function dn"),
+    "jacobi_am": ("jacobi_am(u, m)", "Jacobi's amplitude; its sine is sn, its cosine cn"),
+    "jacobi_argument": (
+        "jacobi_argument(x, y, z)",
+        "the argument at which Jacobi's functions sn, cn and dn are x, y and z",
+    ),
+    "elliptic_k": ("elliptic_k(m)", "the complete elliptic integral of the first kind"),
+    "elliptic_pi": (
+        "elliptic_pi(n, m)",
+        "the elliptic integral of the third kind with 1 - n sin^2; with three arguments, the "
+        "second is its upper end",
+    ),
+    "elliptic_j": (
+        "elliptic_j(u, n, m)",
+        "the integral of sn^2/(1 - n sn^2) from 0 to u, with the parameter m",
+    ),
+    "nome": ("nome(m)", "the nome of the parameter m, exp(-pi K(1 - m)/K(m))"),
+    "arcsc": ("arcsc(x, m)", "the inverse of sn/cn"),
+    "arcsn": ("arcsn(x, m)", "the inverse of sn"),
+    **{
+        f"theta{k}": (f"theta{k}(z, q)", f"Jacobi's theta function {k} with the nome q (DLMF 20.2)")
+        for k in (1, 2, 3, 4)
+    },
+    **{
+        f"dtheta{k}": (f"dtheta{k}(z, q)", f"the derivative of theta function {k} by z")
+        for k in (1, 2, 3, 4)
+    },
+    "re": ("re(z)", "the real part of z"),
+    "im": ("im(z)", "the imaginary part of z"),
+}
+"Functions that names are read as: how they are written, and what they are."
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A formula in LaTeX, and as text for a terminal."""
+
+    latex: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """The name of a fact, of a context or of an operation."""
+
+    name: str
+
+
+Words: TypeAlias = tuple[str | Formula | Code, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Paragraph:
+    """A sentence, a list, equations below it, and sentences after them.
+
+    `rows` are aligned rows of LaTeX and `texts` the same for a terminal.  `numbers` are those of
+    the paper's equations.  `fact` is the id of the fact that proves it, `context` the name of the
+    context that begins here.
+    """
+
+    sentence: Words
+    entries: tuple[Words, ...] = ()
+    rows: tuple[str, ...] = ()
+    texts: tuple[str, ...] = ()
+    after: tuple[Words, ...] = ()
+    numbers: str = ""
+    fact: str = ""
+    context: str = ""
+
+
+def formula(text: str) -> Formula:
+    """Return an expression or an equation of the ledger as a formula."""
+    return Formula(language.condition(text) or language.latex(text), text)
+
+
+def listed(parts: Iterable[str | Formula | Code], last: str = ", ") -> Words:
+    """Join parts of a sentence by commas, and the last two by another word."""
+    found = [*parts]
+    between = [*[", "] * (len(found) - 2), last][: max(len(found) - 1, 0)]
+    pairs = zip_longest(found, between)
+    return tuple(x for pair in pairs for x in pair if x is not None)
+
+
+def aligned_rows(equations: Iterable[tuple[str, str, str]]) -> list[str]:
+    """Return equations in LaTeX as aligned rows, none of which is too wide.
+
+    An equation is its left side, its sign and its right side.  A long left side stands in the
+    column of the right ones, so that it does not move them.
+    """
+    found = [*equations]
+    short = [width(left) for left, _, _ in found if width(left) < WIDE / 3]
+    room = WIDE - max(short, default=0.0) - 3.0
+    return [row for left, sign, right in found for row in _aligned(left, sign, right, room)]
+
+
+def _aligned(left: str, sign: str, right: str, room: float) -> list[str]:
+    """Return an equation as aligned rows, with so much room on the right."""
+    first, *others = rows(right, room)
+    below = [rf"&\quad {row}" for row in others]
+    if width(left) < WIDE / 3:
+        return [f"{left} &{sign} {first}", *below]
+    start, *more = rows(left, room)
+    if not more and not below and width(left) + width(right) < room:
+        return [f"&{left} {sign} {right}"]
+    return [f"&{start}", *(rf"&\quad {row}" for row in more), rf"&\quad {sign} {first}", *below]
+
+
+def text_rows(left: str, right: str, sign: str = "=") -> str:
+    """Return an equation as lines of text."""
+    lines = wrap(f"{left} {sign} {right}", COLUMNS, subsequent_indent="    ")
+    return "\n".join(lines)
+
+
+# Contexts
+
+
+def notation(contexts: Iterable["Context"]) -> list[Words]:
+    """Return what the functions are that the names of contexts are read as."""
+    called: set[str] = set()
+    for context in contexts:
+        for text in (*context.reading.values(), *context.thetas.values()):
+            called |= {*re.findall(r"\w+(?=\()", text)} if _is_formula(text) else set()
+    return [
+        (formula(form), f": {said}") for name, (form, said) in NOTATION.items() if name in called
+    ]
+
+
+def introduction(
+    context: "Context", known: Iterable["Context"], hidden: Iterable[str] = ()
+) -> Iterator[Paragraph]:
+    """Yield the paragraphs that define the names of a context and state its hypotheses.
+
+    known: contexts that have been introduced; what they say is not said again.
+    hidden: definitions that need not be shown, such as entries of matrices.
+    """
+    bases = _bases(context, [*known])
+    said = {item for base in bases for item in (*_listed_items(base), *_moving_items(base))}
+    new = [item for item in _listed_items(context) if item not in said]
+    yield Paragraph(_opening(context, bases, bool(new)), context=context.name)
+    yield from _names(context, new)
+    yield from _displays(context, new, {*hidden})
+    yield from _rates(context, said)
+
+
+def _opening(context: "Context", bases: Sequence["Context"], more: bool) -> Words:
+    """Return the sentence that begins a context."""
+    as_in: Words = ()
+    if bases:
+        names = listed([Code(base.name) for base in bases], " and ")
+        as_in = (": all that is said of ", *names, *((", and",) if more else ()))
+    instant = "" if context.rates is not None else ", at one instant"
+    return ("Context ", Code(context.name), instant, *as_in, ":" if more else ".")
+
+
+def _bases(context: "Context", known: Sequence["Context"]) -> list["Context"]:
+    """Return introduced contexts whose hypotheses all hold here, and that say much of this one."""
+    whole = _items(context)
+    fitting = [other for other in known if _items(other) <= whole and _agree(other, context)]
+    found: list[Context] = []
+    left = {*whole}
+    while fitting and len(found) < _MOST_BASES:
+        best = max(fitting, key=lambda other: len(_items(other) & left))
+        if len(_items(best) & left) < _LEAST_SHARED:
+            break
+        found.append(best)
+        left -= _items(best)
+    return found
+
+
+def _agree(other: "Context", context: "Context") -> bool:
+    """Return whether rates and meanings of another context are not contradicted in this one."""
+    rates = other.rates or {}
+    here = context.rates or {}
+    moving = context.rates is None or all(here.get(name) == text for name, text in rates.items())
+    fixed = other.rates is None or {*here} & {*other.generators} <= {*rates}
+    meant = all(context.reading.get(k, text) == text for k, text in other.reading.items())
+    return moving and fixed and meant
+
+
+def _listed_items(context: "Context") -> list[tuple[str, ...]]:
+    """Return the names and hypotheses of a context, in order, without time derivatives."""
+    names = (*context.generators, *context.definitions)
+    return [
+        *(("name", name) for name in context.generators),
+        *(("meaning", x, context.reading[x]) for x in names if x in context.reading),
+        *(("theta", name, text) for name, text in context.thetas.items()),
+        *(("definition", name, text) for name, text in context.definitions.items()),
+        *(("relation", text) for text in context.relations),
+        *(("unit", text) for text in context.units),
+        *(("sign", text) for text in context.nonnegative),
+        *(("start", text) for text in context.start),
+    ]
+
+
+def _moving_items(context: "Context") -> list[tuple[str, ...]]:
+    """Return the time derivatives of the names of a context."""
+    return [("rate", name, text) for name, text in (context.rates or {}).items()]
+
+
+def _items(context: "Context") -> set[tuple[str, ...]]:
+    """Return what has to hold in another context for which this one may stand."""
+    return {item for item in _listed_items(context) if item[0] != "meaning"}
+
+
+def _names(context: "Context", new: Sequence[tuple[str, ...]]) -> Iterator[Paragraph]:
+    """Yield what the names of a context mean, and which have no meaning of their own."""
+    meant = {**context.thetas, **context.reading}
+    fresh = {item[1] for item in new if item[0] in ("name", "theta", "definition")}
+    new_meanings = {name: text for name, text in meant.items() if name in fresh}
+    entries = [_entry(name, text) for name, text in new_meanings.items()]
+    if entries:
+        yield Paragraph((), entries=tuple(entries))
+    free = [item[1] for item in new if item[0] == "name" and item[1] not in meant]
+    own = {*context.generators, *context.definitions, "I", "pi"}
+    texts = (text for text in new_meanings.values() if _is_formula(text))
+    other = dict.fromkeys(x for text in texts for x in names(parse(text)) if x not in own)
+    if found := [*dict.fromkeys((*free, *other))]:
+        yield Paragraph(
+            (
+                *listed(map(formula, found), " and "),
+                f" {'are' if found[1:] else 'is'} arbitrary, within what follows.",
+            )
+        )
+
+
+def _entry(name: str, meaning: str) -> Words:
+    """Return a name with what it means: a formula, or words."""
+    if not _is_formula(meaning):
+        return (formula(name), f": {meaning}")
+    shown = formula(name)
+    meant = formula(meaning)
+    if _bare(shown.latex) == _bare(meant.latex):  # cos_phi1 is printed as the cosine that it is
+        return (Formula(shown.latex, f"{name} = {meaning}"),)
+    return (Formula(f"{shown.latex} = {meant.latex}", f"{name} = {meaning}"),)
+
+
+def _bare(latex: str) -> str:
+    return re.sub(r"[{}\s]", "", latex)
+
+
+def _is_formula(text: str) -> bool:
+    """Return whether the meaning of a name is a formula and not words."""
+    try:
+        tree = parse(text)
+    except (ValueError, SyntaxError):
+        return False
+    return not isinstance(tree, Name) or len(text) < _LEAST_SHARED
+
+
+def _displays(
+    context: "Context", new: Sequence[tuple[str, ...]], hidden: set[str]
+) -> Iterator[Paragraph]:
+    """Yield the definitions, relations and conditions of a context."""
+    items = {kind: [x for x in new if x[0] == kind] for kind in ("definition", "relation")}
+    shown = [(name, text) for _, name, text in items["definition"] if name not in hidden]
+    if shown:
+        how: dict[tuple[str, ...], list[str]] = {}
+        for name, _ in shown:
+            if done := operations([context.definitions[name]]):
+                how.setdefault(done, []).append(name)
+        after = [
+            (*listed(map(formula, names), " and "), " by ", *listed(map(Code, done)), ".")
+            for done, names in how.items()
+        ]
+        yield _display(("Definitions:",), shown, after=tuple(after))
+    if items["relation"]:
+        pairs = [(text, "0") for _, text in items["relation"]]
+        yield _display(("Relations:",), pairs)
+    for kind, form in (("unit", "{} != 0"), ("sign", "{} >= 0"), ("start", "{} = 0")):
+        texts = [item[1] for item in new if item[0] == kind]
+        if texts:
+            head = "At one instant " if kind == "start" else "With "
+            found = [formula(form.format(text)) for text in texts]
+            if max(width(x.latex) for x in found) < WIDE / 2:
+                yield Paragraph((head, *listed(found, " and "), "."))
+            else:
+                sign = {"unit": r"\neq", "sign": r"\geq", "start": "="}[kind]
+                yield _display((f"{head.strip()}:",), [(text, "0") for text in texts], sign)
+
+
+def _rates(context: "Context", said: set[tuple[str, ...]]) -> Iterator[Paragraph]:
+    """Yield the time derivatives of the names of a context."""
+    if (along := derived_by(context)) is not None:
+        yield Paragraph(("The derivative here is the one with respect to ", formula(along), "."))
+        return
+    rates = {
+        name: text for kind, name, text in _moving_items(context) if (kind, name, text) not in said
+    }
+    known = {name: text for name, text in rates.items() if text != "?"}
+    unknown = [formula(name) for name, text in rates.items() if text == "?"]
+    if unknown:
+        yield Paragraph(("Nothing is said on the rates of ", *listed(unknown, " and "), "."))
+    if known:
+        pairs = [(f"D({name})", text) for name, text in known.items()]
+        yield _display(("Time derivatives; that of any other name is zero:",), pairs)
+
+
+def derived_by(context: "Context") -> str | None:
+    """Return the name by which a context differentiates, or None if it is the time."""
+    rates = context.rates or {}
+    (name,) = rates if len(rates) == 1 else (None,)
+    return name if name not in (None, "t") and rates[str(name)] == "1" else None
+
+
+def _display(
+    sentence: Words,
+    pairs: Iterable[tuple[str, str]],
+    sign: str = "=",
+    after: tuple[Words, ...] = (),
+) -> Paragraph:
+    """Return a paragraph with equations of the ledger."""
+    pairs = [*pairs]
+    shown = aligned_rows((language.latex(x), sign, language.latex(y)) for x, y in pairs)
+    plain = {r"\neq": "!=", r"\geq": ">="}.get(sign, sign)
+    texts = tuple(text_rows(x, y, plain) for x, y in pairs)
+    return Paragraph(sentence, (), tuple(shown), texts, after)
+
+
+# Facts
+
+
+def operations(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return the operations by which texts of a ledger were computed."""
+    origins = (getattr(text, "origin", None) for text in texts)
+    found = (x for origin in origins if origin is not None for x in origin.operations)
+    return tuple(dict.fromkeys(found))
+
+
+def stated(fact: "Fact", context: "Context", shown: set[str]) -> Paragraph:
+    """Return the paragraph that states a fact.
+
+    shown: facts that the article has stated, so that they need not be repeated elsewhere.
+    """
+    if fact.kind == "model":
+        (other,) = fact.rhs
+        sentence = ("All hypotheses of ", Code(other), " hold in ", Code(fact.context))
+        return Paragraph((*sentence, ", so what is proved there holds here."), fact=fact.id)
+    if fact.kind == "partition":
+        cases = listed(map(Code, fact.rhs), " and ")
+        sentence = ("Each point of ", Code(fact.context), " lies in exactly one of ", *cases)
+        return Paragraph((*sentence, ", by the sign of ", formula(fact.lhs[0]), "."), fact=fact.id)
+    if fact.rule == "transfer":
+        first = fact.premises[0]
+        if first in shown:
+            sentence = (Code(first), " holds here, too.")
+            return Paragraph(sentence, numbers=numbers(fact.source), fact=fact.id)
+    found, left_out = _statement(fact)
+    after = [*_grounds(fact, context)]
+    if left_out:
+        more = f"And {left_out} more {'component' if left_out == 1 else 'components'} alike."
+        after.insert(0, (more,))
+    return replace(
+        found,
+        sentence=_head(fact),
+        after=tuple(after),
+        numbers=numbers(fact.source),
+        fact=fact.id,
+    )
+
+
+def _statement(fact: "Fact") -> tuple[Paragraph, int]:
+    """Return the equations of a fact, and how many of its components are left out."""
+    every = dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True))
+    pairs = [pair for pair in every if pair[0] != pair[1]] or [*every]
+    sign = {"unequal": r"\neq"}.get(fact.kind, "=")
+    equations: list[tuple[str, str, str]] = []
+    texts: list[str] = []
+    for count, (left, right) in enumerate(pairs):
+        value, plain = language.latex(right), right
+        if fact.kind == "root":
+            value, plain = rf"\sqrt{{{value}}}", f"sqrt({right})"
+        if fact.kind == "nonnegative":
+            value, plain = rf"{value} \geq 0", f"{right} >= 0"
+        more = (language.latex(left), sign, value)
+        if equations and len(aligned_rows([*equations, more])) > MOST_ROWS:
+            return Paragraph((), (), tuple(aligned_rows(equations)), tuple(texts)), len(
+                pairs
+            ) - count
+        equations.append(more)
+        texts.append(text_rows(left, plain, "!=" if fact.kind == "unequal" else "="))
+    return Paragraph((), (), tuple(aligned_rows(equations)), tuple(texts)), 0
+
+
+def _head(fact: "Fact") -> Words:
+    """Return the sentence before the equations of a fact: where its statement comes from."""
+    texts = (*fact.lhs, *fact.rhs)
+    if fact.kind == "unequal":
+        return ("This does not hold:",)
+    if fact.rule == "assumption":
+        return (f"Taken from the literature, {fact.certificate['reference']}:",)
+    if done := operations(texts):
+        return ("Computed by ", *listed(map(Code, done)), ":")
+    if all(type(text).__name__ == "Printed" for text in texts):
+        return ("As it is printed:",)
+    why: dict[str, None] = dict.fromkeys(getattr(text, "why", "") for text in texts)
+    if said := "; ".join(filter(None, why)):
+        return (f"Typed, since {said}, and proved:",)
+    return ("It is proved that",)
+
+
+def _grounds(fact: "Fact", context: "Context") -> Iterator[Words]:
+    """Yield the sentences on what a fact is proved by."""
+    certificate: Mapping[str, Any] = fact.certificate
+    match fact.rule:
+        case "identity":
+            used = _used(certificate["cofactors"], len(context.relations))
+            relations = [formula(f"{context.relations[k]} = 0") for k in used]
+            if relations and max(width(x.latex) for x in relations) < WIDE / 2:
+                yield ("This uses ", *listed(relations, " and "), ".")
+            elif relations:
+                yield (f"This uses {len(relations)} of the relations.",)
+        case "counterexample":
+            point = certificate["point"].items()
+            yield ("It fails at ", *listed(formula(f"{k} = {v}") for k, v in point), ".")
+        case "theta":
+            forms = [formula(f"{k} = {v}") for k, v in certificate["forms"].items()]
+            yield ("An addition theorem of theta functions, with ", *listed(forms, " and "), ".")
+        case "start":
+            yield ("Both sides are equal at one instant, and so are their time derivatives.",)
+        case "transfer":
+            yield ("Carried over from ", Code(fact.premises[0].split(".")[0]), ".")
+        case "assumption" if certificate["points"]:
+            points = len(certificate["points"])
+            yield (f"It is not proved; balls enclose both sides at {points} points.",)
+    if fact.kind == "root":
+        yield ("The squares are equal, and the left side is not negative.",)
+
+
+def _used(cofactors: Sequence[Sequence[str]], count: int) -> list[int]:
+    """Return the indices of the relations of a context that a proof uses."""
+    return [k for k in range(count) if any(len(row) > k and row[k] != "0" for row in cofactors)]
+
+
+def numbers(source: Iterable[str]) -> str:
+    """Return the numbers of the paper's equations, such as "(31), (32)", and other sources."""
+    return ", ".join(f"({x})" if x[:1].isdigit() else x for x in source)
