@@ -114,7 +114,7 @@ def derive(builder: LedgerBuilder) -> None:
 
     scope = Scope.open(builder, "amplitude", given[0], FUNCTIONS, AMPLITUDE)
     why = "the square of the rate of the amplitude theta"
-    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
+    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2, simplify=False)[0]
     squared = rate_of(symbol("theta")) ** 2
     rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 

@@ -59,7 +59,7 @@ from derivations.winding import TURNING as HALF_TURNS
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.language.functions._jacobi import NUMPY
+from rigidsym.language.functions import NUMPY
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import verdicts
