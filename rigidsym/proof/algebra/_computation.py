@@ -264,8 +264,8 @@ def _plain_inside(given: Any) -> Any:
 
 
 def _once(lists: Any) -> tuple[Any, ...]:
-    found: list[Any] = []
+    found: dict[Any, Any] = {}
     for entry in (x for entries in lists for x in entries):
-        if not any(same(entry, known) for known in found):
-            found.append(entry)
-    return tuple(found)
+        known = isinstance(entry, sympy.Basic)
+        found.setdefault((type(entry), entry if known else id(entry)), entry)
+    return tuple(found.values())

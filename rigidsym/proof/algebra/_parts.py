@@ -56,14 +56,15 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
 
     `static` leaves out the time derivative.
     """
+    tables = tuple(key for key in _TABLES if not (static and key == "rates"))
     merged: dict[str, Any] = {
         key: {str(x): text for part in parts for x, text in getattr(part, key).items()}
-        for key in _TABLES
+        for key in tables
     }
     for key in _LISTS:
         merged[key] = [x for part in parts for x in getattr(part, key)]
     names = (*merged["witness"], *merged["definitions"])
-    for key in _TABLES:
+    for key in tables:
         merged[key] = {x: text(side, names) for x, side in merged[key].items()}
     for key in _LISTS:
         merged[key] = tuple(dict.fromkeys(text(x, names) for x in merged[key]))
