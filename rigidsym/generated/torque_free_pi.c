@@ -468,7 +468,7 @@ static FLAT void initial_state(lanes *lane)
         const double_double common_13 = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
         const double_double n = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
         const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
-        const double_double kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
+        const double_double kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(mu, common_13)); /* fact: descended.kappa; (34) */
         const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
         const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
         const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
@@ -1083,10 +1083,10 @@ static void circular_state(const torque_free_pi_circular *motion, size_t n,
         const double X_re = X_re_in[i];
         const double d = d_in[i];
         const double common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-        const double common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-        const double sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+        const double common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+        const double sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
         const double cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-        const double dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+        const double dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
         const double inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
         const double inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
         const double inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -1468,10 +1468,10 @@ static void hyperbolic_state(const torque_free_pi_hyperbolic *motion, size_t n,
         const double X_re = X_re_in[i];
         const double d = d_in[i];
         const double common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-        const double common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-        const double sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+        const double common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+        const double sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
         const double cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-        const double dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+        const double dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
         const double inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
         const double inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
         const double inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -2969,6 +2969,6 @@ const char *torque_free_pi_rule(int code)
 
 const char *torque_free_pi_digest(void)
 {
-    return "2770be291419f7f64d2c95a609e02f475466af8a3cfd461847e84c2b84e1b223";
+    return "b88fb1e396c0c779fc1018a3c17f9ee804e07b82264ef72a47edef7b19bb5bf9";
 }
 

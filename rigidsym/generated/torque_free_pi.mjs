@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate javascript-pi --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest 0f51cc526806a4ca079f12d1d39bea8a6dc86309f9926b0e60ee65204e509dfb
+digest 9dbeb664b8e50b624644a9dfae16de78f0adecd9992a5b24f06c2d6a09612f07
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -612,7 +612,7 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
     const common_13 = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
     const n = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
     const psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
-    const kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
+    const kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(mu, common_13)); /* fact: descended.kappa; (34) */
     const sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
     const cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
     const dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
@@ -1100,10 +1100,10 @@ function circular_state(motion, s, c, X_im, X_re, d) {
     const p_d = motion.p_d;
     const unit = motion.unit;
     const common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    const sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     const cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    const dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    const dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     const inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     const inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     const inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -1427,10 +1427,10 @@ function hyperbolic_state(motion, s, c, X_im, X_re, d) {
     const p_d = motion.p_d;
     const unit = motion.unit;
     const common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    const sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     const cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    const dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    const dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     const inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     const inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     const inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -2220,7 +2220,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "0f51cc526806a4ca079f12d1d39bea8a6dc86309f9926b0e60ee65204e509dfb";
+    return "9dbeb664b8e50b624644a9dfae16de78f0adecd9992a5b24f06c2d6a09612f07";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest fe248747325ed9020d2f54053720bb7b692ea0d334d56ba78de6025fe0d9b79a
+digest 8f8fcf3e07105be602f857a4a53288dc19f63d7b39503341056de576e46eab02
 """
 
 # ruff: noqa
@@ -405,7 +405,7 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     common_13 = common_12 * common_12  # fact: descended.n, descended.kappa; (34)
     n = -k_1 * (common_10 * common_10) / common_13  # fact: descended.n; (34)
     psi_0 = (2 * H + K * A_a) / common_12  # fact: descended.psi_0; (33), (34)
-    kappa = 2 * E_a * A_a * k_1 / (common_13 * mu)  # fact: descended.kappa; (34)
+    kappa = 2 * E_a * A_a * k_1 / (mu * common_13)  # fact: descended.kappa; (34)
     sn = chi * Omega_b / A_b  # fact: regular.sn; (12)
     cn = chi * tau * Omega_d / A_d  # fact: regular.cn; (12)
     dn = sigma * Omega_a / A_a  # fact: regular.dn; (12)
@@ -795,10 +795,10 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
 def _circular_state(s, c, X_im, X_re, d, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit):
     """The state on the circular branch, from `_circular_angles`."""
     common_1 = s * s  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    sn = (1 + k_1) * s / common_2  # fact: definition descended.sn; DLMF 22.7.2
+    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3
+    sn = s * (1 + k_1) / common_2  # fact: definition descended.sn; DLMF 22.7.2
     cn = c * d / common_2  # fact: definition descended.cn; DLMF 22.7.3
-    dn = (c * c + 2 * k_c / (1 + k_c) * common_1) / common_2  # fact: descended.dn; DLMF 22.7.4
+    dn = (c * c + common_1 * (2 * k_c / (1 + k_c))) / (1 + common_1 * k_1)  # fact: descended.dn; DLMF 22.7.4
     inner_a = sigma * A_a * dn  # fact: definition regular.Omega_a; (10)
     inner_b = chi * A_b * sn  # fact: definition regular.Omega_b; (10)
     inner_d = chi * tau * A_d * cn  # fact: definition regular.Omega_d; (10)
@@ -1015,10 +1015,10 @@ def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_
 def _hyperbolic_state(s, c, X_im, X_re, d, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit):
     """The state on the hyperbolic branch, from `_hyperbolic_angles`."""
     common_1 = s * s  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    sn = (1 + k_1) * s / common_2  # fact: definition descended.sn; DLMF 22.7.2
+    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3
+    sn = s * (1 + k_1) / common_2  # fact: definition descended.sn; DLMF 22.7.2
     cn = c * d / common_2  # fact: definition descended.cn; DLMF 22.7.3
-    dn = (c * c + 2 * k_c / (1 + k_c) * common_1) / common_2  # fact: descended.dn; DLMF 22.7.4
+    dn = (c * c + common_1 * (2 * k_c / (1 + k_c))) / (1 + common_1 * k_1)  # fact: descended.dn; DLMF 22.7.4
     inner_a = sigma * A_a * dn  # fact: definition regular.Omega_a; (10)
     inner_b = chi * A_b * sn  # fact: definition regular.Omega_b; (10)
     inner_d = chi * tau * A_d * cn  # fact: definition regular.Omega_d; (10)

@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate rust-pi --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest f3baad973b3f497a9459755ab7b5970f87cba1bc4687e59e0235a8367fc5736e
+digest 4384f5bbb7f65dcb32d3a381bf9d6a5aa82dad1c4140d1366430df1eea79b81d
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

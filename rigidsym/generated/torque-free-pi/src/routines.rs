@@ -728,7 +728,7 @@ pub(crate) fn initial_state(c_a: Pair, c_b: Pair, c_d: Pair, c_ab: Pair, c_ad: P
     let common_13: Pair = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
     let n: Pair = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
     let psi_0: Pair = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
-    let kappa: Pair = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
+    let kappa: Pair = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(mu, common_13)); /* fact: descended.kappa; (34) */
     let sn: Pair = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
     let cn: Pair = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
     let dn: Pair = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
@@ -1240,10 +1240,10 @@ pub(crate) fn circular_state(motion: &Circular, s: f64, c: f64, X_im: f64, X_re:
     let p_d: f64 = motion.p_d;
     let unit: f64 = motion.unit;
     let common_1: f64 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    let common_2: f64 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    let sn: f64 = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    let common_2: f64 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    let sn: f64 = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     let cn: f64 = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    let dn: f64 = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    let dn: f64 = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     let inner_a: f64 = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     let inner_b: f64 = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     let inner_d: f64 = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -1572,10 +1572,10 @@ pub(crate) fn hyperbolic_state(motion: &Hyperbolic, s: f64, c: f64, X_im: f64, X
     let p_d: f64 = motion.p_d;
     let unit: f64 = motion.unit;
     let common_1: f64 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    let common_2: f64 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    let sn: f64 = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    let common_2: f64 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    let sn: f64 = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     let cn: f64 = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    let dn: f64 = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    let dn: f64 = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     let inner_a: f64 = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     let inner_b: f64 = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     let inner_d: f64 = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -2401,6 +2401,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "f3baad973b3f497a9459755ab7b5970f87cba1bc4687e59e0235a8367fc5736e";
+    return "4384f5bbb7f65dcb32d3a381bf9d6a5aa82dad1c4140d1366430df1eea79b81d";
 }
 
