@@ -10,6 +10,8 @@ import pytest
 from ledgers import CONTEXTS, LEDGER, TEXT, defined, forger
 
 from rigidsym._cli.proofs import checks
+from rigidsym._numbers import check_numbers
+from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof._mutants import double, exchange, run, sign, turn
@@ -119,6 +121,23 @@ def test_hollow_ledgers_are_accepted_by_the_kernel():
     *_, (told, ledger) = publications(LEDGER)
     assert told == "hollow, all"
     replay(json.dumps(ledger, indent=1, ensure_ascii=False) + "\n", lambda *_: True)
+
+
+def test_a_formula_that_another_sequence_has_too_is_missed():
+    """Numbers take nothing from elsewhere that a sequence has to set."""
+    wanted = {f"without {k} of shift" for k in (0, 2, 3)}
+    wanted |= {f"without 0 of {name}" for name in ("thirds", "second_half")}
+    found = {told: ledger for told, ledger in publications(LEDGER) if told in wanted}
+    assert found.keys() == wanted
+    for ledger in found.values():
+        with pytest.raises(LedgerError):
+            check_numbers(json.dumps(ledger))
+
+
+def test_signs_of_meanings_that_undo_each_other_are_refused():
+    both = next(ledger for told, ledger in meanings(LEDGER) if told == "- c, - d")
+    with pytest.raises(LedgerError, match="c is"):
+        check_numbers(json.dumps(both))
 
 
 def test_meanings_are_doubled_exchanged_and_negated():
