@@ -35,6 +35,7 @@ indented further than their clause.
     varied a = b                         the conclusion a = b and its derivatives by all inputs
     enclosed a = b                       a conclusion that balls confirm at points, by a reference
     cases A, B, C                        the conclusion that exactly one of these theorems applies
+    applies A B                          the conclusion that these theorems apply
 
 Any clause may be one for several values of what stands in braces, and so may a whole block:
 
@@ -121,6 +122,7 @@ class Theorem:
     then: list[Statement] = field(default_factory=list)
     enclosed: list[Statement] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    applies: list[str] = field(default_factory=list)
     notation: Notation = field(default_factory=Notation)
 
     def include(self, other: "Theorem") -> None:
@@ -134,6 +136,7 @@ class Theorem:
             self.moving = (self.moving or {}) | other.moving
         self.formulas += other.formulas
         self.then += other.then
+        self.applies += other.applies
 
     def fill(self, clause: str, content: str) -> None:
         """Add one clause.
@@ -195,6 +198,8 @@ class Theorem:
                 self.enclosed += self._statements(content)
             case "cases":
                 self.cases += [name.strip() for name in content.split(",")]
+            case "applies":
+                self.applies += content.split()
             case _:
                 raise ValueError(f"specification: {clause!r} is no clause")
 
@@ -491,6 +496,9 @@ class Proved:
         for statement in theorem.enclosed:
             if not _holds(statement, enclosed, values):
                 yield f"{written(statement)} is not enclosed under its hypotheses"
+        for other in theorem.applies:
+            if other not in self.modelled(theorem.name):
+                yield f"theorem {other} is not proved to apply"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 

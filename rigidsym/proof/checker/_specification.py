@@ -34,6 +34,7 @@ class Block:
     stated: list[Said] = field(default_factory=list)
     enclosed: list[Said] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    applies: set[str] = field(default_factory=set)
     components: Components = field(default_factory=Components)
 
     def assume(self, clause: str, forms: list[Form]) -> None:
@@ -51,6 +52,7 @@ class Block:
         self.components.take(other.components)
         self.sequences += other.sequences
         self.stated += other.stated
+        self.applies |= other.applies
 
     def items(self, rest: str) -> list[Form]:
         """Return the expressions of a clause by components."""
@@ -200,6 +202,8 @@ def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Blo
         _clause(block, "then", "; ".join(slopes), found)
     elif word == "cases":
         block.cases = [case.strip() for case in rest.split(",")]
+    elif word == "applies":
+        block.applies |= {*rest.split()}
     else:
         raise Refused(f"specification: {word!a} is no clause")
 
@@ -263,6 +267,8 @@ class Catalogue:
         enclosed = {*_residues([said for f in believed for said in _sayings(f)], residues)}
         if {*map(residues.said, block.enclosed)} - enclosed:
             raise Refused(f"theorem {name}: an equation is not enclosed")
+        if not block.applies <= {*places}:
+            raise Refused(f"theorem {name}: another theorem is not proved to apply")
         if block.cases and not any(
             (fact.kind, fact.context, fact.rhs) == ("partition", name, block.cases)
             for fact in self.best
