@@ -207,7 +207,7 @@ SEQUENCES: dict[str, list[Entry]] = {
     "columns": _all("varied_rates", sensitivity_columns.CONSTANTS, "5"),
     "sensitivity": _all("varied_rates", sensitivity_columns.AT_TIME, "5"),
     "excesses": definitions("excesses", "excess_a excess_d", "5"),
-    "middle": definitions("middle_columns", " ".join(sensitivity_columns.MIDDLE), "5"),
+    "middle": _all("middle_columns", sensitivity_columns.MIDDLE, "5"),
     "passing": definitions("passing", " ".join(sensitivity_columns.PASSING), "5"),
     "spun": definitions("spun", " ".join(sensitivity_columns.SPUN), "5"),
     "elapsed_F": definitions("elapsed_F", "F_t", "10"),

@@ -35,7 +35,7 @@ from derivations.addition_form import (
 from derivations.attitude import HANDEDNESS, INERTIA
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._computation import Computation, compute
-from rigidsym.proof.steps._names import read, symbol, symbols
+from rigidsym.proof.steps._names import collected, read, symbol, symbols
 
 EPSILON = symbol("epsilon")
 p, r, S, C, D, E, F = symbols("p r S_t C_t D_t E_t F_t")
@@ -124,7 +124,7 @@ def by_coefficients(rate: Expr, functions: tuple[Expr, ...], rates: Mapping[Symb
     monomials = sorted(above.free_symbols - {p, r, *unknown}, key=str)
     (found,) = sympy.linsolve(sympy.Poly(above, *monomials).coeffs(), *unknown)
     below = sympy.factor(sympy.lcm([sympy.fraction(sympy.cancel(x))[1] for x in found]))
-    terms = (sympy.factor(x * below) * f for x, f in zip(found, functions, strict=True))
+    terms = (collected(x * below * f) for x, f in zip(found, functions, strict=True))
     return sympy.Mul(*sympy.Mul.make_args(1 / below), sympy.Add(*terms), evaluate=False)
 
 
