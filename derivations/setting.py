@@ -7,7 +7,7 @@ R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 from typing import Any, NoReturn
 
 import sympy
@@ -175,7 +175,8 @@ def setting_of(texts: Mapping[str, str]) -> Setting:
 def _axes(name: str, text: str) -> tuple[int, ...]:
     """Parse "3-1-3" or "313" as three axes."""
     if not re.fullmatch(r"[1-3](-?)[1-3]\1[1-3]", text):
-        raise InputError(name, text, "must be three axes such as 3-1-3")
+        known = SEQUENCES if name == "sequence" else permutations(AXES)
+        raise InputError(name, text, f"must be one of: {', '.join(map(_dashed, known))}")
     return tuple(map(int, text.replace("-", "")))
 
 

@@ -175,7 +175,9 @@ def derive(
     chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
     for name in chosen:
         if name not in known:
-            raise InputError("chapter", name, f"must be one of: {', '.join(known)}")
+            varied = setting is not None and name in CHAPTERS
+            others = ": others are the paper's alone" if varied else ""
+            raise InputError("chapter", name, f"must be one of: {', '.join(known)}{others}")
     last = max(map(known.index, chosen), default=len(known) - 1)
     # SymPy factors by numbers that it draws, and some of them take it minutes: draw the same ones.
     random.seed(0)

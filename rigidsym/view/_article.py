@@ -63,6 +63,14 @@ FORMATS = {
     "html": "article.html",
 }
 "The formats that a derivation can be written in, with their templates."
+# What a reader of the article needs to know first.
+ABOUT = (
+    "Numbers of equations are those of the paper.",
+    "A context is a list of named quantities, with what they mean and what is supposed of them.",
+    "Each statement is about one context, and a small kernel has decided it.",
+    "The name beside a statement is that of the fact in the ledger.",
+    "SymPy's operations are named where they computed a statement.",
+)
 # Constants of a motion, which the paper writes before variables.
 CONSTANTS = {
     *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n", "s_i"),
@@ -96,6 +104,7 @@ def article(chapters: Iterable["Chapter"], form: str) -> str:
     text = render(
         FORMATS[form],
         chapters=[*_told(told)],
+        about=" ".join(ABOUT),
         notation=notation(contexts.values()),
         written=written,
         **{tool.__name__: tool for tool in (*tools, *more)},
@@ -225,7 +234,8 @@ def in_html(words: Words) -> Markup:
         if isinstance(x, Formula):
             found.append(Markup(mathml(x.latex, "inline")))
         elif isinstance(x, Code):
-            found.append(code(x.name))
+            name = code(x.name)
+            found.append(tag("a", name, href=f"#{x.anchor}") if x.anchor else name)
         else:
             parts = re.split(r"(\$[^$]*\$)", formulas(x.replace("`", "")))
             found += [_inline(y.strip("$")) if y[:1] == "$" else y for y in parts]
@@ -296,7 +306,8 @@ def paragraph_text(found: Paragraph) -> str:
     """Format a paragraph of an article for a terminal."""
     head = wrapped(f"{in_text(found.sentence)}  {found.numbers}".strip())
     entries = [wrap(in_text(words), COLUMNS, subsequent_indent="    ") for words in found.entries]
-    below = [*found.texts, *chain(*entries), *map(in_text, found.after)]
+    after = [wrapped(in_text(words)) for words in found.after]
+    below = [*found.texts, *chain(*entries), *after]
     below += [f"[{found.fact}]"] if found.fact else []
     rows = [f"    {row}".rstrip() for text in below for row in text.split("\n")]
     return "\n".join([*([head] if head else []), *(["", *rows] if rows and head else rows)])

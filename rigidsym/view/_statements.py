@@ -24,6 +24,8 @@ WIDE, COLUMNS = 62.0, 96
 MOST_ROWS = 24
 # A context is described by earlier ones, if each of them says at least this much of it.
 _LEAST_SHARED, _MOST_BASES = 4, 3
+# A proof by more relations than these does not quote them.
+_MOST_QUOTED = 3
 NOTATION = {
     "jacobi_sn": ("jacobi_sn(u, m)", "Jacobi's elliptic function sn with the parameter m = k^2"),
     "jacobi_cn": ("jacobi_cn(u, m)", "Jacobi's elliptic function cn"),
@@ -70,9 +72,23 @@ class Formula:
 
 @dataclass(frozen=True, slots=True)
 class Code:
-    """The name of a fact, of a context or of an operation."""
+    """The name of a fact, of a context or of an operation.
+
+    `anchor` is the place in the article where it is said what has this name.
+    """
 
     name: str
+    anchor: str = ""
+
+
+def context_named(name: str) -> Code:
+    """Return the name of a context, with the place where it is introduced."""
+    return Code(name, f"context-{name}")
+
+
+def fact_named(name: str) -> Code:
+    """Return the name of a fact, with the place where it is stated."""
+    return Code(name, f"fact-{name}")
 
 
 Words: TypeAlias = tuple[str | Formula | Code, ...]
@@ -175,7 +191,7 @@ def _opening(context: "Context", bases: Sequence["Context"], more: bool) -> Word
     """Return the sentence that begins a context."""
     as_in: Words = ()
     if bases:
-        names = listed([Code(base.name) for base in bases], " and ")
+        names = listed([context_named(base.name) for base in bases], " and ")
         as_in = (": all that is said of ", *names, *((", and",) if more else ()))
     instant = "" if context.rates is not None else ", at one instant"
     return ("Context ", Code(context.name), instant, *as_in, ":" if more else ".")
@@ -288,7 +304,13 @@ def _displays(
             if done := operations([context.definitions[name]]):
                 how.setdefault(done, []).append(name)
         after = [
-            (*listed(map(formula, names), " and "), " by ", *listed(map(Code, done)), ".")
+            (
+                "Computed: ",
+                *listed(map(formula, names), " and "),
+                " by ",
+                *listed(map(Code, done)),
+                ".",
+            )
             for done, names in how.items()
         ]
         yield _display(("Definitions:",), shown, after=tuple(after))
@@ -362,21 +384,31 @@ def stated(fact: "Fact", context: "Context", shown: set[str]) -> Paragraph:
     """
     if fact.kind == "model":
         (other,) = fact.rhs
-        sentence = ("All hypotheses of ", Code(other), " hold in ", Code(fact.context))
+        sentence = (
+            "All hypotheses of ",
+            context_named(other),
+            " hold in ",
+            context_named(fact.context),
+        )
         return Paragraph((*sentence, ", so what is proved there holds here."), fact=fact.id)
     if fact.kind == "partition":
-        cases = listed(map(Code, fact.rhs), " and ")
-        sentence = ("Each point of ", Code(fact.context), " lies in exactly one of ", *cases)
+        cases = listed(map(context_named, fact.rhs), " and ")
+        sentence = (
+            "Each point of ",
+            context_named(fact.context),
+            " lies in exactly one of ",
+            *cases,
+        )
         return Paragraph((*sentence, ", by the sign of ", formula(fact.lhs[0]), "."), fact=fact.id)
     if fact.rule == "transfer":
         first = fact.premises[0]
         if first in shown:
-            sentence = (Code(first), " holds here, too.")
+            sentence = (fact_named(first), " holds here, too.")
             return Paragraph(sentence, numbers=numbers(fact.source), fact=fact.id)
     found, left_out = _statement(fact)
     after = [*_grounds(fact, context)]
     if left_out:
-        more = f"And {left_out} more {'component' if left_out == 1 else 'components'} alike."
+        more = f"And {left_out} more {'component' if left_out == 1 else 'components'}."
         after.insert(0, (more,))
     return replace(
         found,
@@ -423,8 +455,8 @@ def _head(fact: "Fact") -> Words:
         return ("As it is printed:",)
     why: dict[str, None] = dict.fromkeys(getattr(text, "why", "") for text in texts)
     if said := "; ".join(filter(None, why)):
-        return (f"Typed, since {said}, and proved:",)
-    return ("It is proved that",)
+        return (f"Proved, and typed, since {said}:",)
+    return ("Proved:",)
 
 
 def _grounds(fact: "Fact", context: "Context") -> Iterator[Words]:
@@ -434,10 +466,11 @@ def _grounds(fact: "Fact", context: "Context") -> Iterator[Words]:
         case "identity":
             used = _used(certificate["cofactors"], len(context.relations))
             relations = [formula(f"{context.relations[k]} = 0") for k in used]
-            if relations and max(width(x.latex) for x in relations) < WIDE / 2:
+            short = max((width(x.latex) for x in relations), default=0.0) < WIDE / 2
+            if 0 < len(relations) <= _MOST_QUOTED and short:
                 yield ("This uses ", *listed(relations, " and "), ".")
             elif relations:
-                yield (f"This uses {len(relations)} of the relations.",)
+                yield (f"This uses {len(relations)} of the {len(context.relations)} relations.",)
         case "counterexample":
             point = certificate["point"].items()
             yield ("It fails at ", *listed(formula(f"{k} = {v}") for k, v in point), ".")
