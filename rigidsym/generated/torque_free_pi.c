@@ -1203,12 +1203,12 @@ static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lan
         const double_double n_2 = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
         const double_double Lambda = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
         const double_double g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_6, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_5))); /* fact: definition pi_near.g; (36) */
-        const double_double g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_11)); /* fact: definition pi_near.g_1; (36) */
+        const double_double g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(common_11, dd_add_dx(1.0, k_1))); /* fact: definition pi_near.g_1; (36) */
         const double_double common_12 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
         const double_double g_2 = dd_div_xx(dd_mul_xx(common_12, m_c), dd_mul_xx(common_11, z)); /* fact: definition pi_near.g_2; (36) */
         const double_double h_2 = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
         const double_double slope = common_12; /* fact: definition pi_near.slope; (36) */
-        const double_double alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
+        const double_double alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(j, dd_sub_xx(k_1, n)))); /* fact: definition pi_near.alpha; (36) */
         const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
         const double_double common_13 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
         const double_double spread = dd_mul_xx(n_2, dd_mul_xx(common_13, common_13)); /* classical: DLMF 19.36.1 */
@@ -2969,6 +2969,6 @@ const char *torque_free_pi_rule(int code)
 
 const char *torque_free_pi_digest(void)
 {
-    return "b88fb1e396c0c779fc1018a3c17f9ee804e07b82264ef72a47edef7b19bb5bf9";
+    return "2ce04367b577b04ff3626e00e7fd86a4433ca72b2c060fbfad829cd54466cc3e";
 }
 

@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate javascript-pi --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest 9dbeb664b8e50b624644a9dfae16de78f0adecd9992a5b24f06c2d6a09612f07
+digest abeb76a7c34e773c8be6781c0872c29eec79c39a8da3f69e3314a2495face286
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -1186,12 +1186,12 @@ function hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, m
     const n_2 = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
     const Lambda = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
     const g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_6, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_5))); /* fact: definition pi_near.g; (36) */
-    const g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_11)); /* fact: definition pi_near.g_1; (36) */
+    const g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(common_11, dd_add_dx(1.0, k_1))); /* fact: definition pi_near.g_1; (36) */
     const common_12 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
     const g_2 = dd_div_xx(dd_mul_xx(common_12, m_c), dd_mul_xx(common_11, z)); /* fact: definition pi_near.g_2; (36) */
     const h_2 = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
     const slope = common_12; /* fact: definition pi_near.slope; (36) */
-    const alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
+    const alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(j, dd_sub_xx(k_1, n)))); /* fact: definition pi_near.alpha; (36) */
     const Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
     const common_13 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
     const spread = dd_mul_xx(n_2, dd_mul_xx(common_13, common_13)); /* classical: DLMF 19.36.1 */
@@ -2220,7 +2220,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "9dbeb664b8e50b624644a9dfae16de78f0adecd9992a5b24f06c2d6a09612f07";
+    return "abeb76a7c34e773c8be6781c0872c29eec79c39a8da3f69e3314a2495face286";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 8f8fcf3e07105be602f857a4a53288dc19f63d7b39503341056de576e46eab02
+digest d002b28c5a23861bd79cdad152a21ae5a7dbe37f31084557550c1dba55f20957
 """
 
 # ruff: noqa
@@ -869,12 +869,12 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
     n_2 = 1 - delta  # fact: definition pi_near.n_2; (36)
     Lambda = H / K  # fact: definition pi_near.Lambda; (36)
     g = common_6 * y * z / (1 + k_1 * common_5)  # fact: definition pi_near.g; (36)
-    g_1 = g * m_c / ((1 + k_1) * common_11)  # fact: definition pi_near.g_1; (36)
+    g_1 = g * m_c / (common_11 * (1 + k_1))  # fact: definition pi_near.g_1; (36)
     common_12 = k_1 * k_1 * x * y  # fact: definition pi_near.g_2, definition pi_near.slope; (36)
     g_2 = common_12 * m_c / (common_11 * z)  # fact: definition pi_near.g_2; (36)
     h_2 = g_1 * (k_1 + n_2)  # fact: definition pi_near.h_2; (36)
     slope = common_12  # fact: definition pi_near.slope; (36)
-    alpha = g * K_1 * (1 - (k_1 - n) * j)  # fact: definition pi_near.alpha; (36)
+    alpha = g * K_1 * (1 - j * (k_1 - n))  # fact: definition pi_near.alpha; (36)
     Lambda_rate = Lambda / pi  # arithmetic
     common_13 = delta * k_1 * x  # classical: DLMF 19.36.1
     spread = n_2 * (common_13 * common_13)  # classical: DLMF 19.36.1

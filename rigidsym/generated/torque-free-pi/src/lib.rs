@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate rust-pi --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest 4384f5bbb7f65dcb32d3a381bf9d6a5aa82dad1c4140d1366430df1eea79b81d
+digest 7568eccf4e9284636e4270df75e2046445c84bdc083f6157207a7cbd946c277f
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

@@ -1330,12 +1330,12 @@ pub(crate) fn hyperbolic_constants(K: Pair, A_a: Pair, A_b: Pair, A_d: Pair, B_a
     let n_2: Pair = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
     let Lambda: Pair = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
     let g: Pair = dd_div_xx(dd_mul_xx(dd_mul_xx(common_6, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_5))); /* fact: definition pi_near.g; (36) */
-    let g_1: Pair = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_11)); /* fact: definition pi_near.g_1; (36) */
+    let g_1: Pair = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(common_11, dd_add_dx(1.0, k_1))); /* fact: definition pi_near.g_1; (36) */
     let common_12: Pair = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
     let g_2: Pair = dd_div_xx(dd_mul_xx(common_12, m_c), dd_mul_xx(common_11, z)); /* fact: definition pi_near.g_2; (36) */
     let h_2: Pair = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
     let slope: Pair = common_12; /* fact: definition pi_near.slope; (36) */
-    let alpha: Pair = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
+    let alpha: Pair = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(j, dd_sub_xx(k_1, n)))); /* fact: definition pi_near.alpha; (36) */
     let Lambda_rate: Pair = dd_div_xx(Lambda, pi); /* arithmetic */
     let common_13: Pair = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
     let spread: Pair = dd_mul_xx(n_2, dd_mul_xx(common_13, common_13)); /* classical: DLMF 19.36.1 */
@@ -2401,6 +2401,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "4384f5bbb7f65dcb32d3a381bf9d6a5aa82dad1c4140d1366430df1eea79b81d";
+    return "7568eccf4e9284636e4270df75e2046445c84bdc083f6157207a7cbd946c277f";
 }
 
