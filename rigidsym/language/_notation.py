@@ -19,6 +19,8 @@ of quaternions; in `cross` it is not.
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import product
 from typing import Any, TypeAlias
 
 from rigidsym.language._expression import Call, Expression, Name, Number, Operation, to_text
@@ -151,14 +153,12 @@ class Notation:
     gap: str = ""
     hand: Expression = ONE
     named: dict[str, Value] = field(default_factory=lambda: {"i": (ZERO, ONE)})
-    # Which names change where `d` is a small change.  What names are by inputs where it is `d_x`.
-    changing: set[str] = field(default_factory=set)
+    # What a name changes by with each input; "" is the input of small changes d.
     columns: dict[tuple[str, str], Expression] = field(default_factory=dict)
 
     def include(self, other: "Notation") -> None:
         """Add the names of another block, and its axes if it declares any."""
         self.named |= other.named
-        self.changing |= other.changing
         self.columns |= other.columns
         if other.gap:
             self.axes, self.gap, self.hand = other.axes, other.gap, other.hand
@@ -191,16 +191,13 @@ class Notation:
 
         That of y by the input Omega_a0 is y_by_Omega_a, and that of y_t is y_Omega_a.
         """
-        kind, _, rest = content.partition(":")
+        _, _, rest = content.partition(":")
         for item in rest.split(";"):
             names, _, inputs = item.partition("=")[0].partition(" by ")
-            if kind == "d":
-                self.changing.update(self.all_of(names))
-            for x in self.all_of(inputs):
+            for y, x in product(self.all_of(names), [*self.all_of(inputs)] or [""]):
                 by = re.sub("_?0$", "", x)
-                for y in self.all_of(names):
-                    called = f"{y.removesuffix('t')}{by}" if y.endswith("_t") else f"{y}_by_{by}"
-                    self.columns[y, x] = ONE if "=" in item else Name(called)
+                called = f"{y[:-1]}{by}" if y.endswith("_t") else f"{y}_by_{by}"
+                self.columns[y, x] = ONE if "=" in item else Name(called if x else f"d{y}")
 
     def all_of(self, names: str) -> Iterator[str]:
         """Yield names, and the components of those that have any."""
@@ -210,7 +207,7 @@ class Notation:
     @property
     def inputs(self) -> list[str]:
         """The inputs of all columns."""
-        return [*dict.fromkeys(x for _, x in self.columns)]
+        return [*dict.fromkeys(x for _, x in self.columns if x)]
 
     def value(self, tree: Expression, x: str = "") -> Value:
         """Return an expression by its components; `x` is the input that `d_x` is about."""
@@ -238,16 +235,13 @@ class Notation:
             case Call("cis", (Name(angle),)):
                 return Name(f"cos_{angle}"), Name(f"sin_{angle}")
             case Call("d" | "d_x" as function, (argument,)):
-                by = self._change if function == "d" else lambda name: self._column(name, x)
+                by = partial(self._column, x if function == "d_x" else "")
                 return _each(lambda part: derivative(part, by), self.value(argument, x))
             case Call(function, (argument,)):
                 return _each(lambda part: Call(function, (part,)), self.value(argument, x))
         return tree
 
-    def _change(self, name: str) -> Expression:
-        return Name(f"d{name}") if name in self.changing else ZERO
-
-    def _column(self, name: str, x: str) -> Expression:
+    def _column(self, x: str, name: str) -> Expression:
         return self.columns.get((name, x), ONE if name == x else ZERO)
 
 

@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from hashlib import sha256
+from itertools import product
 from typing import Any, TypeAlias
 
 from flint import fmpz_mod, fmpz_mod_ctx
@@ -27,8 +28,7 @@ class Components(Language[Value]):
     gap: str = ""
     hand: Form = 1
     named: dict[str, Value] = field(default_factory=lambda: {"i": [0, 1]})
-    changes: set[Form] = field(default_factory=set)
-    # What a quantity changes by with an input.
+    # What a quantity changes by with an input, or with none in particular.
     columns: dict[tuple[Form, str], Form] = field(default_factory=dict)
     # The input that d_x is about.
     x: str = ""
@@ -38,12 +38,11 @@ class Components(Language[Value]):
         if other.axes != ["1", "2", "3"]:
             self.axes, self.gap, self.hand = other.axes, other.gap, other.hand
         self.named, self.columns = self.named | other.named, self.columns | other.columns
-        self.changes |= other.changes
 
     def declare(self, word: str, rest: str) -> None:
         """Read one of the clauses that declare names."""
         if word == "derivatives":
-            self._depend(*rest.split(":"))
+            self._depend(rest.split(":")[1])
             return
         if word == "write":
             for name, text in (item.split(" = ", 1) for item in rest.split(";")):
@@ -66,18 +65,15 @@ class Components(Language[Value]):
         end = len(re.split(r"[^A-Za-z]", name)[0])
         return name[:end] + self.gap + axis + name[end:]
 
-    def _depend(self, symbol: str, items: str) -> None:
+    def _depend(self, items: str) -> None:
         for item in items.split(";"):
             what, _, value = item.partition(" = ")
             outputs, _, inputs = what.partition(" by ")
-            if symbol == "d":
-                self.changes |= {*self.parts(outputs)}
-            for x in self.parts(inputs):
+            for y, x in product(self.parts(outputs), [*self.parts(inputs)] or [""]):
                 # Where Omega_a0 is an input, it is called Omega_a; Omega1_0 is called Omega1.
                 word = x.removesuffix("0").removesuffix("_")
-                for y in self.parts(outputs):
-                    called = y[:-1] + word if y.endswith("_t") else f"{y}_by_{word}"
-                    self.columns[y, x] = int(value) if value else called
+                called = y[:-1] + word if y.endswith("_t") else f"{y}_by_{word}"
+                self.columns[y, x] = int(value) if value else called if x else f"d{y}"
 
     def parts(self, names: str) -> Iterator[str]:
         """Yield names, or their components."""
@@ -86,7 +82,7 @@ class Components(Language[Value]):
 
     def inputs(self, item: str) -> list[str]:
         """Return the inputs that an item is about one after the other."""
-        return [*dict.fromkeys(x for _, x in self.columns)] if "d_x(" in item else [""]
+        return [*dict.fromkeys(x for _, x in self.columns if x)] if "d_x(" in item else [""]
 
     def number(self, number: int) -> Value:
         """Return a number."""
@@ -177,9 +173,7 @@ class Components(Language[Value]):
                     (name, self._derivative(function, name)) for name in sorted(names_in([form]))
                 ),
             )
-        if function == "d":
-            return f"d{form}" if form in self.changes else 0
-        return self.columns.get((form, self.x), int(form == self.x))
+        return self.columns.get((form, self.x if function == "d_x" else ""), int(form == self.x))
 
 
 def _with_zero(operator: str, left: Value, right: Value) -> Value:
