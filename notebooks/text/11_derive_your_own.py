@@ -34,7 +34,7 @@ import sympy
 from IPython.display import display
 from scipy.integrate import solve_ivp
 
-from derivations import conjugacy, kinematics
+from derivations import conjugacy, kinematics, lie_poisson
 from derivations.conjugacy import PHI, K, Reduction
 from derivations.euler_lax import MOMENTA, RATES, Dynamics, parameters
 from derivations.kinematics import UNKNOWN, Phi1
@@ -162,6 +162,17 @@ display(multiply(scope, "body.lax", Rate(M), commutator(M, Omega), why, ["7"]))
 display(differentiate(scope, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
 why = "and so is the spectrum of M"
 display(differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
+
+# %% [markdown]
+# All of that is one Hamiltonian flow. Functions of the momentum have the **Lie–Poisson bracket** of the
+# algebra: $\{M_i,M_j\}=-\sum_kf_{ijk}M_k$ where $[A_i,A_j]=\sum_kf_{ijk}A_k$. With $D$ as the bracket with
+# $M_1$, and so for each momentum, $K^2$ is a *Casimir*: its bracket with everything is zero, whatever
+# the body. $H$ tells bodies apart, and its flow is the Lax equation, wheel included:
+
+# %%
+lie_poisson.derive(builder)
+for name in ("poisson1.casimir", "poisson1.energy", "flow.lax"):
+    display(step(builder, name))
 
 # %% [markdown]
 # ## Conjugacy: nothing has to be done again
@@ -449,8 +460,8 @@ assert grades(ledger, *ledger.facts) == {Grade.PROVED}
 assert grades(varied_book.ledger, "line32.by_invariants") == {Grade.PROVED}
 assert grades(regular.ledger, *regular.ledger.facts) == {Grade.PROVED}
 assert grades(general.ledger, *general.ledger.facts) == {Grade.PROVED}
-derived_here = ("variation.euler", "body.lax", "partner.found", "reduced.conjugate", "compared.phi3",
-                "line32.by_invariants", "gyrostat.quartic", "pencil.quartic")  # fmt: skip
+derived_here = ("variation.euler", "body.lax", "partner.found", "flow.lax", "reduced.conjugate",
+                "compared.phi3", "line32.by_invariants", "gyrostat.quartic", "pencil.quartic")  # fmt: skip
 assert {*derived_here} <= {*ledger.facts}
 assert len(refusals) == 7
 assert all("\n" not in refusal for refusal in refusals)

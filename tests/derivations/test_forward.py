@@ -10,7 +10,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
-from forward_motions import INERTIA, RATES, RATES0, Motion, constants, errors, steps_of, value
+from forward_motions import (
+    INERTIA,
+    MOMENTA,
+    RATES,
+    RATES0,
+    Motion,
+    constants,
+    errors,
+    steps_of,
+    value,
+)
 
 import derivations
 from derivations import FORWARD, euler_lax, lie_algebra
@@ -274,6 +284,26 @@ def test_euler_s_equations_are_those_of_the_matrices(setting):
     rates = [value(x, point) for x in found(setting)["variation.euler"].value.values()]
     expected = np.linalg.solve(motion.tensor, motion.moments(motion.momentum(RATES0)))
     assert np.allclose(rates, expected, atol=1e-14)
+
+
+# The Lie-Poisson form by numbers.
+
+
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, *EQUAL], ids=str)
+def test_the_bracket_is_that_of_the_matrices_and_its_flow_of_H_is_the_motion(setting):
+    motion, contexts = Motion(setting), json.loads(derived(setting).ledger)["contexts"]
+    momentum = motion.momentum(RATES0)
+    point = {**constants(), **dict(zip(MOMENTA, momentum, strict=True))}
+    known = {context["name"]: context for context in contexts}
+    flow = motion.moments(momentum)
+    for j, other in enumerate(motion.basis):
+        rates = known[f"poisson{j + 1}"]["rates"]
+        for name, one in zip(MOMENTA, motion.basis, strict=True):
+            expected = -momentum @ motion.coordinates(one @ other - other @ one)
+            assert value(read(rates[str(name)]), point) == pytest.approx(expected, abs=1e-12)
+        bracket = value(found(setting)[f"poisson{j + 1}.energy"].value, point)
+        assert bracket == pytest.approx(-flow[j], abs=1e-12)
+        assert found(setting)[f"poisson{j + 1}.casimir"].value == 0
 
 
 # Wheels: the quartic by numbers, and that both quartics are of one curve.
