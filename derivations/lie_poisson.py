@@ -2,8 +2,9 @@
 
 Functions of the momentum have the bracket {F, G} = -M([dF, dG]).  So {M_i, M_j} is minus the sum of
 f_ijk M_k, where [A_i, A_j] is the sum of f_ijk A_k, and it obeys Jacobi's identity because the
-commutator does.  The bracket with M_j is a derivative D: that of K^2 is zero for each j, so K^2 is
-a Casimir, and {H, M_j} follows by the chain rule.  M_j' = {M_j, H} together are M' = [M, Omega].
+commutator does.  A function G has the flow F' = {F, G}.  In the flow of each M_j, K^2 is constant,
+so it is a Casimir, and H' is {H, M_j} by the chain rule.  M_j' = {M_j, H}, the flow of H, is the
+Lax equation M' = [M, Omega].
 """
 
 import sympy
@@ -32,9 +33,9 @@ def derive(builder: LedgerBuilder) -> None:
     for j, momentum in zip(AXES, MOMENTA, strict=True):
         along = Part(rates={m: _bracket(algebra, i, j) for i, m in zip(AXES, MOMENTA, strict=True)})
         scope = Scope.open(builder, f"poisson{j}", given, body, along)
-        why = f"K^2 has the bracket 0 with M{j}: a Casimir"
+        why = f"in the flow of M{j}, with M{j} in the place of H, K^2 is constant: a Casimir"
         differentiate(scope, f"poisson{j}.casimir", symbol("K_squared"), why, ["6", "7"])
-        why = f"the bracket of H and M{j}, by the chain rule"
+        why = f"and the rate of H is the bracket of H and M{j}, by the chain rule"
         rates[momentum] = -differentiate(scope, f"poisson{j}.energy", symbol("H"), why, ["8"]).found
     matrices = {
         **algebra.basis,

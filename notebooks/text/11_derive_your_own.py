@@ -165,9 +165,9 @@ display(differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7
 
 # %% [markdown]
 # All of that is one Hamiltonian flow. Functions of the momentum have the **Lie–Poisson bracket** of the
-# algebra: $\{M_i,M_j\}=-\sum_kf_{ijk}M_k$ where $[A_i,A_j]=\sum_kf_{ijk}A_k$. With $D$ as the bracket with
-# $M_1$, and so for each momentum, $K^2$ is a *Casimir*: its bracket with everything is zero, whatever
-# the body. $H$ tells bodies apart, and its flow is the Lax equation, wheel included:
+# algebra: $\{M_i,M_j\}=-\sum_kf_{ijk}M_k$ where $[A_i,A_j]=\sum_kf_{ijk}A_k$. A function $G$ has the flow
+# $\dot F=\{F,G\}$. In the flow of $M_1$, and so of each momentum, $K^2$ is constant: it is a *Casimir*, whose
+# bracket with everything is zero, whatever the body. $H$ tells bodies apart, and its flow is the Lax equation, wheel included:
 
 # %%
 lie_poisson.derive(builder)
