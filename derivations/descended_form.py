@@ -172,8 +172,7 @@ def derive(builder: LedgerBuilder) -> None:
     builder.carry("descended", ["regular.euler", "attitude.solution"])
     builder.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
     start = ("t", "J - J_0", "cos_half_psi - 1", "sin_half_psi")
-    begun = {"u_1": U_1.subs(t, 0), "psi": PSI.subs({t: 0, J_OF_T: 0})}
-    builder.begin("descended", start, "", begun, "20", "21", "33", "34")
+    builder.begin("descended", start, "", ("u_1", "psi"), "20", "21", "33", "34")
     builder.model("descended_start", "rates_start")
     builder.model("descended_start", "attitude_begun")
 

@@ -45,7 +45,7 @@ FOURTHS = Part(
         W: "the integral of S_t^4/D_t^4 from 0 to t",
     },
 )
-RATES = {**MOVING, **moving(FUNCTIONS, FOURTHS)}
+RATES = {**MOVING, **moving(MODULI, FUNCTIONS, FOURTHS)}
 # The directions, by what p and r change in them.
 WAYS = {"k": {p: 1, r: 1}, "r": {r: 1}}
 

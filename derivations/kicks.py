@@ -9,13 +9,12 @@ loses what T gains: of gravity gradient Q is the inertia and u of length sqrt(3 
 m in a field u there is m alone.  Beside it are a torque b that stays in the body, and k u in space.
 """
 
-from collections.abc import Iterable
 from typing import Any
 
 from sympy import Matrix, Symbol, factor_terms, symbols
 from sympy.solvers.solvers import solve_undetermined_coeffs
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import conjugate, product, rotated
 from rigidsym.proof.steps import rate_of
@@ -23,10 +22,6 @@ from rigidsym.proof.steps import rate_of
 
 def _vectors(names: str) -> Any:
     return [Matrix(symbols(f"{name}1:4")) for name in names.split()]
-
-
-def _components(vector: Iterable[Symbol], values: Any) -> dict[Symbol, Any]:
-    return dict(zip(vector, values, strict=True))
 
 
 q0, k = symbols("q0 k")
@@ -43,7 +38,7 @@ def _seen() -> Computation:
     """Return conj(q) u q by u, w and w x r: the product of quaternions, matched with an ansatz."""
     along, across = symbols("along across")
     ansatz = compute(u + along * w + across * w.cross(r))
-    miss = ansatz[0].subs(_components(w, ABOUT)) - TURNED[0]
+    miss = ansatz[0].subs(named(w, ABOUT)) - TURNED[0]
     miss = miss.expand().subs(q0**2, 1 - r.dot(r)).expand()
     return ansatz.subs(miss.apply(solve_undetermined_coeffs, [along, across], *r, *u))
 
@@ -51,14 +46,14 @@ def _seen() -> Computation:
 # A small turn eta of the body changes v by v x eta and U by g (v x eta): the torque takes this off.
 GAINED = compute(g.dot(v.cross(eta)))
 TORQUE = [b[i] + k * v[i] - GAINED.diff(eta[i]) for i in range(3)]
-SEEN = _components(w, ABOUT) | _components(v, _seen())
-EXERTED = _components(g, [U.diff(x).ordered("v1 v2 v3") for x in v]) | _components(T, TORQUE)
+SEEN = named(w, ABOUT) | named(v, _seen())
+EXERTED = named(g, [U.diff(x).ordered("v1 v2 v3") for x in v]) | named(T, TORQUE)
 TURNING = Part(
     witness={q0: "1", **dict.fromkeys(r, "0")}
     | dict.fromkeys((*Omega, *u, *b, k, *m, *SQUARED), "1"),
     relations=(q0**2 + r.dot(r) - 1,),
     rates={
-        **{x: rate / 2 for x, rate in zip((q0, *r), product((q0, *r), (0, *Omega)), strict=True)},
+        **named((q0, *r), (rate / 2 for rate in product((q0, *r), (0, *Omega)))),
         **dict.fromkeys(Omega, "?"),
     },
     definitions=SEEN | EXERTED | {"U": U},
@@ -74,8 +69,7 @@ TURNING = Part(
 def derive(builder: LedgerBuilder) -> None:
     """Prove how a fixed direction turns in the body, and that the torque conserves energy."""
     builder.open(join("kick", TURNING))
-    moved = zip(map(rate_of, v), v.cross(Omega), strict=True)
-    builder.claim("kick.fixed", moved, ["3"])
+    builder.claim("kick.fixed", named(map(rate_of, v), v.cross(Omega)), ["3"])
     builder.claim("kick.size", {v.dot(v): u.dot(u)}, ["3"])
     builder.claim("kick.work", {rate_of(Symbol("U")): -Omega.dot(T - b - k * v)}, ["3"])
-    builder.begin("kick", (q0 - 1, *r), "", _components(v, u), "3")
+    builder.begin("kick", (q0 - 1, *r), "", v, "3")

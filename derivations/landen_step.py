@@ -11,10 +11,11 @@ of m, r and Y of the top have limits where k_1 vanishes.  At the bottom x = sinh
 are what the theta series of the shifted argument are made of.
 """
 
-from sympy import Expr, I, Poly, Symbol, cancel, factor, prod, solve, symbols
+from sympy import Expr, I, Poly, Symbol, cancel, factor, prod, solve
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps._names import symbols
 
 k, kc, root_kc, k_next, kc_next, K, K_next = symbols("k kc root_kc k_next kc_next K K_next")
 s, c, d, v, s_next, c_next, d_next = symbols("s c d v s_next c_next d_next")
@@ -35,7 +36,7 @@ def _root(power: Expr) -> Expr:
 DESCENDED = (1 - kc) / (1 + kc)
 BELOW = 1 + k_next * s_next**2
 SN = (1 + k_next) * s_next / BELOW
-KC = compute(DESCENDED - k_next).apply(solve, kc)[0]
+KC = compute(DESCENDED - k_next).solve_for(kc)
 CN = compute(1 - SN**2).subs(s_next**2, square).factor()
 CN = CN.subs({square - 1: -(c_next**2), k_next**2 * square - 1: -(d_next**2)})
 CN = CN.subs(square, s_next**2).apply(_root)
@@ -43,7 +44,7 @@ DN = (1 - (1 - KC**2) * SN**2).apply(_root)
 # At u = 0 both arguments grow as their sn.
 GROWTH = compute(SN).diff(s_next).subs(s_next, 0)
 # The denominator by d; v is what d_next is over it, but for the 2 that 1 + d has.
-BY_D = (DN.subs(k_next * s_next**2, below - 1) - d).apply(solve, below)[0]
+BY_D = (DN.subs(k_next * s_next**2, below - 1) - d).solve_for(below)
 V = (d_next * (1 + DN)).factor()
 # For u = i beta sn is i x: a quadratic equation for x_next, whose slope at the root is S.
 IMAGINARY = compute(SN).subs(s_next, I * x_next) / I
@@ -165,14 +166,14 @@ def _argument(builder: LedgerBuilder) -> None:
     old = {s**2 + c**2: 1, d**2 + k**2 * s**2: 1}
     builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
     # d_next (1 + d) is a root of what d says; s and c are linear.
-    s_squared = (DN - d).apply(solve, s_next**2)[0]
+    s_squared = (DN - d).solve_for(s_next**2)
     v_squared = ((1 + d) ** 2 * (1 - k_next**2 * s_squared)).subs(k_next, DESCENDED).factor()
     v_squared = v_squared.xreplace({1 + kc: (1 + KC).factor()}).factor()
     builder.root("landen.v", v, v_squared, ["DLMF 22.7.4"])
     by_d = {
         s_next: s * BY_D / GROWTH,
-        c_next: (CN.subs(d_next, (V - v).apply(solve, d_next)[0]) - c).apply(solve, c_next)[0],
-        d_next: (V.subs(BELOW, BY_D) - v).apply(solve, d_next)[0],
+        c_next: (CN.subs(d_next, (V - v).solve_for(d_next)) - c).solve_for(c_next),
+        d_next: (V.subs(BELOW, BY_D) - v).solve_for(d_next),
     }
     for name, form in by_d.items():
         builder.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
@@ -189,7 +190,7 @@ def _shift(builder: LedgerBuilder) -> None:
     builder.root("landen.S", S, discriminant, ["DLMF 22.7.2"])
     # S eliminates the square of x_next: what is left is linear.
     scaled = (SHIFTED - x_next / 2 * (SLOPE - S)).subs({x: Y / w, x_next: Y_next / w})
-    builder.claim("landen.Y_next", {Y_next: scaled.apply(solve, Y_next)[0]}, ["DLMF 22.7.2"])
+    builder.claim("landen.Y_next", {Y_next: scaled.solve_for(Y_next)}, ["DLMF 22.7.2"])
 
 
 def _scale(builder: LedgerBuilder) -> None:
@@ -197,7 +198,7 @@ def _scale(builder: LedgerBuilder) -> None:
     builder.open(join("scaling", SCALING, MOMENTUM, static=True))
     builder.root("scaling.root_r", root_r, _named(root_r, r), ["27"])
     modulus = compute(root_k**2).subs(root_k, root_r * root_Q).subs({root_r**2: r, root_Q**2: Q})
-    builder.claim("scaling.Q", {Q: (modulus - k_1).apply(solve, Q)[0]}, ["27"])
+    builder.claim("scaling.Q", {Q: (modulus - k_1).solve_for(Q)}, ["27"])
     sum_, difference = (h_plus + h_minus) / 2, (h_plus - h_minus) / 2
     square = compute(sum_**2 - difference**2).expand().subs(h_plus * h_minus, Q)
     builder.root("scaling.root_h", root_h, Y_b**2 + square, ["28"])

@@ -101,8 +101,8 @@ def change_of(name: Symbol, value: Any, by: Mapping[Any, Any] | None = None) -> 
     return change(above, by) / below - name * change(below, by) / below
 
 
-CURVES = tuple(read(x) for x in join("functions", FUNCTIONS).relations)
-MOVING = moving(*FUNCTION_PARTS)
+CURVES = tuple(read(x) for x in join("functions", MODULI, FUNCTIONS).relations)
+MOVING = moving(MODULI, *FUNCTION_PARTS)
 
 
 def integral(rate: Any, *functions: Any, rates: Mapping[Symbol, Expr] = MOVING) -> Computation:
@@ -154,7 +154,7 @@ REGULAR = Part(
     }
 )
 # The variation of S_t' = C_t D_t and the other two, and of the relations between them.
-VARIED_RATES = {f"D(d{x})": change(rate) for x, rate in moving(FUNCTIONS).items()}
+VARIED_RATES = {f"D(d{x})": change(rate) for x, rate in moving(MODULI, FUNCTIONS).items()}
 VARIED_CURVES = tuple(map(change, CURVES))
 VARIED_FUNCTIONS = Part(
     relations=VARIED_CURVES, rates=dict(zip(VARIED, VARIED_RATES.values(), strict=True))

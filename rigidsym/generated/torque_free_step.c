@@ -219,32 +219,33 @@ static void step_start(size_t n, lanes *x)
         const double_double M_d0 = dd_mul_xx(c_d, Omega_d0); /* fact: step.M_d0; (8) */
         const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a0, M_a0), dd_mul_xx(M_b0, M_b0)), dd_mul_xx(M_d0, M_d0))); /* fact: step.K; (6), (15) */
         const double_double common_1 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-        const double_double common_2 = dd_mul_xx(l_b, common_1); /* fact: step.h, step.e_1; (10) */
+        const double_double common_2 = dd_mul_xx(common_1, l_b); /* fact: step.h, step.e_1; (10) */
         const double_double common_3 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-        const double_double common_4 = dd_mul_xx(l_d, common_3); /* fact: step.h, step.e_1; (10) */
+        const double_double common_4 = dd_mul_xx(common_3, l_d); /* fact: step.h, step.e_1; (10) */
         const double_double h = dd_div_xd(dd_add_xx(common_2, common_4), 4.0); /* fact: step.h; (10) */
         const double_double common_5 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: step.e_1, definition step.H_0; (10), (6) */
-        const double_double e_1 = dd_add_xx(dd_mul_xx(l_a, common_5), dd_div_xd(dd_sub_xx(common_2, common_4), 2.0)); /* fact: step.e_1; (10) */
+        const double_double e_1 = dd_sub_xx(dd_add_xx(dd_mul_xx(common_5, l_a), dd_div_xd(common_2, 2.0)), dd_div_xd(common_4, 2.0)); /* fact: step.e_1; (10) */
         const double_double e_2 = dd_mul_xx(h, h); /* fact: definition step.e_2; (10) */
         const double_double H_0 = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_5), dd_mul_xx(c_b, common_1)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: definition step.H_0; (6) */
         const double_double common_6 = dd_add_xx(K, dd_mul_dx(sigma, M_a0)); /* fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27) */
         const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H_0), dd_mul_xx(dd_mul_xd(K, sigma), Omega_a0)), common_6); /* fact: definition step.psi_0; (33), (34) */
         const double_double z_re = dd_div_xx(M_d0, common_6); /* fact: definition step.z_re; (27) */
-        const double_double z_im = dd_div_xx(dd_mul_dx(sigma * epsilon, M_b0), common_6); /* fact: definition step.z_im; (27) */
-        const double_double zr_re = dd_div_xx(dd_mul_xx(dd_mul_dx(epsilon, Omega_b0), dd_sub_xx(dd_mul_xx(c_ab, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, c_bd), Omega_d0), z_re))), common_6); /* fact: step.zr_re; (27) */
-        const double_double zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(c_ad, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(epsilon, c_bd), Omega_b0), z_im))), common_6); /* fact: step.zr_im; (27) */
+        const double_double z_im = dd_div_xx(dd_mul_dx(epsilon * sigma, M_b0), common_6); /* fact: definition step.z_im; (27) */
+        const double_double common_7 = dd_mul_dx(epsilon, Omega_b0); /* fact: step.zr_re, step.zr_im; (27) */
+        const double_double zr_re = dd_div_xx(dd_mul_xx(common_7, dd_sub_xx(dd_mul_xx(Omega_a0, c_ab), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, Omega_d0), c_bd), z_re))), common_6); /* fact: step.zr_re; (27) */
+        const double_double zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(Omega_a0, c_ad), dd_mul_xx(dd_mul_xx(common_7, c_bd), z_im))), common_6); /* fact: step.zr_im; (27) */
         const double_double Lambda_rate = dd_div_xx(psi_0, dd_mul_dx(2.0, pi)); /* arithmetic */
         const double first_t = t * (1.0 / 32.0); /* arithmetic */
-        const double common_7 = first_t * first_t; /* classical: DLMF 22.10.1 */
-        const double a_1 = dd_rounded(e_1) * common_7; /* classical: DLMF 22.10.1 */
-        const double a_2 = dd_rounded(e_2) * (common_7 * common_7); /* classical: DLMF 22.10.1 */
-        const double common_8 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
-        const double common_9 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
-        const double common_10 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
-        const double common_11 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
-        const double common_12 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
-        const double more_X = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_12 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_11 / 3027024000.0, -307.0 / 92400.0), common_8)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_10 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_9 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_8), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
-        const double more_Y = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_12 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_11 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_10 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_9 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
+        const double common_8 = first_t * first_t; /* classical: DLMF 22.10.1 */
+        const double a_1 = dd_rounded(e_1) * common_8; /* classical: DLMF 22.10.1 */
+        const double a_2 = dd_rounded(e_2) * (common_8 * common_8); /* classical: DLMF 22.10.1 */
+        const double common_9 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
+        const double common_10 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
+        const double common_11 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
+        const double common_12 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
+        const double common_13 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
+        const double more_X = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_13 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_12 / 3027024000.0, -307.0 / 92400.0), common_9)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_11 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_10 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_9), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
+        const double more_Y = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_13 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_12 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_11 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_10 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
         const double_double X = dd_mul_dx(first_t, dd_add_xd(unity, more_X)); /* classical: DLMF 22.10.1 */
         const double_double Y = dd_add_xd(unity, more_Y); /* classical: DLMF 22.10.1 */
         x->h_hi[i] = h.hi;
@@ -287,10 +288,10 @@ static void step_first(size_t n, lanes *x)
         const double nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
         const double nu_im = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
         const double rate_re = h * fused(z_im, zr_im, -(z_re * zr_re)); /* fact: definition turn.rate_re; (27), (36) */
-        const double rate_im = -h * fused(z_re, zr_im, z_im * zr_re); /* fact: definition turn.rate_im; (27), (36) */
+        const double rate_im = h * fused(-z_re, zr_im, -(z_im * zr_re)); /* fact: definition turn.rate_im; (27), (36) */
         const double common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11 */
-        const double G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-        const double G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+        const double G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+        const double G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
         const double square_X = common_1; /* classical: DLMF 18.12.11 */
         const double d_0 = 1.0; /* classical: DLMF 18.12.11 */
         const double d_1 = e_1 / 2.0; /* classical: DLMF 18.12.11 */
@@ -352,14 +353,13 @@ static void step_first(size_t n, lanes *x)
         const double E_re = fused(-(common_19 / 2.0), 1.0 - common_19 / 12.0, 1.0); /* classical: DLMF 4.19.2 */
         const double E_im = chi * fused(-(common_19 / 6.0), 1.0 - common_19 / 20.0, 1.0); /* classical: DLMF 4.19.1 */
         const double R = sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: thirds.R; (36) */
-        const double common_20 = R + G_re; /* fact: thirds.N, definition thirds.U_re; (36), (33), (34) */
-        const double N = sqrt(2.0 * R * common_20); /* fact: thirds.N; (36) */
-        const double U_re = common_20 / N; /* fact: definition thirds.U_re; (33), (34) */
+        const double N = sqrt(2.0 * R * (R + G_re)); /* fact: thirds.N; (36) */
+        const double U_re = (G_re + R) / N; /* fact: definition thirds.U_re; (33), (34) */
         const double U_im = -G_im / N; /* fact: definition thirds.U_im; (33), (34) */
         const double P_re = E_re; /* fact: definition thirds.P_re; (33), (34) */
         const double P_im = E_im; /* fact: definition thirds.P_im; (33), (34) */
-        const double W_re = fused(P_re, U_re, -(P_im * U_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
-        const double W_im = fused(P_re, U_im, P_im * U_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
+        const double W_re = fused(U_re, P_re, -(U_im * P_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
+        const double W_im = fused(U_re, P_im, U_im * P_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
         x->W_re[i] = W_re;
         x->W_im[i] = W_im;
     }
@@ -377,7 +377,7 @@ static void step_doubled(size_t n, lanes *x)
         const double_double common_2 = dd_mul_xx(e_2, dd_mul_xx(dd_mul_xx(common_1, X), X)); /* fact: definition doubling.inside, definition doubling.Y_next; (10) */
         const double_double inside = dd_sub_dx(1.0, common_2); /* fact: definition doubling.inside; (10) */
         const double_double X_next = dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, X), Y), inside); /* fact: definition doubling.X_next; (10) */
-        const double_double Y_next = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_sub_xx(dd_mul_xx(e_1, dd_add_dx(1.0, common_2)), dd_mul_xx(dd_mul_dx(4.0, e_2), common_1))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
+        const double_double Y_next = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_add_xx(dd_mul_xx(dd_mul_dx(-4.0, e_2), common_1), dd_mul_xx(e_1, dd_add_dx(1.0, common_2)))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
         x->X_next_hi[i] = X_next.hi;
         x->X_next_lo[i] = X_next.lo;
         x->Y_next_hi[i] = Y_next.hi;
@@ -399,13 +399,13 @@ static void step_projected(size_t n, lanes *x)
         const double nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
         const double nu_im = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
         const double common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-        const double G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-        const double G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+        const double G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+        const double G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
         const double square = fused(G_re, G_re, G_im * G_im); /* fact: definition turn.square; (27), (36) */
-        const double F_re = fused(z_re, Y, zr_re * X); /* fact: definition turn.F_re; (27), (36) */
-        const double F_im = fused(z_im, Y, zr_im * X); /* fact: definition turn.F_im; (27), (36) */
-        const double w_re = fused(F_re, G_re, F_im * G_im) / square; /* fact: definition turn.w_re; (27), (36) */
-        const double w_im = fused(F_im, G_re, -(F_re * G_im)) / square; /* fact: definition turn.w_im; (27), (36) */
+        const double F_re = fused(X, zr_re, Y * z_re); /* fact: definition turn.F_re; (27), (36) */
+        const double F_im = fused(X, zr_im, Y * z_im); /* fact: definition turn.F_im; (27), (36) */
+        const double w_re = fused(G_re, F_re, G_im * F_im) / square; /* fact: definition turn.w_re; (27), (36) */
+        const double w_im = fused(G_re, F_im, -(G_im * F_re)) / square; /* fact: definition turn.w_im; (27), (36) */
         x->w_re[i] = w_re;
         x->w_im[i] = w_im;
     }
@@ -424,11 +424,11 @@ static void step_second_half(size_t n, lanes *x)
         const double nu_re = h * fused(w_im, w_im, -(w_re * w_re)); /* fact: definition turn.nu_re; (27), (36) */
         const double nu_im = -2.0 * h * w_re * w_im; /* fact: definition turn.nu_im; (27), (36) */
         const double common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-        const double G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-        const double G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+        const double G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+        const double G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
         const double R = sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: second_half.R; (36) */
-        const double V_re = fused(W_re, G_re, W_im * G_im) / R; /* fact: definition second_half.V_re; (33), (34) */
-        const double V_im = fused(W_im, G_re, -(W_re * G_im)) / R; /* fact: definition second_half.V_im; (33), (34) */
+        const double V_re = fused(G_re, W_re, G_im * W_im) / R; /* fact: definition second_half.V_re; (33), (34) */
+        const double V_im = fused(G_re, W_im, -(G_im * W_re)) / R; /* fact: definition second_half.V_im; (33), (34) */
         const double W_next_re = fused(W_re, V_re, -(W_im * V_im)); /* fact: definition thirds.P_re; (33), (34) */
         const double W_next_im = fused(W_re, V_im, W_im * V_re); /* fact: definition thirds.P_im; (33), (34) */
         x->W_next_re[i] = W_next_re;
@@ -450,13 +450,13 @@ static void step_last_projected(size_t n, lanes *x)
         const double_double nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(z_im, z_im), dd_mul_xx(z_re, z_re))); /* fact: definition turn.nu_re; (27), (36) */
         const double_double nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), z_re), z_im); /* fact: definition turn.nu_im; (27), (36) */
         const double_double common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-        const double_double G_re = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-        const double_double G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+        const double_double G_re = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+        const double_double G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
         const double_double square = dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im)); /* fact: definition turn.square; (27), (36) */
-        const double_double F_re = dd_add_xx(dd_mul_xx(z_re, Y), dd_mul_xx(zr_re, X)); /* fact: definition turn.F_re; (27), (36) */
-        const double_double F_im = dd_add_xx(dd_mul_xx(z_im, Y), dd_mul_xx(zr_im, X)); /* fact: definition turn.F_im; (27), (36) */
-        const double_double v_re = dd_div_xx(dd_add_xx(dd_mul_xx(F_re, G_re), dd_mul_xx(F_im, G_im)), square); /* fact: definition turn.w_re; (27), (36) */
-        const double_double v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(F_im, G_re), dd_mul_xx(F_re, G_im)), square); /* fact: definition turn.w_im; (27), (36) */
+        const double_double F_re = dd_add_xx(dd_mul_xx(X, zr_re), dd_mul_xx(Y, z_re)); /* fact: definition turn.F_re; (27), (36) */
+        const double_double F_im = dd_add_xx(dd_mul_xx(X, zr_im), dd_mul_xx(Y, z_im)); /* fact: definition turn.F_im; (27), (36) */
+        const double_double v_re = dd_div_xx(dd_add_xx(dd_mul_xx(G_re, F_re), dd_mul_xx(G_im, F_im)), square); /* fact: definition turn.w_re; (27), (36) */
+        const double_double v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(G_re, F_im), dd_mul_xx(G_im, F_re)), square); /* fact: definition turn.w_im; (27), (36) */
         x->v_re_hi[i] = v_re.hi;
         x->v_re_lo[i] = v_re.lo;
         x->v_im_hi[i] = v_im.hi;
@@ -477,11 +477,11 @@ static void step_last_second_half(size_t n, lanes *x)
         const double_double nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(v_im, v_im), dd_mul_xx(v_re, v_re))); /* fact: definition turn.nu_re; (27), (36) */
         const double_double nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), v_re), v_im); /* fact: definition turn.nu_im; (27), (36) */
         const double_double common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-        const double_double G_re = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-        const double_double G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+        const double_double G_re = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+        const double_double G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
         const double_double R = dd_sqrt(dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im))); /* fact: second_half.R; (36) */
-        const double_double V_re = dd_div_xx(dd_add_xx(dd_mul_dx(W_re, G_re), dd_mul_dx(W_im, G_im)), R); /* fact: definition second_half.V_re; (33), (34) */
-        const double_double V_im = dd_div_xx(dd_sub_xx(dd_mul_dx(W_im, G_re), dd_mul_dx(W_re, G_im)), R); /* fact: definition second_half.V_im; (33), (34) */
+        const double_double V_re = dd_div_xx(dd_add_xx(dd_mul_xd(G_re, W_re), dd_mul_xd(G_im, W_im)), R); /* fact: definition second_half.V_re; (33), (34) */
+        const double_double V_im = dd_div_xx(dd_sub_xx(dd_mul_xd(G_re, W_im), dd_mul_xd(G_im, W_re)), R); /* fact: definition second_half.V_im; (33), (34) */
         const double_double W_next_re = dd_sub_xx(dd_mul_dx(W_re, V_re), dd_mul_dx(W_im, V_im)); /* fact: definition thirds.P_re; (33), (34) */
         const double_double W_next_im = dd_add_xx(dd_mul_dx(W_re, V_im), dd_mul_dx(W_im, V_re)); /* fact: definition thirds.P_im; (33), (34) */
         x->W_next_re[i] = dd_rounded(W_next_re);
@@ -504,12 +504,12 @@ static void step_rates(size_t n, lanes *x)
         const double_double Omega_b0 = {x->Omega_b0_hi[i], x->Omega_b0_lo[i]};
         const double_double Omega_d0 = {x->Omega_d0_hi[i], x->Omega_d0_lo[i]};
         const double_double common_1 = dd_mul_xx(X, X); /* fact: definition step.f, definition step.g, step.room; (10) */
-        const double_double common_2 = dd_mul_xx(h, common_1); /* fact: definition step.f, definition step.g; (10) */
+        const double_double common_2 = dd_mul_xx(common_1, h); /* fact: definition step.f, definition step.g; (10) */
         const double_double f = dd_add_dx(1.0, common_2); /* fact: definition step.f; (10) */
         const double_double g = dd_sub_dx(1.0, common_2); /* fact: definition step.g; (10) */
         const double_double room = dd_add_xx(dd_mul_xx(g, g), dd_mul_xx(dd_mul_xx(l_d, dd_mul_xx(Omega_d0, Omega_d0)), common_1)); /* fact: step.room; (10) */
         const double_double Omega_a = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_a0, f), g), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_a, Omega_b0), Omega_d0), X), Y)), room); /* fact: step.Omega_a; (5), (10) */
-        const double_double Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_d0), Omega_a0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
+        const double_double Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_a0), Omega_d0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
         const double_double Omega_d = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_d0, f), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_d, Omega_a0), Omega_b0), g), X)), room); /* fact: step.Omega_d; (5), (10) */
         x->Omega_a_hi[i] = Omega_a.hi;
         x->Omega_a_lo[i] = Omega_a.lo;
@@ -1522,6 +1522,6 @@ const char *torque_free_step_rule(int code)
 
 const char *torque_free_step_digest(void)
 {
-    return "9f01e82bb2b8bb159d98fdaa7b255dca2a8f975b935c60c59f2c8b79c3f477f2";
+    return "ce9f500576af1f0b7f38e09ae2bfdfd3ebaa7758b8f7540cdde7effe0ebb6ccd";
 }
 

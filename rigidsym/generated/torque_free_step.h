@@ -37,7 +37,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 9f01e82bb2b8bb159d98fdaa7b255dca2a8f975b935c60c59f2c8b79c3f477f2
+digest ce9f500576af1f0b7f38e09ae2bfdfd3ebaa7758b8f7540cdde7effe0ebb6ccd
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

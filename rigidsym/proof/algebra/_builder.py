@@ -172,9 +172,9 @@ class LedgerBuilder:
         return self.ledger.add(self._fact(fact_id, "equal", equations, "start", source))
 
     def begin(
-        self, context: str, zero: Iterable[Side], names: str, equations: Equations, *source: str
+        self, context: str, zero: Iterable[Side], names: str, sides: Iterable[Side], *source: str
     ) -> None:
-        """Prove equations at the instant at which a motion starts, where more is zero.
+        """Prove what expressions are at the instant at which a motion starts, where more is zero.
 
         The instant is a context of its own, where the formulas for the names are proved again.
         """
@@ -187,7 +187,7 @@ class LedgerBuilder:
             fact = self.ledger.facts[f"{context}.{name}"]
             place = {"id": f"{instant}.{name}", "context": instant}
             self.decide(replace(fact, **place, rule="identity", premises=()))
-        self.claim(f"{instant}.start", equations, source)
+        self.evaluate(f"{instant}.start", sides, source)
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Prove that a context satisfies all hypotheses of another one.

@@ -61,6 +61,16 @@ class Computation:
             given,
         )
 
+    def solve_for(self, unknown: Any) -> "Computation":
+        """Return the only value of an unknown for which this is zero, with factors cancelled.
+
+        Raises ValueError if there is none, or more than one.
+        """
+        found = sympy.solve(self.value, plain(unknown), simplify=False)
+        if len(found) != 1:
+            raise ValueError(f"{unknown}: {len(found)} solutions of {self.value} = 0")
+        return self._after("solve", sympy.cancel(found[0]), ())
+
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)

@@ -85,6 +85,11 @@ def text(side: Any, names: Iterable[str]) -> str:
     return computed(printed(sympify(plain(side)), order), side)
 
 
+def named(names: Iterable[Any], values: Iterable[Any]) -> dict[Any, Any]:
+    """Return a table of as many values as names."""
+    return dict(zip(names, values, strict=True))
+
+
 def extend(name: str, context: Context, *parts: Part) -> Context:
     """Extend a context by parts, under a new name.
 

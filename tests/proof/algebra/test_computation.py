@@ -94,3 +94,15 @@ def test_lines_are_judged_one_by_one():
     lines = (Computed("1"), "2")
     whole = Fact("here.two", "here", "equal", ("a", "b"), lines, "identity")
     assert standing(whole) == Standing.GUESSED
+
+
+def test_the_only_solution_is_computed():
+    quotient = symbols("quotient")
+    found = compute(X**2 - Y**2 - quotient * (X - Y)).solve_for(quotient)
+    assert standing(stated(found)) == Standing.COMPUTED
+
+
+@pytest.mark.parametrize(("equation", "count"), [(X**2 - Y**2, 2), (Y + 1, 0)])
+def test_a_solution_that_is_not_the_only_one_is_refused(equation, count):
+    with pytest.raises(ValueError, match=f"x: {count} solutions"):
+        compute(equation).solve_for(X)
