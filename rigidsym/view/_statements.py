@@ -24,8 +24,12 @@ WIDE, COLUMNS = 62.0, 96
 MOST_ROWS = 24
 # A context is described by earlier ones, if each of them says at least this much of it.
 _LEAST_SHARED, _MOST_BASES = 4, 3
+# The most exceptions with which an earlier context describes another one.
+_MOST_EXCEPTIONS = 12
 # A proof by more relations than these does not quote them.
 _MOST_QUOTED = 3
+# Conditions on quantities, as they are written.
+_CONDITIONS = {"relation": "{} = 0", "unit": "{} != 0", "sign": "{} >= 0", "start": "{} = 0"}
 NOTATION = {
     "jacobi_sn": ("jacobi_sn(u, m)", "Jacobi's elliptic function sn with the parameter m = k^2"),
     "jacobi_cn": ("jacobi_cn(u, m)", "Jacobi's elliptic function cn"),
@@ -91,6 +95,8 @@ def fact_named(name: str) -> Code:
     return Code(name, f"fact-{name}")
 
 
+# A name or a hypothesis of a context: its kind, and texts.
+Item: TypeAlias = tuple[str, ...]
 Words: TypeAlias = tuple[str | Formula | Code, ...]
 
 
@@ -170,6 +176,19 @@ def notation(contexts: Iterable["Context"]) -> list[Words]:
     ]
 
 
+@dataclass(frozen=True, slots=True)
+class Description:
+    """What is said of a context: by contexts that came before, and what is new.
+
+    It has what `bases` say, but what the first of them says of `names`, and its `conditions`.
+    """
+
+    bases: tuple["Context", ...] = ()
+    names: tuple[str, ...] = ()
+    conditions: tuple[Item, ...] = ()
+    new: tuple[Item, ...] = ()
+
+
 def introduction(
     context: "Context", known: Iterable["Context"], hidden: Iterable[str] = ()
 ) -> Iterator[Paragraph]:
@@ -178,52 +197,88 @@ def introduction(
     known: contexts that have been introduced; what they say is not said again.
     hidden: definitions that need not be shown, such as entries of matrices.
     """
-    bases = _bases(context, [*known])
-    said = {item for base in bases for item in (*_listed_items(base), *_moving_items(base))}
-    new = [item for item in _listed_items(context) if item not in said]
-    yield Paragraph(_opening(context, bases, bool(new)), context=context.name)
-    yield from _names(context, new)
-    yield from _displays(context, new, {*hidden})
-    yield from _rates(context, said)
+    found = described(context, known)
+    yield Paragraph(_opening(context, found), context=context.name)
+    yield from _names(context, found.new)
+    yield from _displays(context, found.new, {*hidden})
+    yield from _rates(context, found.new)
 
 
-def _opening(context: "Context", bases: Sequence["Context"], more: bool) -> Words:
+def _opening(context: "Context", found: Description) -> Words:
     """Return the sentence that begins a context."""
-    as_in: Words = ()
-    if bases:
-        names = listed([context_named(base.name) for base in bases], " and ")
-        as_in = (": all that is said of ", *names, *((", and",) if more else ()))
     instant = "" if context.rates is not None else ", at one instant"
-    return ("Context ", Code(context.name), instant, *as_in, ":" if more else ".")
+    said: Words = ()
+    for base in found.bases[:1]:
+        said = (": all that is said of ", context_named(base.name))
+        if found.names:
+            said = (*said, ", except for ", *listed(map(formula, found.names), " and "))
+        if found.conditions:
+            forms = [_CONDITIONS[kind].format(text) for kind, text in found.conditions]
+            said = (*said, ", without ", *listed(map(formula, forms), " and "))
+    if others := [context_named(base.name) for base in found.bases[1:]]:
+        said = (*said, ", and all that is said of ", *listed(others, " and "))
+    more = ", and" if found.bases and found.new else ""
+    return ("Context ", Code(context.name), instant, *said, f"{more}:" if found.new else ".")
 
 
-def _bases(context: "Context", known: Sequence["Context"]) -> list["Context"]:
-    """Return introduced contexts whose hypotheses all hold here, and that say much of this one."""
-    whole = _items(context)
-    fitting = [other for other in known if _items(other) <= whole and _agree(other, context)]
-    found: list[Context] = []
-    left = {*whole}
-    while fitting and len(found) < _MOST_BASES:
-        best = max(fitting, key=lambda other: len(_items(other) & left))
-        if len(_items(best) & left) < _LEAST_SHARED:
+def described(context: "Context", known: Iterable["Context"]) -> Description:
+    """Describe a context by those that have been introduced, and by what is new."""
+    left, told = {*items(context)}, [*known]
+    found = Description()
+    best = max(told, key=lambda other: _gain(other, context), default=None)
+    if best is not None and _gain(best, context) >= _LEAST_SHARED:
+        found = Description((best,), *_differences(best, context))
+        left -= taken(best, found.names)
+    exact = [other for other in told if not any(_differences(other, context))]
+    while exact and 0 < len(found.bases) < _MOST_BASES:
+        best = max(exact, key=lambda other: len({*items(other)} & left))
+        if len({*items(best)} & left) < _LEAST_SHARED:
             break
-        found.append(best)
-        left -= _items(best)
-    return found
+        found = replace(found, bases=(*found.bases, best))
+        left -= {*items(best)}
+    return replace(found, new=tuple(item for item in items(context) if item in left))
 
 
-def _agree(other: "Context", context: "Context") -> bool:
-    """Return whether rates and meanings of another context are not contradicted in this one."""
-    rates = other.rates or {}
-    here = context.rates or {}
-    moving = context.rates is None or all(here.get(name) == text for name, text in rates.items())
-    fixed = other.rates is None or {*here} & {*other.generators} <= {*rates}
-    meant = all(context.reading.get(k, text) == text for k, text in other.reading.items())
-    return moving and fixed and meant
+def _gain(other: "Context", context: "Context") -> int:
+    """Return how much shorter a context is described by another one."""
+    names, conditions = _differences(other, context)
+    cost = len(names) + len(conditions)
+    shared = len(taken(other, names) & {*items(context)})
+    return shared - 3 * cost if cost <= _MOST_EXCEPTIONS else 0
 
 
-def _listed_items(context: "Context") -> list[tuple[str, ...]]:
-    """Return the names and hypotheses of a context, in order, without time derivatives."""
+def _differences(other: "Context", context: "Context") -> tuple[tuple[str, ...], tuple[Item, ...]]:
+    """Return the names of which another context says something else, and its other conditions.
+
+    Meanings may be left out here.  At one instant nothing is said of time derivatives.
+    """
+    here = {*items(context)}
+    names = {item[1]: None for item in items(other) if _is_other(item, here, context)}
+    if other.rates is not None:  # its other names are constant
+        moving = (name for name in context.rates or {} if name in other.generators)
+        names |= dict.fromkeys(name for name in moving if name not in other.rates)
+    conditions = (item for item in items(other) if item[0] in _CONDITIONS and item not in here)
+    return tuple(names), tuple(dict.fromkeys(conditions))
+
+
+def _is_other(item: Item, here: set[Item], context: "Context") -> bool:
+    """Return whether what another context says of a name does not hold here."""
+    kind, name = item[:2]
+    if kind in _CONDITIONS or item in here:
+        return False
+    if kind == "meaning":
+        return name in context.reading
+    return kind != "rate" or context.rates is not None
+
+
+def taken(other: "Context", names: Iterable[str]) -> set[Item]:
+    """Return what a context says, except of some names."""
+    excepted = {*names}
+    return {x for x in items(other) if x[0] in _CONDITIONS or x[1] not in excepted}
+
+
+def items(context: "Context") -> list[Item]:
+    """Return the names and hypotheses of a context, in order."""
     names = (*context.generators, *context.definitions)
     return [
         *(("name", name) for name in context.generators),
@@ -234,23 +289,14 @@ def _listed_items(context: "Context") -> list[tuple[str, ...]]:
         *(("unit", text) for text in context.units),
         *(("sign", text) for text in context.nonnegative),
         *(("start", text) for text in context.start),
+        *(("rate", name, text) for name, text in (context.rates or {}).items()),
     ]
 
 
-def _moving_items(context: "Context") -> list[tuple[str, ...]]:
-    """Return the time derivatives of the names of a context."""
-    return [("rate", name, text) for name, text in (context.rates or {}).items()]
-
-
-def _items(context: "Context") -> set[tuple[str, ...]]:
-    """Return what has to hold in another context for which this one may stand."""
-    return {item for item in _listed_items(context) if item[0] != "meaning"}
-
-
-def _names(context: "Context", new: Sequence[tuple[str, ...]]) -> Iterator[Paragraph]:
+def _names(context: "Context", new: Sequence[Item]) -> Iterator[Paragraph]:
     """Yield what the names of a context mean, and which have no meaning of their own."""
     meant = {**context.thetas, **context.reading}
-    fresh = {item[1] for item in new if item[0] in ("name", "theta", "definition")}
+    fresh = {item[1] for item in new if item[0] in ("name", "theta", "meaning")}
     new_meanings = {name: text for name, text in meant.items() if name in fresh}
     entries = [_entry(name, text) for name, text in new_meanings.items()]
     if entries:
@@ -292,12 +338,10 @@ def _is_formula(text: str) -> bool:
     return not isinstance(tree, Name) or len(text) < _LEAST_SHARED
 
 
-def _displays(
-    context: "Context", new: Sequence[tuple[str, ...]], hidden: set[str]
-) -> Iterator[Paragraph]:
+def _displays(context: "Context", new: Sequence[Item], hidden: set[str]) -> Iterator[Paragraph]:
     """Yield the definitions, relations and conditions of a context."""
-    items = {kind: [x for x in new if x[0] == kind] for kind in ("definition", "relation")}
-    shown = [(name, text) for _, name, text in items["definition"] if name not in hidden]
+    of_kind = {kind: [x for x in new if x[0] == kind] for kind in ("definition", "relation")}
+    shown = [(name, text) for _, name, text in of_kind["definition"] if name not in hidden]
     if shown:
         how: dict[tuple[str, ...], list[str]] = {}
         for name, _ in shown:
@@ -314,14 +358,14 @@ def _displays(
             for done, names in how.items()
         ]
         yield _display(("Definitions:",), shown, after=tuple(after))
-    if items["relation"]:
-        pairs = [(text, "0") for _, text in items["relation"]]
+    if of_kind["relation"]:
+        pairs = [(text, "0") for _, text in of_kind["relation"]]
         yield _display(("Relations:",), pairs)
-    for kind, form in (("unit", "{} != 0"), ("sign", "{} >= 0"), ("start", "{} = 0")):
+    for kind in ("unit", "sign", "start"):
         texts = [item[1] for item in new if item[0] == kind]
         if texts:
             head = "At one instant " if kind == "start" else "With "
-            found = [formula(form.format(text)) for text in texts]
+            found = [formula(_CONDITIONS[kind].format(text)) for text in texts]
             if max(width(x.latex) for x in found) < WIDE / 2:
                 yield Paragraph((head, *listed(found, " and "), "."))
             else:
@@ -329,14 +373,12 @@ def _displays(
                 yield _display((f"{head.strip()}:",), [(text, "0") for text in texts], sign)
 
 
-def _rates(context: "Context", said: set[tuple[str, ...]]) -> Iterator[Paragraph]:
+def _rates(context: "Context", new: Sequence[Item]) -> Iterator[Paragraph]:
     """Yield the time derivatives of the names of a context."""
     if (along := derived_by(context)) is not None:
         yield Paragraph(("The derivative here is the one with respect to ", formula(along), "."))
         return
-    rates = {
-        name: text for kind, name, text in _moving_items(context) if (kind, name, text) not in said
-    }
+    rates = {item[1]: item[2] for item in new if item[0] == "rate"}
     known = {name: text for name, text in rates.items() if text != "?"}
     unknown = [formula(name) for name, text in rates.items() if text == "?"]
     if unknown:
