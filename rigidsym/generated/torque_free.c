@@ -393,13 +393,13 @@ static INLINED double circulation(double c_12, double c_13, double c_23, double 
 {
     const double c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     const double c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    const double common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const double common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const double E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const double common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const double common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const double E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const double common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const double E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const double turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const double off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const double E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const double turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const double off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const double rest = 0.0; /* fact: rest.rates */
     const double spherical = 0.0; /* fact: spherical.moments */
     const double prolate_equatorial = 0.0; /* fact: prolate_equatorial.parallel */
@@ -4525,6 +4525,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "d859e4dd701a5567837cce09b0c2af5e6e57041deaa9e34290c4ec711e5cbd84";
+    return "1c6892c9cee9b39df56e33ac07ec3c1060b74b31dd166698e05c41f2b9cd63c4";
 }
 

@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest d859e4dd701a5567837cce09b0c2af5e6e57041deaa9e34290c4ec711e5cbd84
+digest 1c6892c9cee9b39df56e33ac07ec3c1060b74b31dd166698e05c41f2b9cd63c4
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

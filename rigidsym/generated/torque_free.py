@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest b8f50bb13ea1e1a7fe8c9286cc042a12396af009074aefdf3eeb3bbf77b88c9c
+digest aef2bebd718b3e459ecf885b597564ed726601431f3684e78c26494b6d159ca6
 """
 
 # ruff: noqa
@@ -327,13 +327,13 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
     """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
-    common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
-    common_2 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
-    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # fact: definition sorted_body.E_1
+    common_1 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
+    common_2 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
+    E_1 = c_13 * common_1 + common_2 * c_12 * c_2  # fact: definition sorted_body.E_1
     common_3 = Omega_1 * Omega_1  # fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle
-    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # fact: definition sorted_body.E_3
-    turning = common_3 + common_1 + common_2  # fact: definition sorted_body.turning
-    off_middle = common_3 + common_2  # fact: definition sorted_body.off_middle
+    E_3 = c_13 * common_3 * c_1 + c_23 * common_2 * c_2  # fact: definition sorted_body.E_3
+    turning = common_3 + common_2 + common_1  # fact: definition sorted_body.turning
+    off_middle = common_3 + common_1  # fact: definition sorted_body.off_middle
     rest = 0  # fact: rest.rates
     spherical = 0  # fact: spherical.moments
     prolate_equatorial = 0  # fact: prolate_equatorial.parallel

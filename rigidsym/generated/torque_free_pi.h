@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 2ce04367b577b04ff3626e00e7fd86a4433ca72b2c060fbfad829cd54466cc3e
+digest 06f516f1c465f43dcf94dbf5fcc470badf892ad6f5666c64346cf851ce221e9d
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate javascript-pi --record`
 
 rigidsym 0.1.0, emitter javascript/2
-digest abeb76a7c34e773c8be6781c0872c29eec79c39a8da3f69e3314a2495face286
+digest ea2bd86dbc985e487ef653756bbcd4ce5ae5f96eed8548773c1c9bbcedd6201c
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -486,13 +486,13 @@ function discriminant_exact(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d) {
 function circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2) {
     const c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     const c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    const common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const rest = 0.0; /* fact: rest.rates */
     const spherical = 0.0; /* fact: spherical.moments */
     const prolate_equatorial = 0.0; /* fact: prolate_equatorial.parallel */
@@ -2220,7 +2220,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "abeb76a7c34e773c8be6781c0872c29eec79c39a8da3f69e3314a2495face286";
+    return "ea2bd86dbc985e487ef653756bbcd4ce5ae5f96eed8548773c1c9bbcedd6201c";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest d002b28c5a23861bd79cdad152a21ae5a7dbe37f31084557550c1dba55f20957
+digest 6fdd3d8407d742bcff8bdcf96ecb10147a8a418fb40c61aa106d1b6f520a7fdf
 """
 
 # ruff: noqa
@@ -330,13 +330,13 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
     """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
-    common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
-    common_2 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
-    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # fact: definition sorted_body.E_1
+    common_1 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
+    common_2 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
+    E_1 = c_13 * common_1 + common_2 * c_12 * c_2  # fact: definition sorted_body.E_1
     common_3 = Omega_1 * Omega_1  # fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle
-    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # fact: definition sorted_body.E_3
-    turning = common_3 + common_1 + common_2  # fact: definition sorted_body.turning
-    off_middle = common_3 + common_2  # fact: definition sorted_body.off_middle
+    E_3 = c_13 * common_3 * c_1 + c_23 * common_2 * c_2  # fact: definition sorted_body.E_3
+    turning = common_3 + common_2 + common_1  # fact: definition sorted_body.turning
+    off_middle = common_3 + common_1  # fact: definition sorted_body.off_middle
     rest = 0  # fact: rest.rates
     spherical = 0  # fact: spherical.moments
     prolate_equatorial = 0  # fact: prolate_equatorial.parallel

@@ -293,13 +293,13 @@ static float circulation(float c_12, float c_13, float c_23, float Omega_1,
 {
     const float c_1 = 1.0f + c_13; /* fact: definition sorted_body.c_1 */
     const float c_2 = 1.0f + c_23; /* fact: definition sorted_body.c_2 */
-    const float common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const float common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const float E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const float common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const float common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const float E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const float common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const float E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const float turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const float off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const float E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const float turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const float off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const float rest = 0.0f; /* fact: rest.rates */
     const float spherical = 0.0f; /* fact: spherical.moments */
     const float prolate_equatorial = 0.0f; /* fact: prolate_equatorial.parallel */
@@ -2057,6 +2057,6 @@ float torque_free_single_last_time(const torque_free_single_motion *motion)
 
 const char *torque_free_single_digest(void)
 {
-    return "b83f85594cfbc3c85bce6fdedb19d8d207265693d21ba0c608a3cfb722cac2d9";
+    return "cf7e54c9024b4d0f6cae1783f2032969469bd293fac4613b0ec8fc2206505dfd";
 }
 

@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c_single --record`
 
 rigidsym 0.1.0, emitter c_single/2
-digest b83f85594cfbc3c85bce6fdedb19d8d207265693d21ba0c608a3cfb722cac2d9
+digest cf7e54c9024b4d0f6cae1783f2032969469bd293fac4613b0ec8fc2206505dfd
 
 Errors of the attitude stay below 1e-6 rad, as `rigidsym validate c_single` measures.  Angles that
 grow with time are computed with pairs of floats, all else with floats.  Re-entrant, without

@@ -42,7 +42,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate rust-pi --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest 7568eccf4e9284636e4270df75e2046445c84bdc083f6157207a7cbd946c277f
+digest 63795d5f6373b1659085733b8a76219e6b6e1a4b69cc068c63e33c62eacb06da
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate rust --record`
 
 rigidsym 0.1.0, emitter rust/2
-digest 2d844650915c1cab4eea4eb714693547050f7040837a17b36174a8cb10b4f405
+digest 814f2315e608659e5ea522c3a14e022a39795a784eece4c294b1e35dde78d020
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

@@ -581,13 +581,13 @@ pub(crate) fn circulation(c_12: f64, c_13: f64, c_23: f64, Omega_1: f64, Omega_2
     Omega_3: f64, E_2: f64) -> f64 {
     let c_1: f64 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     let c_2: f64 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    let common_1: f64 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    let common_2: f64 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    let E_1: f64 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    let common_1: f64 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    let common_2: f64 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    let E_1: f64 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     let common_3: f64 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    let E_3: f64 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    let turning: f64 = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    let off_middle: f64 = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    let E_3: f64 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    let turning: f64 = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    let off_middle: f64 = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     let rest: f64 = 0.0; /* fact: rest.rates */
     let spherical: f64 = 0.0; /* fact: spherical.moments */
     let prolate_equatorial: f64 = 0.0; /* fact: prolate_equatorial.parallel */
@@ -2366,6 +2366,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "2d844650915c1cab4eea4eb714693547050f7040837a17b36174a8cb10b4f405";
+    return "814f2315e608659e5ea522c3a14e022a39795a784eece4c294b1e35dde78d020";
 }
 
