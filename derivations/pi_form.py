@@ -62,7 +62,7 @@ from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbol, symbols
 
 psi, rest, rest_0, j, J, J_0, K_1, alpha = symbols("psi rest rest_0 j J J_0 K_1 alpha")
-u_1, phase, H, m_c, L, L_rate = symbols("u_1 phase H m_c L L_rate")
+u_1, phase, H, m_c, L = symbols("u_1 phase H m_c L")
 delta, n_2, g, g_1, g_2, h_2, slope = symbols("delta n_2 g g_1 g_2 h_2 slope")
 T_size, T_re, T_im, T_rate, V_re, V_im = symbols("T_size T_re T_im T_rate V_re V_im")
 s_v, c_v_squared, d_v_squared = symbols("s_v c_v_squared d_v_squared")
@@ -84,7 +84,8 @@ MEAN = Part(
     reading={"j": "(elliptic_pi(n, 1 - m_c)/elliptic_k(1 - m_c) - 1)/n"},
 )
 
-# On the saddle Omega_a, so 1 - k_1 s^2, is 0, and psi' is 2 H/K; psi' differs by 2 g mu elsewhere.
+# On the saddle Omega_a is 0, so that 1 - k_1 s^2 is 0 and psi' is 2 H/K.  Elsewhere psi'/2 is less
+# by rho mu g times a gap, which is 1 where s is 0.
 FACTOR = compute(s**2 / (1 - n * s**2))
 HALF_RATE = (psi_0 + kappa * mu * FACTOR) / 2
 BY_SHIFT = HALF_RATE.subs({kappa: KAPPA, n: POLE})
@@ -105,8 +106,8 @@ def moving(form: Any) -> Computation:
     return sum((compute(form).diff(x) * rate for x, rate in rates.items()), compute(S.Zero))
 
 
-# The vector (z d, slope s c) has the square of a length as this; at s = 0 and 1 that is z^2 and m_c
-# but for 1 - n s^2.
+# The squared length of the vector (z d, slope s c) has the factor 1 - n s^2.  The other factor is
+# linear in s^2: it is z^2 where s is 0, and m_c where s is 1.
 LENGTH = compute((z * d) ** 2 + (slope * s * c) ** 2)
 BY_S = LENGTH.subs({d**2: 1 - k_1**2 * s**2, c**2: 1 - s**2, slope: k_1**2 * x * y})
 OTHER = (BY_S.subs({y**2: 1 + x**2, z**2: 1 - POLE}) / (1 - POLE * s**2)).cancel()
@@ -116,10 +117,12 @@ SQUARE = FIRST * (1 - n * s**2) * (c**2 + (LAST / FIRST).subs(DELTA, delta) * s*
 T_RATE = (
     moving(-rho * atan(TANGENT)).factor().subs(LENGTH, z**2 * (1 - n * s**2) * (1 - n_2 * s**2))
 )
-# What psi' has beside both is -rho mu (g_1 + g_2 s^2/(1 - n_2 s^2)); where s is 1, the gap is g_1.
+# The rest of psi'/2 is -rho mu (g_1 + g_2 s^2/(1 - n_2 s^2)).  Where s is 1, g_1 alone makes the
+# gap, so that g_2 undoes the arctangent there.
 LAST_RATE = T_RATE.subs(c, 0).subs({s: 1, d**2: m_c})
 G_2 = (LAST_RATE * (1 - n_2) / (rho * mu)).subs(n, 1 - z**2).subs(slope, k_1**2 * x * y)
-# From the other end, h_2/g_1 is what the gap is beside its last value, by the integrand of L.
+# From the other end, h_2/g_1 is the gap's relative difference from its last value, divided by the
+# integrand of L.
 RATIO = (GAP / LAST_GAP - 1) * (1 - POLE * s**2) / (1 - s**2) * (1 - k_1**2) / (1 - POLE)
 H_2 = g_1 * RATIO.cancel().subs(x**2, -n / k_1**2).subs(n, OLD).cancel()
 # s, c and d of v = K_1 - u_1 (DLMF 22.4(iii)), the last two by their squares.

@@ -24,7 +24,7 @@ from derivations.descended_form import MOTION, SECULAR
 from derivations.regular_form import AMPLITUDES, HALF
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, text
 from rigidsym.proof.algebra._computation import Computation, compute
-from rigidsym.proof.steps._names import symbol, symbols, unfold
+from rigidsym.proof.steps._names import expressions, symbol, symbols, unfold
 
 k_1, root_k, K, B_a, B_d, C_b, Y, W = symbols("k_1 root_k K B_a B_d C_b Y W")
 A_a, A_d, c_a, c_d = symbols("A_a A_d c_a c_d")
@@ -65,17 +65,19 @@ def times(one: str, other: str) -> dict[str, str]:
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z; those of -i rho beta follow by parity.
 S, C, D = symbols("S C D")
 SHIFTED = {S: -I * rho * x, C: y, D: z}
-# The addition theorems for sn (DLMF 22.8.1) and Z (DLMF 22.16.31), with n = k_1^2 S^2.
+# The addition theorems for sn (DLMF 22.8.1) and Z (DLMF 22.16(ii)), with n = k_1^2 S^2.
 ADDITION = {
     **parts("SN", compute((s * C * D + S * c * d) / (1 - n * s**2)).subs(SHIFTED)),
     **parts("Z", compute(Z_u - I * rho * zeta - k_1**2 * s * S * whole("SN")).subs(SHIFTED)),
 }
 POLE = compute(k_1**2 * S**2).subs(SHIFTED).subs(rho**2, 1)
 # Half the rate of psi is the imaginary part of mu Z and a constant: kappa and Lambda.
-RATE = psi_0 + kappa * mu * s**2 / (1 - n * s**2)
+J, psi = symbols("J psi")
+PSI = expressions(SECULAR.definitions)[psi]
+RATE = PSI.diff(t) + PSI.diff(J) * expressions(SECULAR.rates)[J]
 MOVING = unfold(Z_im, Part(definitions=ADDITION))
 KAPPA = (2 * (MOVING + rho * zeta) * (1 - n * s**2) / s**2).cancel()
-MEAN = (compute(RATE / 2) - mu * MOVING).subs(kappa, KAPPA).cancel()
+MEAN = (RATE / 2 - mu * MOVING).subs(kappa, KAPPA).cancel()
 # x is positive, n is -(k_1 x)^2, and K^2 - B_a^2 is B_d^2.
 SQUARE = unfold(-n / k_1**2, SECULAR).subs(K - B_a, B_d**2 / (K + B_a)).subs(k_1, root_k**2)
 BETA = SQUARE.apply(sqrt).apply(powdenest, force=True)

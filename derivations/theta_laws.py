@@ -11,7 +11,8 @@ family, and theta_1, theta_4, theta_3, theta_2 of an imaginary I v in the hyperb
 
 Modulus, scale of the arguments and Jacobi's functions are *defined* by these: no word is said of
 elliptic integrals.  Each law is a relation of Riemann's between products of four, at arguments
-some of which agree.  At four arguments that do not it says that two series have the same terms.
+some of which agree, with names put in for the values.  At four arguments that differ it says that
+two series have the same terms.
 """
 
 from collections.abc import Mapping
