@@ -124,7 +124,11 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, the functions, the integrals of squared rates, and the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
     builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
-    builder.claim("addition.euler", EULER, ["5", "10"])
+    euler = {
+        rate_of(w): (RATES_OF_BODY[w] * alpha / FORCES[str(alpha)]).cancel()
+        for w, alpha in zip(OMEGA, ALPHA, strict=True)
+    }
+    builder.claim("addition.euler", euler, ["5", "10"])
     energy, size = (
         (_moment(1, OMEGA), _moment(1, OMEGA_0)),
         (_moment(2, OMEGA), _moment(2, OMEGA_0)),

@@ -70,6 +70,6 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove how a fixed direction turns in the body, and that the torque conserves energy."""
     builder.open(join("kick", TURNING))
     builder.claim("kick.fixed", named(map(rate_of, v), v.cross(Omega)), ["3"])
-    builder.claim("kick.size", {v.dot(v): u.dot(u)}, ["3"])
+    builder.evaluate("kick.size", [v.dot(v)], ["3"])
     builder.claim("kick.work", {rate_of(Symbol("U")): -Omega.dot(T - b - k * v)}, ["3"])
     builder.begin("kick", (q0 - 1, *r), "", v, "3")
