@@ -69,7 +69,7 @@ ABOUT = (
     "A context is a list of named quantities, with what they mean and what is supposed of them.",
     "Each statement is about one context, and a small kernel has decided it.",
     "The name beside a statement is that of the fact in the ledger.",
-    "SymPy's operations are named where they computed a statement.",
+    "Operations that computed a statement are named before it; most are SymPy's methods.",
 )
 # Constants of a motion, which the paper writes before variables.
 CONSTANTS = {
@@ -524,6 +524,12 @@ def pretty(expression: sympy.Basic, width: int = 100) -> str:
         pretty_use_unicode(before)
 
 
+def _has_room(name: str) -> bool:
+    """Return whether a name is a letter with an index, above which a dot can stand."""
+    letter, _, index = name.partition("_")
+    return len(index) <= 1 and len(pretty_symbol(letter.rstrip("0123456789"))) == 1
+
+
 class _Pretty(PrettyPrinter):
     def _print_Symbol(self, e: sympy.Symbol, bold_name: bool = False) -> prettyForm:
         base, _, last = e.name.rpartition("_")
@@ -561,7 +567,7 @@ class _Pretty(PrettyPrinter):
     def _print_Rate(self, e: Any) -> prettyForm:
         """Print a time derivative, as a dot above a letter or as d/dt before an expression."""
         inner = e.args[0]
-        if isinstance(inner, sympy.MatrixSymbol) or (inner.is_Symbol and "_" not in inner.name):
+        if isinstance(inner, sympy.MatrixSymbol) or (inner.is_Symbol and _has_room(inner.name)):
             return self._print_Symbol(sympy.Symbol(f"{inner.name}_rate"))
         shown: Any = self._print(inner)
         return prettyForm(*prettyForm("d/dt ").right(prettyForm(*shown.parens())))

@@ -385,7 +385,12 @@ def _rates(context: "Context", new: Sequence[Item]) -> Iterator[Paragraph]:
         yield Paragraph(("Nothing is said on the rates of ", *listed(unknown, " and "), "."))
     if known:
         pairs = [(f"D({name})", text) for name, text in known.items()]
-        yield _display(("Time derivatives; that of any other name is zero:",), pairs)
+        said = (
+            "Time derivatives"
+            if len(rates) == len(context.rates or {})
+            else "More time derivatives"
+        )
+        yield _display((f"{said}; other names without a definition are constant:",), pairs)
 
 
 def derived_by(context: "Context") -> str | None:
