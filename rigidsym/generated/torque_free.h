@@ -41,7 +41,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 1c6892c9cee9b39df56e33ac07ec3c1060b74b31dd166698e05c41f2b9cd63c4
+digest 3dcaff62e75fd58e6007aadf80923425c128ab2ad0cfd5eb65d909172de779fc
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
