@@ -436,10 +436,11 @@ def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
 
 
 def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
-    from rigidsym.proof.paper._table import COLUMNS, counted, row
+    from rigidsym.proof.paper._table import COLUMNS, counted, explained, row
 
     parts = [
         f"{counted(ruled)}; all about one of them: rigidsym errata 10\n",
+        f"{why}\n" if (why := explained(ruled)) else "",
         table_text("rigidsym errata", COLUMNS, [row(verdict) for verdict in ruled]),
     ]
     rows = []
