@@ -38,7 +38,44 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-25 half turns below 2^17
   exp(x), x <= 0                 relative, below 7.0e-10
 
-Errors: not measured since this code changed; `rigidsym validate c_single --record`
+Worst errors measured by `rigidsym validate c_single --cases 60 --digits 40 --seed 1 --record`:
+rotation angle in rad, |domega|/|omega|
+  paper                  3.2e-07  1.9e-07
+  published              2.7e-07  2.2e-07
+  axis orders and signs  4.2e-07  2.7e-07
+  uniform                5.0e-07  3.2e-07
+  near separatrix        4.7e-07  2.6e-07
+  beside separatrix      3.8e-07  2.5e-07
+  nearest separatrix     3.8e-07  1.6e-07
+  separatrix             4.3e-07  2.6e-07
+  symmetric              4.5e-07  1.6e-07
+  near prolate           4.3e-07  3.1e-07
+  near oblate            4.2e-07  2.3e-07
+  nearest symmetric      4.1e-07  1.8e-07
+  sphere                 3.1e-07  1.8e-48
+  near sphere            4.0e-07  2.4e-07
+  nearest sphere         3.6e-07  3.0e-50
+  spin                   3.1e-07  7.4e-53
+  near spin, largest     2.7e-07  1.0e-07
+  near spin, middle      4.0e-07  2.3e-07
+  near spin, smallest    3.1e-07  1.6e-07
+  rest                   7.3e-08  3.0e-53
+  flat                   4.3e-07  2.7e-07
+  rod                    4.1e-07  2.8e-07
+  needle                 4.2e-07  2.1e-07
+  special values         3.4e-07  2.3e-07
+  special attitudes      3.8e-07  3.4e-07
+  scales                 3.7e-07  2.8e-07
+  small scales           4.2e-07  2.6e-07
+  large scales           4.3e-07  2.4e-07
+  extreme scales         3.9e-07  2.5e-07
+  decimals               3.9e-07  2.2e-07
+  long times             4.0e-07  3.6e-07
+  longest times          3.7e-07  3.7e-07
+  near separatrix, long  4.1e-07  2.4e-07
+  branch switch          5.0e-07  3.0e-07
+  zeros of the rates     4.0e-07  2.1e-07
+  quarter periods        3.7e-07  1.9e-07
 
 rigidsym 0.1.0, emitter c_single/2
 digest cf7e54c9024b4d0f6cae1783f2032969469bd293fac4613b0ec8fc2206505dfd

@@ -316,7 +316,11 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
     try:
         proved = ledger if isinstance(ledger, Proved) else Proved(ledger)
         for theorem in theorems(specification).values():
-            if lack := next(proved.lacks(theorem), ""):
+            try:
+                lack = next(proved.lacks(theorem), "")
+            except Unproved as error:
+                lack = str(error)
+            if lack:
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
         if name := next(proved.undetermined(theorems(specification).values()), ""):
             raise Unproved(f"the published formula {name} is determined by no theorem")
