@@ -8,7 +8,6 @@ others a right-hand side is a guess until the kernel has decided it.
 FORWARD = (
     "lie_algebra",
     "euler_lax",
-    "lie_poisson",
     "conjugacy",
     "kinematics",
     "phi1_integral",
@@ -20,7 +19,6 @@ FORWARD = (
 CHAPTERS = (
     "lie_algebra",
     "euler_lax",
-    "lie_poisson",
     "conjugacy",
     "kinematics",
     "phi1_integral",

@@ -12,7 +12,6 @@ from rigidsym.proof.algebra._parts import (
     half_angle,
     jacobi,
     join,
-    named,
     part_of,
     sign,
 )
@@ -27,7 +26,6 @@ __all__ = [
     "half_angle",
     "jacobi",
     "join",
-    "named",
     "part_of",
     "sign",
     "text",

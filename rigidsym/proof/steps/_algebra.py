@@ -1,7 +1,6 @@
 """Derivation steps on named matrices: coordinates, products and determinants."""
 
 from collections.abc import Sequence
-from typing import Any
 
 import sympy
 from sympy import (
@@ -15,7 +14,6 @@ from sympy import (
     ZeroMatrix,
 )
 
-from rigidsym.proof.algebra._computation import Computation, plain
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
 
@@ -39,8 +37,7 @@ def coordinates(
     pairs = zip(found, basis, strict=True)
     terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
     right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
-    origin = Computation(found, ("coordinates",))
-    fact = scope.decide_matrices(fact_id, expression, right, source, origin)
+    fact = scope.decide_matrices(fact_id, expression, right, source)
     return scope.note("coordinates", why, found, [(expression, right)], fact)
 
 
@@ -103,7 +100,7 @@ def multiply(
     scope: Scope,
     fact_id: str,
     left: MatrixExpr,
-    right: MatrixExpr | Computation,
+    right: MatrixExpr,
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
@@ -111,10 +108,8 @@ def multiply(
 
     The kernel multiplies.
     """
-    origin = right if isinstance(right, Computation) else None
-    value: Any = plain(right)
-    fact = scope.decide_matrices(fact_id, left, value, source, origin)
-    return scope.note("multiply", why, value, [(left, value)], fact)
+    fact = scope.decide_matrices(fact_id, left, right, source)
+    return scope.note("multiply", why, right, [(left, right)], fact)
 
 
 def determinant(
@@ -128,5 +123,5 @@ def determinant(
     real, imaginary = scope.determinant(name)
     parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]
     parts += [(imaginary, "0")] if imaginary else []
-    fact = scope.decide(fact_id, parts, source, Computation(value, ("determinant",)))
+    fact = scope.decide(fact_id, parts, source)
     return scope.note("multiply", why, value, [(Determinant(name), value)], fact)
