@@ -8,6 +8,7 @@ others a right-hand side is a guess until the kernel has decided it.
 FORWARD = (
     "lie_algebra",
     "euler_lax",
+    "lie_poisson",
     "conjugacy",
     "kinematics",
     "phi1_integral",
@@ -19,6 +20,7 @@ FORWARD = (
 CHAPTERS = (
     "lie_algebra",
     "euler_lax",
+    "lie_poisson",
     "conjugacy",
     "kinematics",
     "phi1_integral",

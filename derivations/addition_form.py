@@ -13,108 +13,137 @@ b is the middle one, 0 <= r <= p.  The integrals of Omega^2, which the attitude'
 follow from that of S_t^2.
 """
 
-from derivations.attitude import HANDEDNESS, INERTIA
-from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join
+from collections.abc import Iterable
+from typing import Any
 
+from sympy import Symbol, solve
+
+from derivations.attitude import EULER as RATES_OF_BODY
+from derivations.attitude import HANDEDNESS, INERTIA, MOMENTS, OMEGA, Omega_a, Omega_b, Omega_d
+from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, named
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbols
+
+Omega_a0, Omega_b0, Omega_d0 = OMEGA_0 = symbols("Omega_a0 Omega_b0 Omega_d0")
+alpha_a, alpha_b, alpha_d = ALPHA = symbols("alpha_a alpha_b alpha_d")
+t, S_t, C_t, D_t, E_t, F_t, p, r = symbols("t S_t C_t D_t E_t F_t p r")
+g_a, g_d, below, lambda_, m, sn, cn, dn = symbols("g_a g_d below lambda_ m sn cn dn")
+A_a, A_d, S_0, C_0, D_0, I_a, I_b, I_d = symbols("A_a A_d S_0 C_0 D_0 I_a I_b I_d")
+OTHERS = {"a": ("b", "d"), "b": ("d", "a"), "d": ("a", "b")}
+EULER = {f"D(Omega_{x})": f"alpha_{x}*Omega_{y}*Omega_{z}" for x, (y, z) in OTHERS.items()}
 FORCES = {
-    "alpha_a": "epsilon*(c_b - c_d)/c_a",
-    "alpha_b": "epsilon*(c_d - c_a)/c_b",
-    "alpha_d": "epsilon*(c_a - c_b)/c_d",
+    str(alpha): (RATES_OF_BODY[w] * w / (Omega_a * Omega_b * Omega_d)).cancel().factor()
+    for alpha, w in zip(ALPHA, OMEGA, strict=True)
 }
-MEANING = {name: f"the coefficient of Omega_{name[-1]}' in Euler's equations" for name in FORCES}
+MEANING = {f"alpha_{x}": f"the coefficient of Omega_{x}' in Euler's equations" for x in "abd"}
+
+# From an instant where Omega_b = 0 the rates are A_a D_t, alpha_b A_a A_d S_t and A_d C_t; their
+# equations say what p and r are.  g_a = alpha_a Omega_b^2 - alpha_b Omega_a^2 is constant, as g_d.
+NODE = {Omega_a: A_a * D_t, Omega_b: alpha_b * A_a * A_d * S_t, Omega_d: A_d * C_t}
+MODULI = {
+    p: compute(alpha_d * Omega_a * Omega_b + A_d * p * S_t * D_t).subs(NODE).solve_for(p),
+    r: compute(alpha_a * Omega_b * Omega_d + A_a * r * S_t * C_t).subs(NODE).solve_for(r),
+}
+SQUARED_AMPLITUDES = compute([g_a + alpha_b * A_a**2, g_d + alpha_b * A_d**2]).apply(
+    solve, [A_a**2, A_d**2]
+)
+# From any instant they go on by the addition theorems (DLMF 22.8.1 to 22.8.3).
+ADDED = {
+    Omega_a: A_a * (D_t * D_0 - r * S_t * S_0 * C_t * C_0),
+    Omega_b: alpha_b * A_a * A_d * (S_t * C_0 * D_0 + S_0 * C_t * D_t),
+    Omega_d: A_d * (C_t * C_0 - p * S_t * S_0 * D_t * D_0),
+}
+PHASE = {D_0: Omega_a0 / A_a, S_0: Omega_b0 / (alpha_b * A_a * A_d), C_0: Omega_d0 / A_d}
+
 BODY = Part(definitions=FORCES, reading=MEANING)
 # The same by themselves, whatever they are.
-COEFFICIENTS = Part(
-    witness={"alpha_a": "1/3", "alpha_b": "-1", "alpha_d": "1"},
-    reading=MEANING,
-)
+COEFFICIENTS = Part(witness={alpha_a: "1/3", alpha_b: "-1", alpha_d: "1"}, reading=MEANING)
 GIVEN = Part(
-    witness={"Omega_a0": "1", "Omega_b0": "0", "Omega_d0": "1"},
+    witness={Omega_a0: "1", Omega_b0: "0", Omega_d0: "1"},
     definitions={
-        "g_a": "alpha_a*Omega_b0**2 - alpha_b*Omega_a0**2",
-        "g_d": "alpha_d*Omega_b0**2 - alpha_b*Omega_d0**2",
-        "p": "alpha_d*g_a",
-        "r": "alpha_a*g_d",
+        g_a: alpha_a * Omega_b0**2 - alpha_b * Omega_a0**2,
+        g_d: alpha_d * Omega_b0**2 - alpha_b * Omega_d0**2,
+        **{name: form.subs(SQUARED_AMPLITUDES) for name, form in MODULI.items()},
     },
     reading={f"Omega_{x}0": f"body rate about axis {x} at t = 0, rad/s" for x in "abd"},
 )
 FUNCTIONS = Part(
-    witness={"S_t": "0", "C_t": "1", "D_t": "1"},
-    relations=("C_t**2 + p*S_t**2 - 1", "D_t**2 + r*S_t**2 - 1"),
-    rates={"S_t": "C_t*D_t", "C_t": "-p*S_t*D_t", "D_t": "-r*S_t*C_t"},
+    witness={S_t: "0", C_t: "1", D_t: "1"},
+    relations=(C_t**2 + p * S_t**2 - 1, D_t**2 + r * S_t**2 - 1),
+    rates={S_t: C_t * D_t, C_t: -p * S_t * D_t, D_t: -r * S_t * C_t},
     reading={
-        "S_t": "sn(lambda t | m)/lambda with p = lambda^2 and r = m lambda^2, or its limit",
-        "C_t": "cn(lambda t | m)",
-        "D_t": "dn(lambda t | m)",
+        S_t: "sn(lambda t | m)/lambda with p = lambda^2 and r = m lambda^2, or its limit",
+        C_t: "cn(lambda t | m)",
+        D_t: "dn(lambda t | m)",
     },
 )
-TIME = Part(witness={"t": "0"}, rates={"t": "1"}, reading={"t": "time, s"})
+TIME = Part(witness={t: "0"}, rates={t: "1"}, reading={t: "time, s"})
 SQUARED = Part(
-    witness={"E_t": "0"},
-    rates={"E_t": "S_t**2"},
-    reading={"E_t": "the integral of S_t^2 from 0 to t"},
+    witness={E_t: "0"},
+    rates={E_t: S_t**2},
+    reading={E_t: "the integral of S_t^2 from 0 to t"},
 )
 OVER_SQUARE = Part(
-    witness={"F_t": "0"},
-    units=("D_t",),
-    rates={"F_t": "S_t**2/D_t**2"},
-    reading={"F_t": "the integral of S_t^2/D_t^2 from 0 to t"},
+    witness={F_t: "0"},
+    units=(D_t,),
+    rates={F_t: S_t**2 / D_t**2},
+    reading={F_t: "the integral of S_t^2/D_t^2 from 0 to t"},
 )
 RATES = Part(
-    units=("below",),
+    units=(below,),
     definitions={
-        "below": "1 - alpha_a*alpha_d*Omega_b0**2*S_t**2",
-        "Omega_a": "(Omega_a0*D_t + alpha_a*Omega_b0*Omega_d0*S_t*C_t)/below",
-        "Omega_b": "(Omega_b0*C_t*D_t + alpha_b*Omega_d0*Omega_a0*S_t)/below",
-        "Omega_d": "(Omega_d0*C_t + alpha_d*Omega_a0*Omega_b0*S_t*D_t)/below",
+        below: compute(1 - p * r * S_t**2 * S_0**2).subs(MODULI).subs(PHASE),
+        **{w: compute(x).subs(MODULI).subs(PHASE).expand() / below for w, x in ADDED.items()},
     },
 )
 # Where p is not zero they are Jacobi's.
 BY_JACOBI = Part(
-    witness={"lambda_": "1", "m": "1/2"},
-    units=("lambda_",),
-    definitions={
-        "p": "lambda_**2",
-        "r": "m*lambda_**2",
-        "S_t": "sn/lambda_",
-        "C_t": "cn",
-        "D_t": "dn",
-    },
-    reading={"lambda_": "sqrt(p)", "m": "r/p"},
+    witness={lambda_: "1", m: "1/2"},
+    units=(lambda_,),
+    definitions={p: lambda_**2, r: m * lambda_**2, S_t: sn / lambda_, C_t: cn, D_t: dn},
+    reading={lambda_: "sqrt(p)", m: "r/p"},
 )
 # The integrals of Omega_b^2, and of the others where b is not an axis of symmetry.
 INTEGRALS = Part(
-    units=("alpha_b",),
+    units=(alpha_b,),
     definitions={
-        "I_b": "g_a*g_d*E_t + Omega_b0*Omega_b*S_t",
-        "I_a": "Omega_a0**2*t + alpha_a/alpha_b*(I_b - Omega_b0**2*t)",
-        "I_d": "Omega_d0**2*t + alpha_d/alpha_b*(I_b - Omega_b0**2*t)",
+        I_b: g_a * g_d * E_t + Omega_b0 * Omega_b * S_t,
+        I_a: Omega_a0**2 * t + alpha_a / alpha_b * (I_b - Omega_b0**2 * t),
+        I_d: Omega_d0**2 * t + alpha_d / alpha_b * (I_b - Omega_b0**2 * t),
     },
 )
-START = Part(relations=("t", "S_t", "C_t - 1", "D_t - 1", "E_t"))
-OTHERS = {"a": ("b", "d"), "b": ("d", "a"), "d": ("a", "b")}
-EULER = {f"D(Omega_{x})": f"alpha_{x}*Omega_{y}*Omega_{z}" for x, (y, z) in OTHERS.items()}
+START = Part(relations=(t, S_t, C_t - 1, D_t - 1, E_t))
+
+
+def _moment(n: int, rates: Iterable[Symbol]) -> Any:
+    return sum(c**n * w**2 for c, w in zip(MOMENTS, rates, strict=True))
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, the functions, the integrals of squared rates, and the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
     builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
-    builder.claim("addition.euler", EULER, ["5", "10"])
-    invariants = [" + ".join(f"c_{x}**{n}*Omega_{x}{{0}}**2" for x in "abd") for n in (1, 2)]
-    kept = {form.format(""): form.format("0") for form in invariants}
-    builder.claim("addition.invariants", kept, ["6", "15"])
+    euler = {
+        rate_of(w): (RATES_OF_BODY[w] * alpha / FORCES[str(alpha)]).cancel()
+        for w, alpha in zip(OMEGA, ALPHA, strict=True)
+    }
+    builder.claim("addition.euler", euler, ["5", "10"])
+    energy, size = (
+        (_moment(1, OMEGA), _moment(1, OMEGA_0)),
+        (_moment(2, OMEGA), _moment(2, OMEGA_0)),
+    )
+    builder.claim("addition.invariants", [energy, size], ["6", "15"])
     builder.open(
         join("addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_"))
     )
-    rates = {f"D({name})": rate for name, rate in FUNCTIONS.rates.items()}
-    curves = dict.fromkeys(FUNCTIONS.relations, "0")
+    rates = {rate_of(name): rate for name, rate in FUNCTIONS.rates.items()}
+    curves = dict.fromkeys(FUNCTIONS.relations, 0)
     builder.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"])
     builder.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
-    squares = {f"D(I_{x})": f"Omega_{x}**2" for x in "abd"}
+    squares = named(map(rate_of, (I_a, I_b, I_d)), (w**2 for w in OMEGA))
     builder.claim("addition_integrals.squares", squares, ["10"])
     still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
     parts = (COEFFICIENTS, GIVEN, *still, RATES, INTEGRALS, START)
     builder.open(join("addition_start", *parts, static=True))
-    start = {f"Omega_{x}": f"Omega_{x}0" for x in "abd"} | {f"I_{x}": "0" for x in "abd"}
-    builder.claim("addition_start.rates", start, ["12"])
+    builder.evaluate("addition_start.rates", [*OMEGA, I_a, I_b, I_d], ["12"])

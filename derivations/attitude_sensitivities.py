@@ -1,7 +1,8 @@
 """Sensitivities of the attitude: a small turn by the integrals of Omega_k^2 alone.
 
 L = R M is constant, so its change is; seen in the body it is l, with l' = l x Omega.  Let xi be the
-small turn in the body, dR = R [xi], and s its component along M, times K:
+small turn in the body, dR = R [xi], so that l = dM + xi x M, and s its component along M, times K.
+Solved for xi,
 
     xi = (M x (l - dM) + s M)/K^2,    s = s_0 + t dH - (dc1 I1 + dc2 I2 + dc3 I3)/2
 
@@ -9,142 +10,131 @@ where I_k' = Omega_k^2.  The change of q is q (0, xi)/2.  Nothing divides by any
 derivative of an elliptic integral of the third kind is asked for, whatever the motion.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from typing import Any
 
 import sympy
+from sympy import Matrix, Symbol
 
 from derivations.euler_lax import Dynamics
-from derivations.rate_sensitivities import change_of
+from derivations.rate_sensitivities import change, defined, moving, small, still
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra._quaternion import kinematics, product
-from rigidsym.proof.steps._names import read, symbol, symbols
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.algebra._quaternion import product
+from rigidsym.proof.steps._names import symbol, symbols
 
-Vector = tuple[sympy.Symbol, ...]
 AXES = (1, 2, 3)
-C, OMEGA, M, L, XI = (symbols(f"{x}1 {x}2 {x}3") for x in ("c", "Omega", "M", "l", "xi"))
+_NAMES = ("c", "Omega", "M", "l", "xi", "I", "eta")
+VECTORS: Any = [Matrix(symbols(f"{x}1 {x}2 {x}3")) for x in _NAMES]
+C, OMEGA, M, L, XI, SQUARED, ETA = VECTORS
 Q = symbols("q0 q1 q2 q3")
+K, s, s_0, t = symbols("K s s_0 t")
 
 
-def varied(names: Iterable[sympy.Symbol]) -> Vector:
-    """Return the names of the changes of quantities."""
-    return tuple(symbol(f"d{name}") for name in names)
+def varied(names: Iterable[Symbol]) -> Any:
+    """Return the changes of quantities."""
+    return Matrix([symbol(f"d{name}") for name in names])
 
 
-def _texts(names: Iterable[object], values: Iterable[object]) -> dict[str, str]:
-    return {str(name): str(value) for name, value in zip(names, values, strict=True)}
+def named(names: Iterable[Any], values: Iterable[Any]) -> dict[Any, Any]:
+    """Return values by names."""
+    return dict(zip(names, values, strict=True))
 
 
-def _cross(one: Iterable[sympy.Expr], other: Iterable[sympy.Expr]) -> list[sympy.Expr]:
-    return list(sympy.Matrix([*one]).cross(sympy.Matrix([*other])))
+def commutator(one: Any, other: Any) -> Computation:
+    """Return the vector of [one] [other] - [other] [one]."""
+    product = compute(one.hat()).multiply(other.hat())
+    return (product - compute(other.hat()).multiply(one.hat())).expand().vee()
 
 
-def _variations(rates: Mapping[str, str]) -> dict[str, str]:
-    """Return the change of each rate by the chain rule."""
-    return {f"d{name}": str(change_of(read(text))) for name, text in rates.items()}
-
-
-# A body beside the one that moves: its moments, its rates and, in the body, its momentum differ.
-BESIDE = Part(
-    witness={
-        **dict.fromkeys(map(str, varied(C)), "1"),
-        **dict.fromkeys(map(str, varied(OMEGA)), "0"),
-    },
-    definitions={
-        **{f"dM{k}": f"dc{k}*Omega{k} + c{k}*dOmega{k}" for k in AXES},
-        "dH": "(dc1*Omega1**2 + dc2*Omega2**2 + dc3*Omega3**2)/2"
-        " + M1*dOmega1 + M2*dOmega2 + M3*dOmega3",
-    },
-    reading={
-        **{f"dc{k}": f"change of the moment of inertia c{k}, kg m^2" for k in AXES},
-        **{f"dOmega{k}": f"change of Omega{k}, rad/s" for k in AXES},
-        "dH": "change of the energy, constant",
-    },
-)
+# (R [Omega])' = (R [xi])' has R [xi] [Omega] + R [dOmega] = R [Omega] [xi] + R [xi'].
+TURNING = varied(OMEGA) + commutator(XI, OMEGA)
+# l = dM + xi x M and s = xi . M are four equations A xi = b, and A^T A is K^2 times the identity.
+_MATRIX, _GIVEN = compute([*XI.cross(M), XI.dot(M)]).apply(sympy.linear_eq_to_matrix, [*XI])
+_SQUARE = _MATRIX.T.multiply(_MATRIX).expand().subs(M.dot(M), K**2)
+SOLVED = _SQUARE.inv().multiply(_MATRIX.T.multiply(Matrix([*(L - varied(M)), s])))
 STATE = Part(
-    witness={"Omega1": "1", "Omega2": "0", "Omega3": "0", "K": "1"},
-    units=("K",),
-    relations=("K**2 - M1**2 - M2**2 - M3**2",),
-    reading={"K": "|M|, kg m^2 rad/s"},
+    witness={"Omega1": "1", "Omega2": "0", "Omega3": "0", K: "1"},
+    units=(K,),
+    relations=(K**2 - M.dot(M),),
+    reading={K: "|M|, kg m^2 rad/s"},
 )
 MOMENTUM = Part(
-    witness={"l1": "1", "l2": "0", "l3": "0"},
-    relations=("M1*(l1 - dM1) + M2*(l2 - dM2) + M3*(l3 - dM3)",),
-    rates=_texts(L, _cross(L, OMEGA)),
+    witness=named(L, "100"),
+    relations=(M.dot(L - varied(M)),),
+    rates=named(L, compute(L).cross(OMEGA)),
     reading={f"l{k}": f"component {k} in the body of the change of L = R M" for k in AXES},
 )
 INTEGRALS = Part(
-    witness={"t": "0", **{f"I{k}": "0" for k in AXES}},
-    rates={"t": "1", **{f"I{k}": f"Omega{k}**2" for k in AXES}},
+    witness={t: "0", **dict.fromkeys(SQUARED, "0")},
+    rates={t: 1, **named(SQUARED, OMEGA.applyfunc(lambda x: x**2))},
     reading={
-        "t": "time, s",
+        t: "time, s",
         **{f"I{k}": f"the integral of Omega{k}^2 from 0 to t" for k in AXES},
     },
 )
-ALONG = {"s": "s_0 + t*dH - (dc1*I1 + dc2*I2 + dc3*I3)/2"}
-BEGUN = Part(witness={"s_0": "0"}, definitions=ALONG, reading={"s_0": "xi . M at t = 0"})
-ACROSS = _cross(M, (x - y for x, y in zip(L, varied(M), strict=True)))
+ALONG = {s: s_0 + t * symbol("dH") - varied(C).dot(SQUARED) / 2}
+BEGUN = Part(witness={s_0: "0"}, definitions=ALONG, reading={s_0: "xi . M at t = 0"})
 TURN = Part(
-    definitions=_texts(
-        XI, ((x + symbol("s") * m) / symbol("K") ** 2 for x, m in zip(ACROSS, M, strict=True))
-    ),
-    reading={f"xi{k}": f"component {k} in the body of the small turn" for k in AXES},
+    definitions=named(XI, SOLVED),
+    reading={f"xi{k}": f"component {k} of the small turn in the body" for k in AXES},
 )
+TURNED = named(Q, (x / 2 for x in product(Q, (0, *OMEGA))))
 ATTITUDE = Part(
-    witness={str(q): str(int(k == 0)) for k, q in enumerate(Q)},
-    rates=_texts(Q, kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3").values()),
-    relations=("q3**2 + q2**2 + q1**2 + q0**2 - 1",),
-    definitions=_texts(varied(Q), (x / 2 for x in product(Q, (0, *XI)))),
-    reading={str(q): f"component {k} of the attitude" for k, q in enumerate(Q)},
+    witness=named(Q, "1000"),
+    rates=TURNED,
+    relations=(sum(q**2 for q in Q) - 1,),
+    definitions=named(varied(Q), (x / 2 for x in compute(Q).apply(product, (0, *XI)))),
+    reading={q: f"component {k} of the attitude" for k, q in enumerate(Q)},
 )
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove that small turn and change of q satisfy the variation of (3) from given values."""
     dynamics = builder.result(Dynamics)
-    moving = Part(rates=_variations(dynamics.body.rates))
-    parts = (
-        *(dynamics.parameters, dynamics.body, moving, STATE),
-        *(BESIDE, MOMENTUM, INTEGRALS, BEGUN, TURN),
+    given = (dynamics.parameters, dynamics.body)
+    rates, quantities = moving(*given), defined(*given)
+    # A body beside the one that moves: its moments, its rates and, in the body, its momentum.
+    beside = Part(
+        witness={**small(*C).witness, **small(*OMEGA, value="0").witness},
+        definitions={f"d{x}": change(quantities[symbol(x)]) for x in ("M1", "M2", "M3", "H")},
+        rates=named(varied(OMEGA), (change(rates[x]) for x in OMEGA)),
+        reading={**small(*C, *OMEGA).reading, "dH": "change of the energy, constant"},
     )
+    parts = (*given, STATE, beside, MOMENTUM, INTEGRALS, BEGUN, TURN)
     builder.open(join("turned", *parts))
     builder.claim("turned.energy", {"D(dH)": "0"}, ["6"])
-    builder.claim("turned.along", {"xi1*M1 + xi2*M2 + xi3*M3": "s"}, ["6"])
-    turning = [dw - x for dw, x in zip(varied(OMEGA), _cross(OMEGA, XI), strict=True)]
-    builder.claim("turned.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
+    builder.claim("turned.along", {XI.dot(M): s}, ["6"])
+    claims = named((f"D({x})" for x in XI), TURNING)
+    builder.claim("turned.variation", claims, ["3"])
     builder.open(join("turned_attitude", *parts, ATTITUDE))
-    variation = {f"D({name})": rate for name, rate in _variations(ATTITUDE.rates).items()}
+    variation = {f"D(d{q})": change(rate) for q, rate in TURNED.items()}
     builder.claim("turned_attitude.variation", variation, ["3"])
-    builder.claim("turned_attitude.norm", {" + ".join(f"{q}*d{q}" for q in Q): "0"}, ["1"])
-    momenta = Part(definitions={str(m): dynamics.body.definitions[str(m)] for m in M})
-    _start(builder, dynamics.parameters, momenta)
+    builder.claim("turned_attitude.norm", {sum(q * symbol(f"d{q}") for q in Q): 0}, ["1"])
+    momenta = Part(definitions=named(M, (quantities[m] for m in M)))
+    begun = Part(
+        witness=dict.fromkeys(ETA, "1"),
+        definitions={
+            **named(L, varied(M) + compute(ETA).cross(M)),
+            s_0: compute(ETA).dot(M),
+            **ALONG,
+        },
+        relations=(t, *SQUARED),
+        reading={x: f"component {k} of xi at t = 0" for k, x in enumerate(ETA, 1)},
+    )
+    parts = (dynamics.parameters, momenta, STATE, *still(INTEGRALS), beside, begun, TURN)
+    builder.open(join("turned_start", *parts, static=True))
+    builder.claim("turned_start.turn", named(XI, ETA), ["37"])
     _rest(builder)
 
 
 def _rest(builder: LedgerBuilder) -> None:
     """Prove the case of a body at rest, where the small turn grows linearly."""
-    given = symbols("eta1 eta2 eta3")
-    turned = [x + symbol("t") * dw for x, dw in zip(given, varied(OMEGA), strict=True)]
     begun = Part(
-        witness={"t": "0", **dict.fromkeys(map(str, (*given, *varied(OMEGA))), "1")},
-        rates={"t": "1"},
-        definitions={**dict.fromkeys(map(str, OMEGA), "0"), **_texts(XI, turned)},
-        reading={str(x): f"component {k} of xi at t = 0" for k, x in enumerate(given, 1)},
+        witness={t: "0", **dict.fromkeys((*ETA, *varied(OMEGA)), "1")},
+        rates={t: 1},
+        definitions={**dict.fromkeys(OMEGA, 0), **named(XI, ETA + t * varied(OMEGA))},
+        reading={x: f"component {k} of xi at t = 0" for k, x in enumerate(ETA, 1)},
     )
     builder.open(join("turned_at_rest", begun))
-    turning = [dw - x for dw, x in zip(varied(OMEGA), _cross(OMEGA, XI), strict=True)]
-    builder.claim("turned_at_rest.variation", _texts((f"D({x})" for x in XI), turning), ["3"])
-
-
-def _start(builder: LedgerBuilder, *body: Part) -> None:
-    """Prove that the small turn at t = 0 is the given one."""
-    given = symbols("eta1 eta2 eta3")
-    still = Part(INTEGRALS.witness, relations=tuple(INTEGRALS.witness), reading=INTEGRALS.reading)
-    turned = [x + y for x, y in zip(_cross(given, M), varied(M), strict=True)]
-    along = " + ".join(f"{x}*{m}" for x, m in zip(given, M, strict=True))
-    start = Part(
-        witness=dict.fromkeys(map(str, given), "1"),
-        definitions={**_texts(L, turned), "s_0": along, **ALONG},
-        reading={str(x): f"component {k} of xi at t = 0" for k, x in enumerate(given, 1)},
-    )
-    builder.open(join("turned_start", *body, STATE, still, BESIDE, start, TURN, static=True))
-    builder.claim("turned_start.turn", _texts(XI, given), ["37"])
+    builder.claim("turned_at_rest.variation", named((f"D({x})" for x in XI), TURNING), ["3"])

@@ -59,6 +59,19 @@ def turns(setting: Setting) -> tuple[Part, ...]:
     return tuple(replace(part, witness=w) for part, w in zip(plain, tilted, strict=True))
 
 
+def circles(setting: Setting) -> tuple[Part, Part]:
+    """Return the whole angles phi2 and phi3 by their cosines and sines.
+
+    Squares of phi2's function along the last axis are reduced to those of the one across it, by
+    which the chapters divide.
+    """
+    phi2, phi3 = (
+        circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
+    )
+    along, across = (f"{x.func}_phi2" for x in setting.nutation(PHI[1]))
+    return replace(phi2, witness={x: phi2.witness[x] for x in (across, along)}), phi3
+
+
 def exponential(setting: Setting, axis: int, angle: sympy.Symbol) -> ImmutableMatrix:
     """Return exp(angle A) = cos(w angle) + sin(w angle)/w A, for A^2 = -w^2."""
     w = setting.factor
@@ -114,10 +127,7 @@ def derive(builder: LedgerBuilder) -> None:
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
     seen = coordinates(scope, "three_angles.momentum", R.I * target * R, A, why, ["24", "26"])
     momenta = builder.result(Dynamics).momenta
-    circles = tuple(
-        circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
-    )
-    reduction = Reduction(seen.value, momenta, matrices, parts, circles)
+    reduction = Reduction(seen.value, momenta, matrices, parts, circles(setting))
     builder.keep(reduction)
     _reduced(builder, reduction)
     _angles(builder, reduction)
@@ -150,23 +160,25 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     """Solve the components of M for the angles: (27) to (29)."""
     setting = builder.result(Algebra).setting
     axes = [axis - 1 for axis in setting.axes]
-    outer, middle, third = (reduction.direction[axis] for axis in axes)
+    last, middle, third = (reduction.direction[axis] for axis in axes)
+    along, across = setting.nutation(PHI[1])
+    name = f"{across.func}_phi2"
     free = Part(
-        witness={**dict.fromkeys(("M1", "M2", "M3"), "1"), "sin_phi2": "4/5"},
-        units=("sin_phi2",),
-        reading={"sin_phi2": str(sympy.sin(2 * setting.factor * PHI[1]))},
+        witness={**dict.fromkeys(("M1", "M2", "M3"), "1"), name: "4/5"},
+        units=(name,),
+        reading={name: str(across)},
     )
-    unknown: list[sympy.Expr] = [sympy.cos(2 * setting.factor * PHI[1])]
+    unknown: list[sympy.Expr] = [along]
     unknown += [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
-    names = ("cos_phi2", "cos_phi3", "sin_phi3")
+    names = (f"{along.func}_phi2", "cos_phi3", "sin_phi3")
     angles = Part(
         witness=dict.fromkeys(names, "1"),
         reading=dict(zip(names, map(str, unknown), strict=True)),
     )
     scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)
-    M_outer, M_middle, M_third = (MOMENTA[axis] for axis in axes)
-    why = "the component along the outer axis gives phi2"
-    solve(scope, "compared.phi2", [(M_outer, K * outer)], unknown[:1], why, ["27"])
+    M_last, M_middle, M_third = (MOMENTA[axis] for axis in axes)
+    why = "the component along the last axis gives phi2"
+    solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, ["27"])
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
     found = solve(scope, "compared.phi3", equations, unknown[1:], why, ["28"])
     cosine, sine = unknown[1:]

@@ -1,7 +1,8 @@
 """The form for numbers: Landen's descent, after which no difference loses digits.
 
 With k' = sqrt(1 - m) and k_1 = (1 - k')/(1 + k'), sn, cn and dn of (u | m) are rational in s, c, d
-of (u_1 | k_1^2), u = (1 + k_1) u_1 (DLMF 22.7(i)).  In the new functions psi of the attitude is
+of (u_1 | k_1^2), u = (1 + k_1) u_1 (DLMF 22.7(i)).  In the new functions psi' of the attitude is
+psi_0 and a multiple of s^2/(1 - n s^2), so that
 
     psi = psi_0 t + kappa (J(u_1, n | k_1^2) - J_0),      n = -k_1 (K - c_a A_a)/(K + c_a A_a),
 
@@ -10,27 +11,93 @@ sign, and the limits (separatrix k_1 = 1, symmetric body k_1 = 0) are regular po
 is a model of the regular form and of the attitude at once, so whatever was proved there holds here.
 """
 
-from derivations.attitude import MOMENTUM as MOMENTUM_OF
-from derivations.attitude import PULL_BACK, SHORTEST, TURN
-from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join
+from typing import Any
 
+from sympy import Expr, Function, Mul, UnevaluatedExpr, factor, solve
+from sympy.integrals.manualintegrate import manualintegrate
+
+from derivations.attitude import MOMENTUM as MOMENTUM_OF
+from derivations.attitude import PSI_RATE, PULL_BACK, SHORTEST, TURN, K, M_a, nu, sigma
+from derivations.regular_form import (
+    AMPLITUDES,
+    ANSATZ,
+    BODY,
+    INVARIANTS,
+    RELATION,
+    ROTATING,
+    A_a,
+    A_d,
+    B_a,
+    B_b,
+    B_d,
+    Delta,
+    c_a,
+    c_d,
+    cn,
+    dn,
+    i_a,
+    lambda_,
+    m,
+    m_1,
+    named,
+    rho,
+    sn,
+    u,
+    unsigned,
+)
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbols
+
+k_c, k_1, m_c, C_b, mu, u_1, t, phase, w = symbols("k_c k_1 m_c C_b mu u_1 t phase w")
+s, c, d, n, psi, psi_0, kappa, J, J_0 = symbols("s c d n psi psi_0 kappa J J_0")
+K_SQUARED = B_a**2 + B_d**2
+# k' is k_c: m = 1 - k'^2, and k_1 is what Landen makes of it.
+DESCENDED = (1 - k_c) / (1 + k_c)
+COMPLEMENT = compute(k_1 - DESCENDED).apply(solve, k_c, simplify=False)[0]
+MODULUS = (1 - COMPLEMENT**2).factor()
+BELOW = 1 + k_1 * s**2
+SN = (1 + k_1) * s / BELOW
+
+
+def root(square: Expr) -> Expr:
+    """Return the square root that is 1 at s = 0."""
+    found = Mul(*(base ** (power / 2) for base, power in factor(square).as_powers_dict().items()))
+    return found / found.subs(s, 0)
+
+
+def by_k_c(expression: Any) -> Computation:
+    """Put in the complementary modulus for k_1, which leaves no difference."""
+    return compute(expression).subs(k_1, DESCENDED).factor()
+
+
+CN = ((1 - compute(sn**2).subs(sn, SN)) / ((1 - s**2) * (1 - k_1**2 * s**2))).apply(root) * c * d
+DN = compute(1 - m * sn**2).subs(m, MODULUS).subs(sn, SN).apply(root)
+DN = (DN * BELOW).cancel() / BELOW
+# psi' as a fraction in s^2: a constant, and kappa mu s^2/(1 - n s^2).
+RATE = unsigned(PSI_RATE.subs(ANSATZ).subs(M_a, sigma * B_a * dn)).subs(dn, DN)
+PSI_0 = RATE.subs(s, 0).factor()
+REST = ((RATE - PSI_0) / s**2).factor()
+N = ((1 - REST.subs(s, 0) / REST) / s**2).cancel().factor()
+KAPPA = (REST.subs(s, 0) / mu).factor()
+SLOPE = mu * s**2 / (1 - n * s**2)
+FUNCTION: Any = Function("J")
+J_OF_T = FUNCTION(t)
+PSI = (psi_0 + kappa * compute(SLOPE).subs(SLOPE, J_OF_T.diff(t))).apply(manualintegrate, t)
+# B by the amplitudes of the rates.
+BY_RATES = {B_a: c_a * A_a, B_d: UnevaluatedExpr(c_d * A_d)}
+MU = compute((1 + k_1) * mu - lambda_).apply(solve, mu, simplify=False)[0]
+U_1 = compute(mu * t + phase)
+
+POLHODE = (RELATION.subs({m: MODULUS, B_b: C_b / (1 + k_1)}) * (1 + k_1) ** 2).factor().expand()
+INSIDE = C_b**2 - POLHODE
 DESCENT = Part(
     witness={"k_1": "1", "C_b": "50"},
-    units=(
-        "1 + k_1",
-        "C_b",
-        "(1 + k_1)**2*B_d**2 + 4*k_1*B_a**2",
-        "i_a*((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2) + rho*Delta*(1 + k_1)**2*B_d**2",
-    ),
-    relations=("C_b**2 - (1 + k_1)**2*B_d**2 - 4*k_1*B_a**2",),
-    definitions={
-        "m": "4*k_1/(1 + k_1)**2",
-        "B_b": "C_b/(1 + k_1)",
-        "k_c": "(1 - k_1)/(1 + k_1)",
-        "m_c": "1 - k_1**2",
-    },
-    nonnegative=("B_b", "k_c", "K", "nu"),
+    units=(1 + k_1, C_b, INSIDE, i_a * INSIDE + rho * Delta * (1 + k_1) ** 2 * B_d**2),
+    relations=("C_b**2 - (1 + k_1)**2*B_d**2 - 4*k_1*B_a**2",),  # POLHODE, factored
+    definitions={m: MODULUS, B_b: C_b / (1 + k_1), k_c: COMPLEMENT, m_c: 1 - k_1**2},
+    nonnegative=(B_b, k_c, K, nu),
     reading={
         "k_1": "modulus after one descent",
         "C_b": "(1 + k_1) B_b",
@@ -40,7 +107,7 @@ DESCENT = Part(
 )
 ARGUMENT = Part(
     witness={"t": "0", "phase": "0"},
-    definitions={"mu": "lambda_/(1 + k_1)", "u_1": "mu*t + phase", "u": "(1 + k_1)*u_1"},
+    definitions={mu: MU, u_1: U_1, u: (1 + k_1) * u_1},
     rates={"t": "1"},
     reading={
         "t": "time, s",
@@ -49,23 +116,17 @@ ARGUMENT = Part(
     },
 )
 LANDEN = Part(
-    units=("1 + k_1*s**2",),
+    units=(BELOW,),
     reading={f"{x}": f"jacobi_{x}n(u_1, 1 - m_c)" for x in "scd"},
-    definitions={
-        "sn": "(1 + k_1)*s/(1 + k_1*s**2)",
-        "cn": "c*d/(1 + k_1*s**2)",
-        "dn": "(1 - k_1*s**2)/(1 + k_1*s**2)",
-    },
+    definitions={sn: SN, cn: CN, dn: DN},
 )
 # w is nu (1 + k_1 s^2), whose square is a polynomial.
+TILTED = K * BELOW + B_a * (1 - k_1 * s**2)
 MOMENTUM = Part(
     witness={"K": "25", "w": "40"},
-    units=("K", "w", "K + B_a", "K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2)"),
-    relations=(
-        "K**2 - B_a**2 - B_d**2",
-        "w**2 - 2*K*(K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2))*(1 + k_1*s**2)",
-    ),
-    definitions={"nu": "w/(1 + k_1*s**2)"} | dict(SHORTEST.definitions),
+    units=(K, w, K + B_a, TILTED),
+    relations=("K**2 - B_a**2 - B_d**2", w**2 - 2 * K * TILTED * BELOW),
+    definitions={nu: w / BELOW, **SHORTEST.definitions},
     rates={
         "w": "w*k_1*s*mu*c*d*((K - B_a)/(K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2)) + 1/(1 + k_1*s**2))"
     },
@@ -74,12 +135,12 @@ MOMENTUM = Part(
 SECULAR = Part(
     witness={"J": "0", "J_0": "0"},
     definitions={
-        "n": "-k_1*(K - B_a)/(K + B_a)",
-        "psi_0": "(2*H + K*A_a)/(K + B_a)",
-        "kappa": "2*E_a*A_a*k_1/((K + B_a)**2*mu)",
-        "psi": "psi_0*t + kappa*(J - J_0)",
+        n: N,
+        psi_0: PSI_0,
+        kappa: named(KAPPA.subs(B_a, c_a * A_a)),
+        psi: PSI.subs(J_OF_T, J - J_0).ordered("psi_0 t kappa"),
     },
-    rates={"J": "mu*s**2/(1 - n*s**2)"},
+    rates={J: SLOPE},
     reading={
         "J": "elliptic_j(u_1, n, 1 - m_c)",
         "J_0": "elliptic_j(phase, n, 1 - m_c)",
@@ -111,32 +172,39 @@ def derive(builder: LedgerBuilder) -> None:
     builder.carry("descended", ["regular.euler", "attitude.solution"])
     builder.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
     start = ("t", "J - J_0", "cos_half_psi - 1", "sin_half_psi")
-    builder.begin("descended", start, "", {"u_1": "phase", "psi": "0"}, "20", "21", "33", "34")
+    builder.begin("descended", start, "", ("u_1", "psi"), "20", "21", "33", "34")
     builder.model("descended_start", "rates_start")
     builder.model("descended_start", "attitude_begun")
 
 
 def _descent(builder: LedgerBuilder) -> None:
     """Prove the modulus, its complement and Landen's dn, all without differences."""
-    builder.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
-    builder.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
-    builder.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
-    builder.claim(
-        "descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["DLMF 22.7.4"]
-    )
+    complement = compute(1 - m_1 - m).apply(solve, m, simplify=False)[0]
+    builder.root("descended.k_c", k_c, (1 - complement).expand(), ["DLMF 22.7.1"])
+    above = compute((1 - k_c) * (1 + k_c)).expand().subs(k_c**2, 1 - m)
+    builder.claim("descended.k_1", {k_1: above / (1 + k_c) ** 2}, ["DLMF 22.7.1"])
+    builder.claim("descended.m_c", {m_c: by_k_c(1 - k_1**2)}, ["DLMF 22.7.1"])
+    # 1 - k_1 s^2 is c^2 + (1 - k_1) s^2
+    grown = c**2 + by_k_c((DN * BELOW).cancel().expand().coeff(s, 2) + 1).held() * s**2
+    builder.claim("descended.dn", {dn: (grown / BELOW).ordered("c s")}, ["DLMF 22.7.4"])
 
 
 def _argument(builder: LedgerBuilder) -> None:
     """Prove u_1 and its rate."""
-    builder.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
-    builder.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
-    builder.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
-    builder.claim("descended.u_1_is_the_argument", {"D(u_1)": "mu"}, ["20", "21"])
+    builder.claim("descended.mu", {mu: by_k_c(MU)}, ["DLMF 22.7.2"])
+    argument = compute(u - (1 + k_1) * u_1).apply(solve, u_1, simplify=False)[0]
+    builder.claim("descended.u_1_of_u", {u_1: by_k_c(argument)}, ["DLMF 22.7.2"])
+    start = (u_1 - U_1).apply(solve, phase, simplify=False)[0].ordered("mu t")
+    builder.claim("descended.phase", {phase: start}, ["20", "21"])
+    builder.claim("descended.u_1_is_the_argument", {rate_of(u_1): U_1.diff(t)}, ["20", "21"])
 
 
 def _secular(builder: LedgerBuilder) -> None:
     """Prove that the derivative of psi is psi_rate of the attitude."""
-    builder.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
-    builder.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
-    builder.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])
-    builder.claim("descended.psi_is_the_angle", {"D(psi)": "psi_rate"}, ["33", "34"])
+    # K^2 - B_a^2 is B_d^2
+    above = (N * (K + B_a) ** 2).cancel().expand().subs(K**2, K_SQUARED).expand()
+    builder.claim("descended.n", {n: (above / (K + B_a) ** 2).subs(BY_RATES)}, ["34"])
+    builder.claim("descended.psi_0", {psi_0: PSI_0.subs(BY_RATES)}, ["33", "34"])
+    step = named(KAPPA.subs(BY_RATES)).ordered("E_a c_a A_a k_1")
+    builder.claim("descended.kappa", {kappa: step}, ["34"])
+    builder.claim("descended.psi_is_the_angle", {rate_of(psi): PSI_RATE}, ["33", "34"])

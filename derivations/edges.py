@@ -6,49 +6,58 @@ have to be taken.  The integral J of the descended form is elementary on the sep
 symmetric body the circulation rate is constant.  Motions with constant rates are the next chapter.
 """
 
+from sympy import symbols
+
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.steps import rate_of
 
+sn, cn, dn, m, m_1, n = symbols("sn cn dn m m_1 n")
+rho, Delta, lambda_, i_a = symbols("rho Delta lambda_ i_a")
+c_a, c_b, c_d, c_ab, Omega_a, Omega_b, Omega_d = symbols("c_a c_b c_d c_ab Omega_a Omega_b Omega_d")
+A_a, A_b, A_d, B_a, B_b, B_d, E_b = symbols("A_a A_b A_d B_a B_b B_d E_b")
+sech, tanh, cosine, sine, x, mu, u_1, A, J = symbols("sech tanh cosine sine x mu u_1 A J")
 SEPARATRIX = Part(
-    witness={"B_b": "25"},
-    units=("B_b", "B_d**2 + B_a**2", "i_a*(B_d**2 + B_a**2) + rho*Delta*B_d**2"),
-    definitions={"m": "1"},
-    relations=("B_b**2 - B_d**2 - B_a**2",),
-    nonnegative=("B_b",),
-    reading={"B_b": "amplitude of c_b |Omega_b|"},
+    witness={B_b: "25"},
+    units=(B_b, B_d**2 + B_a**2, i_a * (B_d**2 + B_a**2) + rho * Delta * B_d**2),
+    definitions={m: 1},
+    relations=(B_b**2 - B_d**2 - B_a**2,),
+    nonnegative=(B_b,),
+    reading={B_b: "amplitude of c_b |Omega_b|"},
 )
 HYPERBOLIC = Part(
-    witness={"sech": "1", "tanh": "0"},
-    definitions={"sn": "tanh", "cn": "sech", "dn": "sech"},
-    relations=("tanh**2 + sech**2 - 1",),
-    rates={"tanh": "lambda_*sech**2", "sech": "-lambda_*tanh*sech"},
-    reading={"tanh": "tanh(u)", "sech": "1/cosh(u)"},
+    witness={sech: "1", tanh: "0"},
+    definitions={sn: tanh, cn: sech, dn: sech},
+    relations=(tanh**2 + sech**2 - 1,),
+    rates={tanh: lambda_ * sech**2, sech: -lambda_ * tanh * sech},
+    reading={tanh: "tanh(u)", sech: "1/cosh(u)"},
 )
 SYMMETRIC = Part(
-    units=("i_a*B_d**2 + rho*Delta*B_d**2",),
-    definitions={"m": "0", "B_b": "B_d"},
-    nonnegative=("B_b",),
+    units=(i_a * B_d**2 + rho * Delta * B_d**2,),
+    definitions={m: 0, B_b: B_d},
+    nonnegative=(B_b,),
 )
 CIRCULAR = Part(
-    witness={"cosine": "1", "sine": "0"},
-    definitions={"sn": "sine", "cn": "cosine", "dn": "1"},
-    relations=("sine**2 + cosine**2 - 1",),
-    rates={"sine": "lambda_*cosine", "cosine": "-lambda_*sine"},
-    reading={"sine": "sin(u)", "cosine": "cos(u)"},
+    witness={cosine: "1", sine: "0"},
+    definitions={sn: sine, cn: cosine, dn: 1},
+    relations=(sine**2 + cosine**2 - 1,),
+    rates={sine: lambda_ * cosine, cosine: -lambda_ * sine},
+    reading={sine: "sin(u)", cosine: "cos(u)"},
 )
 # J at k_1 = 1: x stands for sqrt(-n), A for arctan(x tanh u_1).
 ELEMENTARY = Part(
-    witness={"x": "1/2", "mu": "1", "u_1": "0", "sech": "1", "tanh": "0", "A": "0"},
-    units=("x", "1 + x**2", "1 + x**2*tanh**2"),
-    definitions={"n": "-x**2", "J": "(u_1 - A/x)/(1 - n)"},
-    relations=("tanh**2 + sech**2 - 1",),
+    witness={x: "1/2", mu: "1", u_1: "0", sech: "1", tanh: "0", A: "0"},
+    units=(x, 1 + x**2, 1 + x**2 * tanh**2),
+    definitions={n: -(x**2), J: (u_1 - A / x) / (1 - n)},
+    relations=(tanh**2 + sech**2 - 1,),
     rates={
-        "u_1": "mu",
-        "tanh": "mu*sech**2",
-        "sech": "-mu*tanh*sech",
-        "A": "x*mu*sech**2/(1 + x**2*tanh**2)",
+        u_1: mu,
+        tanh: mu * sech**2,
+        sech: -mu * tanh * sech,
+        A: x * mu * sech**2 / (1 + x**2 * tanh**2),
     },
-    reading={"A": "atan(x*tanh)", "J": "elliptic_j(u_1, n, 1)"},
+    reading={A: "atan(x*tanh)", J: "elliptic_j(u_1, n, 1)"},
 )
 
 
@@ -59,12 +68,25 @@ def derive(builder: LedgerBuilder) -> None:
     )
     builder.model("separatrix", "regular")
     builder.carry("separatrix", ["regular.euler"])
-    builder.claim("separatrix.middle_axis", {"E_b": "0", "m_1": "0"}, ["10"])
+    complement = compute(1 - m).subs(m, 1)
+    about_b = compute(c_a * c_ab * A_a**2 * m_1).subs(m_1, complement)
+    builder.claim("separatrix.middle_axis", {E_b: about_b, m_1: complement}, ["10"])
     builder.open(join("separatrix_integral", ELEMENTARY))
-    builder.claim("separatrix_integral.j", {"D(J)": "mu*tanh**2/(1 - n*tanh**2)"}, ["36"])
+    integral = compute(ELEMENTARY.definitions[J])
+    slope = sum(integral.diff(name) * rate for name, rate in ELEMENTARY.rates.items())
+    slope = slope.subs({sech**2: 1 - tanh**2, x**2: -n}).factor()
+    builder.claim("separatrix_integral.j", {rate_of(J): slope}, ["36"])
 
     builder.open(join("symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS))
     builder.model("symmetric", "regular")
     builder.carry("symmetric", ["regular.euler"])
-    builder.claim("symmetric.body", {"c_b": "c_d", "A_b": "A_d", "D(Omega_a)": "0"}, ["5"])
-    builder.claim("symmetric.rate", {"lambda_": "rho*(c_a - c_d)*A_a/c_d"}, ["10"])
+    moment = compute(1 / (i_a + rho * Delta * B_d**2 / B_b**2)).subs(B_b, B_d)
+    body = {
+        c_b: moment.subs(i_a + rho * Delta, 1 / c_d),
+        A_b: compute(B_b / c_b).subs({B_b: A_d * c_d, c_b: c_d}),
+        rate_of(Omega_a): compute((c_b - c_d) * Omega_b * Omega_d).subs(c_b, c_d),
+    }
+    builder.claim("symmetric.body", body, ["5"])
+    rate = compute(Delta * B_a * B_d / B_b).subs(B_b, B_d)
+    rate = rate.subs({B_a: A_a * c_a, Delta: rho * (1 / c_d - 1 / c_a)}).factor()
+    builder.claim("symmetric.rate", {lambda_: rate}, ["10"])

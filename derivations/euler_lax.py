@@ -22,7 +22,7 @@ from derivations.lie_algebra import (
     commutator,
     from_quaternion,
 )
-from derivations.setting import Setting
+from derivations.setting import MOMENTS, PRODUCTS, Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import (
     Rate,
@@ -60,14 +60,23 @@ class Dynamics:
 
 
 def parameters(setting: Setting) -> Part:
-    """Return the moments of inertia, and the wheels' momenta if there are any."""
-    names = sorted({str(h) for linear in setting.wheel() for h in linear.free_symbols})
+    """Return the moments and products of inertia, and the wheels' momenta, that there are."""
+    tensor = setting.inertia()
+    moments = [str(x) for x in MOMENTS if tensor.has(x)]
+    products = [str(x) for x in PRODUCTS if tensor.has(x)]
+    wheels = sorted({str(h) for linear in setting.wheel() for h in linear.free_symbols})
+    factors = sympy.factor_list(tensor.det(method="berkowitz"))[1]
     return Part(
-        witness={**INERTIA.witness, **dict.fromkeys(names, "1")},
-        units=INERTIA.units,
+        witness={
+            **{x: INERTIA.witness[x] for x in moments},
+            **dict.fromkeys(products, "1/4"),
+            **dict.fromkeys(wheels, "1"),
+        },
+        units=tuple(dict.fromkeys((*moments, *(str(x) for x, _ in factors)))),
         reading={
-            **INERTIA.reading,
-            **{h: f"momentum of wheel {h[1]}, kg m^2 rad/s" for h in names},
+            **{x: INERTIA.reading[x] for x in moments},
+            **{x: f"product of inertia of axes {x[1]} and {x[2]}, kg m^2" for x in products},
+            **{x: f"momentum of wheel {x[1]}, kg m^2 rad/s" for x in wheels},
         },
     )
 

@@ -22,43 +22,66 @@ That sums may be taken in another order and integrated term by term (they conver
 |Im z| is below that of the pole) is analysis, of which the kernel knows nothing.
 """
 
+from sympy import I, cosh, sin, sinh, solve
+from sympy import cos as cosine_of
+
 from derivations.descended_form import MOTION
 from derivations.regular_form import CIRCULATION
-from derivations.theta_form import ADDITION, SHIFT
+from derivations.theta_form import ADDITION, SHIFT, Lambda, Z_im, mu, n, psi_rate, rho, s, t
 from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbol, symbols
 
+x, a, e, P, k, m, rate, rest, rest_k = symbols("x a e P k m rate rest rest_k")
+term, next_term, a_back = symbols("term next_term a_back")
+k_back, exponent, exponent_back = symbols("k_back exponent exponent_back")
+cosine, sine, cosh_b, sinh_b, shifted_im = symbols("cosine sine cosh_b sinh_b shifted_im")
+
+# Only with these coefficients does each term of U(m + 1) follow from that of U(m).
+STEP = P * a / x**2 - e * P * a
+unit = symbol("unit")
+A = compute(STEP - P / x).apply(solve, a)[0].subs(e * x**2, 1 - unit).subs(unit, 1 - e * x**2)
 COEFFICIENT = Part(
-    witness={"x": "1/2"},
-    units=("x", "1 - e*x**2"),
-    definitions={"a": "x/(1 - e*x**2)"},
+    witness={x: "1/2"},
+    units=(x, 1 - e * x**2),
+    definitions={a: A.ordered("e")},
     reading={"x": "nome**k", "a": "a(k)"},
 )
 # P x**-2 is s(k) nome**(k**2 - 2*(m + 1)*k).
 TERMS = Part(
-    witness={"P": "1"},
-    units=("x**2 - e",),
-    definitions={"term": "P*a", "next_term": "P/x**2*a", "a_back": "(1/x)/(1 - e/x**2)"},
+    witness={P: "1"},
+    units=(x**2 - e,),
+    definitions={term: P * a, next_term: P * a / x**2, a_back: A.subs(x, 1 / x)},
     reading={"P": "s(k)*nome**(k**2 - 2*m*k)"},
 )
+POWER = compute(k**2 - (2 * m + 1) * k)
 EXPONENT = Part(
-    witness={"k": "1", "m": "1"},
+    witness={k: "1", m: "1"},
     definitions={
-        "k_back": "2*m + 1 - k",
-        "exponent": "k**2 - (2*m + 1)*k",
-        "exponent_back": "k_back**2 - (2*m + 1)*k_back",
+        k_back: 2 * m + 1 - k,
+        exponent: POWER,
+        exponent_back: POWER.subs(k, k_back),
     },
 )
 # The k-th term of theta_4'/theta_4 at v - i rho b, and of what psi/2 has beside its mean rate.
+angle, depth = symbols("angle depth")
+PARTS = {
+    sin(angle): sine,
+    cosine_of(angle): cosine,
+    sinh(depth * rho): rho * sinh_b,
+    cosh(depth * rho): cosh_b,
+}
+SHIFTED = compute(sin(angle - I * rho * depth)).expand(trig=True).subs(PARTS).coeff(I)
+SLOPES = {cosine: -2 * k * rate * sine, sine: 2 * k * rate * cosine}
+TERM = rate * 4 * a * SHIFTED
+REST_K = (rest_k * compute(sine).subs(SLOPES) - TERM).apply(solve, rest_k)[0]
 PHASE = Part(
-    witness={"k": "1", "rate": "1", **{"cosine": "1", "sine": "0", "cosh_b": "1", "sinh_b": "0"}},
-    units=("k",),
-    relations=("sine**2 + cosine**2 - 1", "cosh_b**2 - sinh_b**2 - 1"),
-    rates={"cosine": "-(2*k*rate)*sine", "sine": "(2*k*rate)*cosine"},
-    definitions={
-        "e": "1",
-        "shifted_im": "-rho*cosine*sinh_b",
-        "rest_k": "-2*rho*a*sinh_b/k",
-    },
+    witness={k: "1", rate: "1", **{cosine: "1", sine: "0", cosh_b: "1", sinh_b: "0"}},
+    units=(k,),
+    relations=(sine**2 + cosine**2 - 1, cosh_b**2 - sinh_b**2 - 1),
+    rates=SLOPES,
+    definitions={e: 1, shifted_im: SHIFTED, rest_k: REST_K.ordered("rho a sinh_b k")},
     reading={
         "rate": "mu*g, the rate of v",
         "x": "nome_1**k",
@@ -70,10 +93,10 @@ PHASE = Part(
     },
 )
 REST = Part(
-    witness={"rest": "0"},
-    units=("1 - n*s**2",),
+    witness={rest: "0"},
+    units=(1 - n * s**2,),
     definitions={name: ADDITION[name] for name in ("SN_re", "Z_im")},
-    rates={"rest": "mu*Z_im"},
+    rates={rest: mu * Z_im},
     reading={"rest": "the sum of rest_k*sin(2*k*v)"},
 )
 
@@ -83,14 +106,20 @@ def derive(builder: LedgerBuilder) -> None:
     builder.open(
         join("fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True)
     )
-    step = {"next_term": "e*term + P/x", "a_back": "-e*a"}
+    back = (A.subs({x: 1 / x, e: 1 / e}) / A).cancel()  # e is 1/e
+    step = {next_term: e * term + compute(STEP).subs(a, A).cancel(), a_back: back * a}
     builder.claim("fourier_terms.step", step, ["DLMF 20.5.13", "DLMF 22.11"])
     builder.open(join("fourier_exponents", EXPONENT, static=True))
-    builder.claim("fourier_exponents.back", {"exponent_back": "exponent"}, ["DLMF 22.11"])
+    reflected = POWER.subs(k, 2 * m + 1 - k).expand()
+    builder.claim("fourier_exponents.back", {exponent_back: reflected}, ["DLMF 22.11"])
     builder.open(join("fourier_phase", CIRCULATION, COEFFICIENT, PHASE))
-    builder.claim("fourier_phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"}, ["33", "34"])
+    slope = (REST_K * compute(sine).subs(SLOPES)).subs(sinh_b, -shifted_im / (rho * cosine))
+    builder.claim("fourier_phase.term", {rate_of(rest_k * sine): slope}, ["33", "34"])
     parts = (*MOTION, half_angle("psi", "psi_rate"), SHIFT, REST)
     builder.open(join("fourier_form", *parts))
     builder.model("fourier_form", "descended")
     builder.carry("fourier_form", ["descended.solution"])
-    builder.claim("fourier_form.phase", {"D(Lambda*t + rest)": "psi_rate/2"}, ["33", "34"])
+    # By `theta_form.phase`, Lambda is half the rate of psi less mu Z_im.
+    whole = compute(Lambda * t + rest)
+    grown = (whole.diff(t) + whole.diff(rest) * mu * Z_im).subs(Lambda, psi_rate / 2 - mu * Z_im)
+    builder.claim("fourier_form.phase", {rate_of(Lambda * t + rest): grown}, ["33", "34"])

@@ -1,16 +1,20 @@
-"""The elliptic curve of a body with wheels: M = c Omega + h, with constant wheel momenta h.
+"""The elliptic curve of a body with wheels, or in general axes: M = I Omega + h.
 
-With one wheel, along axis a, the square of Omega_a' is a quartic in Omega_a.  With any wheels, the
-rates move on the intersection of two quadrics, 2 H and K^2, and the determinant of their pencil is
-the quartic whose square root has the same periods.  The quartic of one rate has half of one of
-them: two values of the other rates and their negatives share it.
+With one wheel, along principal axis a, the square of Omega_a' is a quartic in Omega_a.  With any
+wheels, the rates move on the intersection of two quadrics, 2 H and K^2, and the determinant of
+their pencil is the quartic whose square root has the same periods.  The quartic of one rate has
+half of one of them: two values of the other rates and their negatives share it.  With products of
+inertia and no wheel, the determinant has the characteristic polynomial of the inertia tensor I as
+a factor: its roots are the principal moments.
 """
 
 import sympy
 
 from derivations.euler_lax import RATES, Dynamics
 from derivations.lie_algebra import Algebra
+from derivations.setting import AXES
 from rigidsym.proof.algebra import LedgerBuilder, Part, part_of
+from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import Scope, eliminate, rate_of, rewrite
 from rigidsym.proof.steps._names import read, symbol, symbols
 
@@ -18,11 +22,13 @@ H, K_SQUARED, X = symbols("H K_squared x")
 
 
 def gyrostat(builder: LedgerBuilder) -> None:
-    """Prove the quartic of the pencil, and for one wheel that of its axis."""
+    """Prove the quartic of the pencil, and that of the axis of one wheel."""
     dynamics, setting = builder.result(Dynamics), builder.result(Algebra).setting
-    turning = [k for k, h in enumerate(setting.wheel()) if h != 0]
-    if len(turning) == 1:
-        _along(builder, dynamics, turning[0])
+    turning = [axis for axis, h in zip(AXES, setting.wheel(), strict=True) if h != 0]
+    if len(turning) == 1 and setting.about_principal_axes:
+        across = {*AXES} - {*turning}
+        if not setting.alike(*across):  # else the rate along the wheel is constant
+            _along(builder, dynamics, turning[0] - 1)
     _pencil(builder, dynamics)
 
 
@@ -54,7 +60,7 @@ def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
     matrix = X * _matrix(_quadrics(dynamics)[0], 2 * H) - _matrix(_quadrics(dynamics)[1], K_SQUARED)
     leibniz = matrix.applyfunc(sympy.factor).det(method="berkowitz")
     why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
-    rewrite(scope, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
+    rewrite(scope, "pencil.quartic", leibniz, compute(leibniz).factor(), why, ["14"])
 
 
 def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:

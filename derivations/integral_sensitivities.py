@@ -6,75 +6,92 @@ where p and r grow alike, and `_r`, where r does.  What that takes is the integr
     U_t = int S_t^4,    V_t = int S_t^4/D_t^2,    W_t = int S_t^4/D_t^4,
 
 which lie between 0 and the largest S_t^2, or S_t^2/D_t^2, times E_t or F_t, and are elementary in
-them where p, r and p - r are not small.
+them where p, r and p - r are not small.  Each integral is a combination of a few functions, whose
+coefficients follow from its derivative.
 """
 
-from derivations.addition_form import FUNCTIONS, OVER_SQUARE, SQUARED, START, TIME
-from derivations.rate_sensitivities import MODULI
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from typing import Any
 
+from derivations.addition_form import FUNCTIONS, START
+from derivations.rate_sensitivities import (
+    ALONG_K,
+    ALONG_R,
+    FUNCTION_PARTS,
+    MODULI,
+    MOVING,
+    C,
+    D,
+    E,
+    F,
+    S,
+    at_start,
+    change,
+    integral,
+    moving,
+    p,
+    r,
+    still,
+)
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.steps._names import symbol, symbols
+
+t, U, V, W = symbols("t U_t V_t W_t")
 FOURTHS = Part(
-    witness=dict.fromkeys(("U_t", "V_t", "W_t"), "0"),
-    rates={"U_t": "S_t**4", "V_t": "S_t**4/D_t**2", "W_t": "S_t**4/D_t**4"},
+    witness=dict.fromkeys((U, V, W), "0"),
+    rates={U: S**4, V: S**4 / D**2, W: S**4 / D**4},
     reading={
-        "U_t": "the integral of S_t^4 from 0 to t",
-        "V_t": "the integral of S_t^4/D_t^2 from 0 to t",
-        "W_t": "the integral of S_t^4/D_t^4 from 0 to t",
+        U: "the integral of S_t^4 from 0 to t",
+        V: "the integral of S_t^4/D_t^2 from 0 to t",
+        W: "the integral of S_t^4/D_t^4 from 0 to t",
     },
 )
-DIRECTIONS = Part(
-    definitions={
-        "S_k": "(C_t*D_t*E_t - S_t**3)/2",
-        "C_k": "-S_t*(S_t*C_t + p*D_t*E_t)/2",
-        "D_k": "-S_t*(S_t*D_t + r*C_t*E_t)/2",
-        "E_k": "(S_t**2*E_t - 3*U_t)/2",
-        "F_k": "(S_t**2*E_t/D_t**2 - V_t)/2",
-        "S_r": "-C_t*D_t*F_t/2",
-        "C_r": "p*S_t*D_t*F_t/2",
-        "D_r": "r*S_t*C_t*F_t/2 - S_t**2/(2*D_t)",
-        "E_r": "(V_t - S_t**2*F_t)/2",
-        "F_r": "(3*W_t - S_t**2*F_t/D_t**2)/2",
-    },
-)
+RATES = {**MOVING, **moving(MODULI, FUNCTIONS, FOURTHS)}
+# The directions, by what p and r change in them.
+WAYS = {"k": {p: 1, r: 1}, "r": {r: 1}}
+
+
+def _along(way: str) -> dict[str, Any]:
+    """Return the changes of the functions and of both integrals in a direction."""
+    functions = {"k": ALONG_K, "r": ALONG_R}[way]
+    by = {**WAYS[way], **dict(zip((S, C, D), functions, strict=True))}
+    one, (inner, outer) = {"k": (E, (U, V)), "r": (F, (V, W))}[way]
+    integrals = {
+        E: integral(change(RATES[E], by), S**2 * one, inner, rates=RATES),
+        F: integral(change(RATES[F], by), S**2 * one / D**2, outer, rates=RATES),
+    }
+    return {f"{str(x)[0]}_{way}": y for x, y in (by | integrals).items() if x not in (p, r)}
+
+
+SLOPES = Part(definitions={**_along("k"), **_along("r")})
 ELEMENTARY = Part(
-    units=("p", "r", "p - r"),
+    units=(p, r, p - r),
     definitions={
-        "U_t": "(S_t*C_t*D_t - t + 2*(p + r)*E_t)/(3*p*r)",
-        "V_t": "(F_t - E_t)/r",
-        "W_t": "(t - S_t*C_t/D_t**3 + 2*(2*r - p)*F_t)/(3*r*(p - r))",
+        U: integral(RATES[U], S * C * D, t, E),
+        V: integral(RATES[V], F, E),
+        W: integral(RATES[W], t, S * C / D**3, F),
     },
 )
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the changes along both directions, and the integrals of fourth powers."""
-    parts = (MODULI, FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
-    builder.open(join("varied_integrals", *parts, FOURTHS, DIRECTIONS))
-    for way, grows in (("k", "-S_t*D_t - p"), ("r", "-p")):
-        varied = {
-            f"D(S_{way})": f"C_{way}*D_t + C_t*D_{way}",
-            f"D(C_{way})": f"{grows}*(S_{way}*D_t + S_t*D_{way})",
-            f"D(D_{way})": f"-S_t*C_t - r*(S_{way}*C_t + S_t*C_{way})",
-            f"D(E_{way})": f"2*S_t*S_{way}",
-            f"D(F_{way})": f"2*S_t*(S_{way} - S_t*D_{way}/D_t)/D_t**2",
-        }
+    builder.open(join("varied_integrals", MODULI, *FUNCTION_PARTS, FOURTHS, SLOPES))
+    for way, grow in WAYS.items():
+        by = {**grow, **{x: symbol(f"{str(x)[0]}_{way}") for x in (S, C, D)}}
+        varied = {f"D({str(x)[0]}_{way})": change(RATES[x], by) for x in (S, C, D, E, F)}
         builder.claim(f"varied_integrals.along_{way}", varied, ["10"])
-    builder.open(join("fourth_powers", *parts, ELEMENTARY))
-    rates = {f"D({name})": rate for name, rate in FOURTHS.rates.items()}
-    builder.claim("fourth_powers.rates", rates, ["10"])
+    builder.open(join("fourth_powers", MODULI, *FUNCTION_PARTS, ELEMENTARY))
+    builder.claim("fourth_powers.rates", {f"D({x})": RATES[x] for x in (U, V, W)}, ["10"])
     _start(builder)
 
 
 def _start(builder: LedgerBuilder) -> None:
     """Prove that all changes are zero at t = 0."""
-    parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE, FOURTHS)
-    still = [Part(part.witness, part.units, reading=part.reading) for part in parts]
-    zero = Part(relations=(*START.relations, "F_t", *FOURTHS.witness))
-    builder.open(join("varied_integrals_start", MODULI, *still, DIRECTIONS, zero, static=True))
-    changes = dict.fromkeys(DIRECTIONS.definitions, "0")
-    builder.claim("varied_integrals_start.functions", changes, ["12"])
-    still = still[:-1]
-    zero = Part(relations=(*START.relations, "F_t"))
-    builder.open(join("fourth_powers_start", MODULI, *still, ELEMENTARY, zero, static=True))
-    integrals = dict.fromkeys(ELEMENTARY.definitions, "0")
-    builder.claim("fourth_powers_start.integrals", integrals, ["12"])
+    zero = Part(relations=(*START.relations, F))
+    begun = Part(relations=(*zero.relations, U, V, W))
+    parts = (MODULI, *still(*FUNCTION_PARTS, FOURTHS), SLOPES, begun)
+    builder.open(join("varied_integrals_start", *parts, static=True))
+    builder.claim("varied_integrals_start.functions", at_start(SLOPES), ["12"])
+    parts = (MODULI, *still(*FUNCTION_PARTS), ELEMENTARY, zero)
+    builder.open(join("fourth_powers_start", *parts, static=True))
+    builder.claim("fourth_powers_start.integrals", at_start(ELEMENTARY), ["12"])

@@ -5,6 +5,7 @@ phi3, phi1' is (32); with H and K in the place of two rates it is (33), a functi
 Conversely, angles that move so carry a motion: R' = R Omega, and M' = [M, Omega].
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +18,7 @@ from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.steps import Rate, Scope, coordinates, eliminate, multiply, rewrite, solve
 from rigidsym.proof.steps._names import read, symbol, symbols
 
+H = symbol("H")
 UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
 BODY_RATES = Part(
     witness={"Omega1": "1", "Omega2": "1", "Omega3": "1"},
@@ -49,7 +51,7 @@ def derive(builder: LedgerBuilder) -> None:
     found = _phi1(builder, reduction, rates[UNKNOWN[0]])
     builder.keep(found)
     setting = builder.result(Algebra).setting
-    along = setting.sequence[0] - 1
+    along = setting.sequence[2] - 1
     why = "phi3' without a denominator"
     last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, ["3"])
     _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
@@ -71,32 +73,43 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi
     body = by_angles(builder, reduction, *parts)
     line = Scope.open(builder, "line32", *parts, units, body, named, static=True)
     rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
-    quotient = base.reduced(_by_momentum(builder, reduction, rate).subs(momenta))
+    by_momentum = _by_momentum(builder, reduction, rate)
+    quotient = base.reduced(by_momentum.subs(momenta))
     why = "phi1' with the momentum in the place of the angles"
     found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
-    _, middle, third = builder.result(Algebra).setting.axes
-    squares = [RATES[middle - 1] ** 2, RATES[third - 1] ** 2]
-    energy = 2 * symbol("H") - 2 * read(dynamics.body.definitions["H"])
-    momentum = K**2 - sum(x**2 for x in dynamics.momenta)
+    if not found.value.has(*RATES):  # equal moments across the last axis
+        return Phi1(found.value, by_phi, base.divisors(by_phi))
+    setting = builder.result(Algebra).setting
+    _, middle, third = (axis - 1 for axis in setting.axes)
+    given, unknown = found.value, [RATES[middle] ** 2, RATES[third] ** 2]
+    equations = [2 * H - 2 * read(dynamics.body.definitions["H"]), K**2 - _square(dynamics.momenta)]
     why = "two rates eliminated by H and K"
-    equations = [energy, momentum]
+    if not setting.about_principal_axes or setting.alike(middle + 1, third + 1):
+        given, unknown = by_momentum, [MOMENTA[middle] * RATES[middle], MOMENTA[middle] ** 2]
+        triples = zip(MOMENTA, setting.wheel(), RATES, strict=True)
+        equations = [2 * H - sum((m - h) * w for m, h, w in triples), K**2 - _square(MOMENTA)]
+        why = "the momentum across the last axis eliminated by H and K"
     eliminated = eliminate(
-        line, "line32.by_invariants", found.value, equations, squares, why, ["33"], UNKNOWN[0]
+        line, "line32.by_invariants", given, equations, unknown, why, ["33"], UNKNOWN[0]
     )
     return Phi1(eliminated.value, by_phi, base.divisors(by_phi))
 
 
+def _square(vector: Sequence[sympy.Expr]) -> sympy.Expr:
+    return sympy.Add(*(x**2 for x in vector))
+
+
 def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
-    """Substitute the angles, and sin(phi2)^2 by the momentum, into phi1'."""
-    factor = builder.result(Algebra).setting.factor
-    _, middle, third = (axis - 1 for axis in builder.result(Algebra).setting.axes)
-    sine = sympy.sin(2 * factor * PHI[1])
-    last = [f(2 * factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
+    """Substitute phi3, and phi2 by the square of the momentum across the last axis, into phi1'."""
+    setting = builder.result(Algebra).setting
+    _, middle, third = (axis - 1 for axis in setting.axes)
+    _, across = setting.nutation(PHI[1])
+    last = [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (middle, third)]
     angles = sympy.solve(gaps, last, dict=True)[0]
     square = (MOMENTA[middle] ** 2 + MOMENTA[third] ** 2) / K**2
     above, below = sympy.fraction(sympy.together(rate.subs(angles)))
-    return sympy.cancel(above / below.subs(sine**2, square))
+    return sympy.cancel(above / below.subs(across**2, square))
 
 
 def _motion(

@@ -11,107 +11,134 @@ of m, r and Y of the top have limits where k_1 vanishes.  At the bottom x = sinh
 are what the theta series of the shifted argument are made of.
 """
 
+from sympy import Expr, I, Poly, Symbol, cancel, factor, prod, solve
+
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps._names import symbols
+
+k, kc, root_kc, k_next, kc_next, K, K_next = symbols("k kc root_kc k_next kc_next K K_next")
+s, c, d, v, s_next, c_next, d_next = symbols("s c d v s_next c_next d_next")
+x, x_next, inside, S, w, r, r_next, Y, Y_next = symbols("x x_next inside S w r r_next Y Y_next")
+h_plus, h_minus, Q, root_Q, Y_b, root_h = symbols("h_plus h_minus Q root_Q Y_b root_h")
+root_r, root_k, k_1, B_a, B_d = symbols("root_r root_k k_1 B_a B_d")
+exp_b, exp_minus_b, square, below = symbols("exp_b exp_minus_b square below")
+
+
+def _root(power: Expr) -> Expr:
+    """Return the root of a product of squares that is positive at u = 0."""
+    root = prod(base ** (n / 2) for base, n in factor(power).as_powers_dict().items())
+    start = {s_next: 0, c_next: 1, d_next: 1}
+    return cancel(root / root.subs(start)) if root.has(s_next) else root
+
+
+# Landen's modulus and his sn, by which cn^2 = 1 - sn^2 and dn^2 = 1 - k^2 sn^2 are squares, too.
+DESCENDED = (1 - kc) / (1 + kc)
+BELOW = 1 + k_next * s_next**2
+SN = (1 + k_next) * s_next / BELOW
+KC = compute(DESCENDED - k_next).solve_for(kc)
+CN = compute(1 - SN**2).subs(s_next**2, square).factor()
+CN = CN.subs({square - 1: -(c_next**2), k_next**2 * square - 1: -(d_next**2)})
+CN = CN.subs(square, s_next**2).apply(_root)
+DN = (1 - (1 - KC**2) * SN**2).apply(_root)
+# At u = 0 both arguments grow as their sn.
+GROWTH = compute(SN).diff(s_next).subs(s_next, 0)
+# The denominator by d; v is what d_next is over it, but for the 2 that 1 + d has.
+BY_D = (DN.subs(k_next * s_next**2, below - 1) - d).solve_for(below)
+V = (d_next * (1 + DN)).factor()
+# For u = i beta sn is i x: a quadratic equation for x_next, whose slope at the root is S.
+IMAGINARY = compute(SN).subs(s_next, I * x_next) / I
+INSIDE = compute(BELOW).subs(s_next, I * x_next)
+SHIFTED = (IMAGINARY - x).together().as_numer_denom()[0]
+SLOPE = SHIFTED.diff(x_next)
 
 # The only rational points of the modulus are the ends: 1 - kc^2 and kc are squares nowhere else.
 MODULUS = Part(
-    witness={"root_kc": "0", "k": "1", "K_next": "2"},
-    units=("1 + root_kc**2",),
-    relations=("k**2 + root_kc**4 - 1",),
+    witness={root_kc: "0", k: "1", K_next: "2"},
+    units=(1 + root_kc**2,),
+    relations=(k**2 + root_kc**4 - 1,),
     definitions={
-        "kc": "root_kc**2",
-        "k_next": "(1 - kc)/(1 + kc)",
-        "kc_next": "2*root_kc/(1 + kc)",
-        "K": "(1 + k_next)*K_next",
+        kc: root_kc**2,
+        k_next: DESCENDED,
+        kc_next: compute(1 - DESCENDED**2).subs(kc, root_kc**2).apply(_root).subs(root_kc**2, kc),
+        K: GROWTH * K_next,
     },
-    nonnegative=("root_kc", "k_next"),
+    nonnegative=(root_kc, k_next),
     reading={
-        "k": "modulus",
-        "kc": "complementary modulus",
-        "K": "quarter period of modulus k",
-        "k_next": "modulus after one step",
-        "kc_next": "complementary modulus after one step",
-        "K_next": "quarter period of modulus k_next",
+        k: "modulus",
+        kc: "complementary modulus",
+        K: "quarter period of modulus k",
+        k_next: "modulus after one step",
+        kc_next: "complementary modulus after one step",
+        K_next: "quarter period of modulus k_next",
     },
 )
 ARGUMENT = Part(
-    witness={"s_next": "0", "c_next": "1", "d_next": "1"},
-    units=("d_next", "1 + k_next*s_next**2"),
-    relations=("c_next**2 + s_next**2 - 1", "d_next**2 + k_next**2*s_next**2 - 1"),
-    definitions={
-        "s": "(1 + k_next)*s_next/(1 + k_next*s_next**2)",
-        "c": "c_next*d_next/(1 + k_next*s_next**2)",
-        "d": "(1 - k_next*s_next**2)/(1 + k_next*s_next**2)",
-        "v": "2*d_next/(1 + k_next*s_next**2)",
-    },
-    nonnegative=("d_next",),
+    witness={s_next: "0", c_next: "1", d_next: "1"},
+    units=(d_next, BELOW),
+    relations=(c_next**2 + s_next**2 - 1, d_next**2 + k_next**2 * s_next**2 - 1),
+    definitions={s: SN, c: CN, d: DN, v: V},
+    nonnegative=(d_next,),
     reading={
-        **{x: f"{x}n of (u | k^2)" for x in "scd"},
-        **{f"{x}_next": f"{x}n of (u/(1 + k_next) | k_next^2)" for x in "scd"},
+        **{x: f"{x}n of (u | k^2)" for x in (s, c, d)},
+        **{f"{x}_next": f"{x}n of (u/(1 + k_next) | k_next^2)" for x in (s, c, d)},
     },
 )
 SHIFT = Part(
-    witness={"x_next": "1/2", "w": "2"},
-    units=("w", "inside"),
+    witness={x_next: "1/2", w: "2"},
+    units=(w, inside),
     definitions={
-        "inside": "1 - k_next*x_next**2",
-        "x": "(1 + k_next)*x_next/inside",
-        "S": "(1 + k_next)*(1 + k_next*x_next**2)/inside",
-        "r": "k/w**2",
-        "r_next": "k_next/w**2",
-        "Y": "w*x",
-        "Y_next": "w*x_next",
+        inside: INSIDE,
+        x: IMAGINARY.subs(INSIDE, inside),
+        S: SLOPE.subs(x, IMAGINARY).factor().xreplace({-INSIDE: -inside}),
+        r: k / w**2,
+        r_next: k_next / w**2,
+        Y: w * x,
+        Y_next: w * x_next,
     },
-    nonnegative=("inside",),
+    nonnegative=(inside,),
     reading={
-        "inside": "positive for beta below half of the quarter period",
-        "x": "sc of (beta | 1 - k^2)",
-        "x_next": "sc of (beta/(1 + k_next) | 1 - k_next^2)",
-        "w": "scale of the shifts, the same at every step",
+        inside: "positive for beta below half of the quarter period",
+        x: "sc of (beta | 1 - k^2)",
+        x_next: "sc of (beta/(1 + k_next) | 1 - k_next^2)",
+        w: "scale of the shifts, the same at every step",
     },
 )
+# The shift at the top: where dn is K/B_a.
+TOP = B_d / (root_k * (K + B_a))
 # What the scale is at the top, and the exponentials of the bottom.
 SCALING = Part(
-    witness={"h_plus": "4", "h_minus": "1", "root_Q": "2", "root_r": "1/2"},
-    units=("root_r",),
-    relations=("root_Q**2 - h_plus*h_minus",),
+    witness={h_plus: "4", h_minus: "1", root_Q: "2", root_r: "1/2"},
+    units=(root_r,),
+    relations=(root_Q**2 - h_plus * h_minus,),
     definitions={
-        "Q": "h_plus*h_minus",
-        "Y_b": "(h_plus - h_minus)/2",
-        "root_h": "(h_plus + h_minus)/2",
-        "r": "root_r**2",
-        "root_k": "root_r*root_Q",
-        "k_1": "root_k**2",
+        Q: h_plus * h_minus,
+        Y_b: (h_plus - h_minus) / 2,
+        root_h: (h_plus + h_minus) / 2,
+        r: root_r**2,
+        root_k: root_r * root_Q,
+        k_1: root_k**2,
     },
-    nonnegative=("h_plus", "h_minus", "root_Q", "root_r"),
+    nonnegative=(h_plus, h_minus, root_Q, root_r),
     reading={
-        "Q": "sqrt(nome(1 - m_c))",
-        "root_k": "sqrt(k_1)",
-        "r": "k_1/Q",
-        "h_plus": "root_Q*exp(b)",
-        "h_minus": "root_Q*exp(-b)",
+        Q: "sqrt(nome(1 - m_c))",
+        root_k: "sqrt(k_1)",
+        r: "k_1/Q",
+        h_plus: "root_Q*exp(b)",
+        h_minus: "root_Q*exp(-b)",
     },
 )
 MOMENTUM = Part(
-    witness={"K": "25", "B_a": "7", "B_d": "24"},
-    units=("K + B_a",),
-    relations=("K**2 - B_a**2 - B_d**2",),
-    definitions={"Y": "B_d/((K + B_a)*root_r)"},
+    witness={K: "25", B_a: "7", B_d: "24"},
+    units=(K + B_a,),
+    relations=(K**2 - B_a**2 - B_d**2,),
+    definitions={Y: compute(root_Q * TOP).subs(root_k, root_r * root_Q)},
 )
 # Where the modulus is not zero, the scale can be taken out again.
 UNSCALED = Part(
-    units=("root_Q",),
-    definitions={
-        "x": "B_d/(root_k*(K + B_a))",
-        "exp_b": "h_plus/root_Q",
-        "exp_minus_b": "h_minus/root_Q",
-    },
+    units=(root_Q,),
+    definitions={x: TOP, exp_b: h_plus / root_Q, exp_minus_b: h_minus / root_Q},
 )
-FUNCTIONS = {
-    "s_next": "2*s/((1 + k_next)*(1 + d))",
-    "c_next": "2*c/v",
-    "d_next": "v/(1 + d)",
-}
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -123,39 +150,62 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _modulus(builder: LedgerBuilder) -> None:
     """Prove the new modulus and its complement, each without cancellation."""
-    builder.claim("landen.k_next", {"k_next": "(k/(1 + kc))**2"}, ["DLMF 22.7.1"])
-    builder.root("landen.root_kc", "root_kc", "kc", ["DLMF 22.7.1"])
-    builder.root("landen.complement", "kc_next", "1 - k_next**2", ["DLMF 22.7.1"])
+    smaller = compute((1 - kc) * (1 + kc)).expand().subs(kc**2, 1 - k**2) / (1 + kc) ** 2
+    builder.claim("landen.k_next", {k_next: smaller}, ["DLMF 22.7.1"])
+    builder.root("landen.root_kc", root_kc, _named(root_kc, kc), ["DLMF 22.7.1"])
+    builder.root("landen.complement", kc_next, 1 - k_next**2, ["DLMF 22.7.1"])
+
+
+def _named(root: Symbol, name: Symbol) -> Computation:
+    """Return the square of a root by its name."""
+    return compute(root**2).subs(root**2, name)
 
 
 def _argument(builder: LedgerBuilder) -> None:
-    """Prove that the new functions satisfy the equations of Jacobi's."""
-    old = {"s**2 + c**2": "1", "d**2 + k**2*s**2": "1"}
+    """Prove that the new functions satisfy the equations of Jacobi's, and find them by the old."""
+    old = {s**2 + c**2: 1, d**2 + k**2 * s**2: 1}
     builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
-    builder.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
-    for name, form in FUNCTIONS.items():
+    # d_next (1 + d) is a root of what d says; s and c are linear.
+    s_squared = (DN - d).solve_for(s_next**2)
+    v_squared = ((1 + d) ** 2 * (1 - k_next**2 * s_squared)).subs(k_next, DESCENDED).factor()
+    v_squared = v_squared.xreplace({1 + kc: (1 + KC).factor()}).factor()
+    builder.root("landen.v", v, v_squared, ["DLMF 22.7.4"])
+    by_d = {
+        s_next: s * BY_D / GROWTH,
+        c_next: (CN.subs(d_next, (V - v).solve_for(d_next)) - c).solve_for(c_next),
+        d_next: (V.subs(BELOW, BY_D) - v).solve_for(d_next),
+    }
+    for name, form in by_d.items():
         builder.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
     # s = 1 where s_next is: the quarter periods K and (1 + k_next) K_next are the same u.
-    quarter = "(1 - s_next)*(1 - k_next*s_next)/(1 + k_next*s_next**2)"
-    builder.claim("landen.quarter", {"1 - s": quarter}, ["DLMF 19.8.12"])
+    builder.claim("landen.quarter", {1 - s: compute(1 - SN).factor()}, ["DLMF 19.8.12"])
 
 
 def _shift(builder: LedgerBuilder) -> None:
-    """Prove the step for an imaginary argument, where squares have the other sign."""
-    builder.claim("landen.r_next", {"r_next": "r*k/(1 + kc)**2"}, ["DLMF 22.7.1"])
-    builder.root("landen.S", "S", "(1 + k_next)**2 + 4*r_next*Y**2", ["DLMF 22.7.2"])
-    builder.claim("landen.Y_next", {"Y_next": "2*Y/(1 + k_next + S)"}, ["DLMF 22.7.2"])
+    """Find the step for an imaginary argument from its quadratic equation."""
+    smaller = compute(k**2 / (1 + kc) ** 2 / w**2).subs(k / w**2, r)
+    builder.claim("landen.r_next", {r_next: smaller}, ["DLMF 22.7.1"])
+    first, second, third = SHIFTED.apply(Poly, x_next).all_coeffs()
+    discriminant = (second**2 - 4 * first * third).subs(x, Y / w).subs(k_next / w**2, r_next)
+    builder.root("landen.S", S, discriminant, ["DLMF 22.7.2"])
+    # S eliminates the square of x_next: what is left is linear.
+    scaled = (SHIFTED - x_next / 2 * (SLOPE - S)).subs({x: Y / w, x_next: Y_next / w})
+    builder.claim("landen.Y_next", {Y_next: scaled.solve_for(Y_next)}, ["DLMF 22.7.2"])
 
 
 def _scale(builder: LedgerBuilder) -> None:
-    """Prove the scale, its square and scaled quantities; k_1 = 0 is a regular point."""
+    """Find the scale, its square and scaled quantities; k_1 = 0 is a regular point."""
     builder.open(join("scaling", SCALING, MOMENTUM, static=True))
-    builder.root("scaling.root_r", "root_r", "r", ["27"])
-    builder.claim("scaling.Q", {"Q": "k_1/r"}, ["27"])
-    builder.root("scaling.root_h", "root_h", "Y_b**2 + Q", ["28"])
-    builder.claim("scaling.h_plus", {"h_plus": "root_h + Y_b"}, ["28"])
-    builder.claim("scaling.h_minus", {"h_minus": "root_h - Y_b"}, ["28"])
+    builder.root("scaling.root_r", root_r, _named(root_r, r), ["27"])
+    modulus = compute(root_k**2).subs(root_k, root_r * root_Q).subs({root_r**2: r, root_Q**2: Q})
+    builder.claim("scaling.Q", {Q: (modulus - k_1).solve_for(Q)}, ["27"])
+    sum_, difference = (h_plus + h_minus) / 2, (h_plus - h_minus) / 2
+    square = compute(sum_**2 - difference**2).expand().subs(h_plus * h_minus, Q)
+    builder.root("scaling.root_h", root_h, Y_b**2 + square, ["28"])
+    found = compute([sum_ - root_h, difference - Y_b]).apply(solve, [h_plus, h_minus])
+    builder.claim("scaling.h_plus", {h_plus: found[h_plus]}, ["28"])
+    builder.claim("scaling.h_minus", {h_minus: found[h_minus]}, ["28"])
     builder.open(join("unscaled", SCALING, MOMENTUM, UNSCALED, static=True))
-    builder.claim("unscaled.top", {"Y": "root_Q*x", "k_1": "root_Q**2*r"}, ["28"])
-    sinh = {"Y_b": "root_Q*(exp_b - exp_minus_b)/2", "exp_b*exp_minus_b": "1"}
+    builder.claim("unscaled.top", {Y: root_Q * x, k_1: root_Q**2 * r}, ["28"])
+    sinh = {Y_b: root_Q * (exp_b - exp_minus_b) / 2, exp_b * exp_minus_b: 1}
     builder.claim("unscaled.bottom", sinh, ["28"])

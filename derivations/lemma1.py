@@ -15,6 +15,7 @@ import sympy
 from derivations.euler_lax import Dynamics
 from derivations.gyrostat import gyrostat
 from derivations.lie_algebra import Algebra
+from derivations.symmetric import symmetric
 from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
 from rigidsym.proof.steps import (
@@ -66,9 +67,14 @@ class Lemma1:
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Prove (17), (14), (13), (10), (11), (16), (12), footnote 1; or a gyrostat's quartic."""
-    if any(h != 0 for h in builder.result(Algebra).setting.wheel()):
+    """Prove (17), (14), (13), (10), (11), (16), (12), footnote 1; or what
+    replaces them with wheels, in general axes and for equal moments."""
+    setting = builder.result(Algebra).setting
+    if any(h != 0 for h in setting.wheel()) or not setting.about_principal_axes:
         gyrostat(builder)
+        return
+    if setting.symmetry_axis is not None:
+        symmetric(builder, setting.symmetry_axis)
         return
     moving = _on_axes(builder)
     scope = Scope.open(builder, "polhode", INERTIA, moving)

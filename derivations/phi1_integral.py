@@ -15,6 +15,7 @@ from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
 from rigidsym.language.functions._jacobi import jacobi_dn, jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps import Scope, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps._names import symbol, symbols
 
@@ -29,11 +30,12 @@ AMPLITUDE = Part(
 )
 
 
-def constants(axis: int) -> Part:
+def constants(axis: int, moment: str = "") -> Part:
     """Return a moment of inertia, the invariants, and constants of zeta sn(xi t + gamma | mu)."""
+    moment = moment or f"c{axis}"
     return Part(
-        witness={f"c{axis}": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
-        units=(f"c{axis}", "K"),
+        witness={moment: "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
+        units=(moment, "K"),
         reading={
             "H": "kinetic energy, J",
             "K": "|M|, kg m^2 rad/s",
@@ -44,10 +46,11 @@ def constants(axis: int) -> Part:
     )
 
 
-def sine(axis: int) -> Part:
+def sine(axis: int, moment: str = "") -> Part:
     """Return a rate that is zeta sn, with K^2 - (c Omega)^2 never zero."""
+    momentum = f"{moment or f'c{axis}'}*zeta*sn"
     return Part(
-        units=(f"K - c{axis}*zeta*sn", f"K + c{axis}*zeta*sn"),
+        units=(f"K - {momentum}", f"K + {momentum}"),
         definitions={f"Omega{axis}": "zeta*sn"},
     )
 
@@ -58,18 +61,19 @@ class ThirdKind:
 
     axis: int
     parts: tuple[Part, ...]
-    rate: sympy.Expr
+    rate: Computation
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove (34), its integral (36), and (35)."""
-    axis = builder.result(Algebra).setting.axes[0]
+    setting = builder.result(Algebra).setting
+    axis, moment = setting.axes[0], str(setting.moment(setting.axes[0]))
     integrand = builder.result(Phi1).by_invariants
     if integrand.free_symbols & {*RATES} != {RATES[axis - 1]}:
         return  # wheels about other axes: phi1' is no function of one rate
-    if any(h != 0 for h in builder.result(Algebra).setting.wheel()):
-        return  # a gyrostat's rates are no multiples of sn
-    given = (constants(axis), FUNCTIONS, sine(axis))
+    if any(h != 0 for h in setting.wheel()) or not setting.about_principal_axes:
+        return  # the rates of a gyrostat, or about other axes, are no multiples of sn
+    given = (constants(axis, moment), FUNCTIONS, sine(axis, moment))
     scope = Scope.open(builder, "sine_motion", *given, static=True)
     put_in = integrand.subs(RATES[axis - 1], ZETA * SN)
     split = apart(put_in, SN**2)
@@ -108,9 +112,9 @@ def derive(builder: LedgerBuilder) -> None:
     )
     builder.keep(ThirdKind(axis, (*given, table, named), split))
 
-    scope = Scope.open(builder, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
+    scope = Scope.open(builder, "amplitude", given[0], FUNCTIONS, AMPLITUDE)
     why = "the square of the rate of the amplitude theta"
-    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
+    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2, simplify=False)[0]
     squared = rate_of(symbol("theta")) ** 2
     rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 

@@ -69,9 +69,9 @@ def _by_functions(context: str) -> list[Entry]:
     ]
 
 
-def _all(context: str, names: Iterable[str], *source: str) -> list[Entry]:
+def _all(context: str, names: Iterable[object], *source: str) -> list[Entry]:
     """Return the definitions of some names in their order."""
-    return definitions(context, " ".join(names), *source)
+    return definitions(context, " ".join(map(str, names)), *source)
 
 
 SEQUENCES: dict[str, list[Entry]] = {
@@ -196,7 +196,7 @@ SEQUENCES: dict[str, list[Entry]] = {
         *definitions("step", "f g", "10"),
         *facts("step", "room Omega_a Omega_b Omega_d"),
     ],
-    "kick": _all("kick", (*kicks.SEEN, *kicks.TORQUE), "3"),
+    "kick": _all("kick", (*kicks.SEEN, *kicks.EXERTED), "3"),
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),
@@ -207,7 +207,7 @@ SEQUENCES: dict[str, list[Entry]] = {
     "columns": _all("varied_rates", sensitivity_columns.CONSTANTS, "5"),
     "sensitivity": _all("varied_rates", sensitivity_columns.AT_TIME, "5"),
     "excesses": definitions("excesses", "excess_a excess_d", "5"),
-    "middle": definitions("middle_columns", " ".join(sensitivity_columns.MIDDLE), "5"),
+    "middle": _all("middle_columns", sensitivity_columns.MIDDLE, "5"),
     "passing": definitions("passing", " ".join(sensitivity_columns.PASSING), "5"),
     "spun": definitions("spun", " ".join(sensitivity_columns.SPUN), "5"),
     "elapsed_F": definitions("elapsed_F", "F_t", "10"),

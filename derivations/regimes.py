@@ -11,34 +11,52 @@ with a the axis of largest or smallest inertia, are nonnegative, and so are m an
 separatrix 1 - m = 0, for symmetric bodies m = 0.
 """
 
-import re
+from sympy import Expr, S, Symbol, UnevaluatedExpr, solve
 
-from derivations.regular_form import FORMULAS
+from derivations.regular_form import FORMULAS, PARAMETERS
 from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, part_of
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps._names import symbol, symbols
 
+MOMENTS = c_1, c_2, c_3 = symbols("c_1 c_2 c_3")
+OMEGA = Omega_1, Omega_2, Omega_3 = symbols("Omega_1 Omega_2 Omega_3")
+c_12, c_13, c_23, H, K_squared = symbols("c_12 c_13 c_23 H K_squared")
+E_1, E_2, E_3, turning, off_middle = symbols("E_1 E_2 E_3 turning off_middle")
+GAPS = {c_1 - c_2: c_12, c_1 - c_3: c_13, c_2 - c_3: c_23}
+EXCESSES = {
+    E_1: 2 * H * c_1 - K_squared,
+    E_2: K_squared - 2 * H * c_2,
+    E_3: K_squared - 2 * H * c_3,
+}
+INVARIANTS = {
+    H: sum(c * w**2 for c, w in zip(MOMENTS, OMEGA, strict=True)) / 2,
+    K_squared: sum((c * w) ** 2 for c, w in zip(MOMENTS, OMEGA, strict=True)),
+}
+
+
+def excess(form: Expr) -> Computation:
+    """Return a multiple of the energy less K^2, by the rates and the differences of moments."""
+    whole = compute(form).subs(INVARIANTS).expand()
+    names = {**GAPS, **{-gap: -name for gap, name in GAPS.items()}}
+    parts = (whole.coeff(w**2).factor().xreplace(names) * w**2 for w in OMEGA)
+    return sum(parts, compute(S.Zero))
+
+
+BY_RATES = {name: excess(form) for name, form in EXCESSES.items()}
+SQUARES_SUM = Omega_1**2 + Omega_2**2 + Omega_3**2
 BODY = Part(
-    witness={
-        "c_3": "1",
-        "c_13": "2",
-        "c_23": "1",
-        "Omega_1": "1",
-        "Omega_2": "1",
-        "Omega_3": "1/2",
-    },
-    units=("c_3", "c_2", "c_1"),
+    witness={c_3: 1, c_13: 2, c_23: 1, Omega_1: 1, Omega_2: 1, Omega_3: "1/2"},
+    units=(c_3, c_2, c_1),
     definitions={
-        "c_12": "c_13 - c_23",
-        "c_1": "c_3 + c_13",
-        "c_2": "c_3 + c_23",
-        "H": "(c_1*Omega_1**2 + c_2*Omega_2**2 + c_3*Omega_3**2)/2",
-        "K_squared": "(c_1*Omega_1)**2 + (c_2*Omega_2)**2 + (c_3*Omega_3)**2",
-        "E_1": "c_2*c_12*Omega_2**2 + c_3*c_13*Omega_3**2",
-        "E_2": "c_1*c_12*Omega_1**2 - c_3*c_23*Omega_3**2",
-        "E_3": "c_1*c_13*Omega_1**2 + c_2*c_23*Omega_2**2",
-        "turning": "Omega_1**2 + Omega_2**2 + Omega_3**2",
-        "off_middle": "Omega_1**2 + Omega_3**2",
+        c_12: c_13 - c_23,
+        c_1: c_3 + c_13,
+        c_2: c_3 + c_23,
+        **INVARIANTS,
+        **BY_RATES,
+        turning: SQUARES_SUM,
+        off_middle: Omega_1**2 + Omega_3**2,
     },
-    nonnegative=("c_3", "c_13", "c_23", "c_12"),
+    nonnegative=(c_3, c_13, c_23, c_12),
     reading={
         "c_3": "smallest moment of inertia, kg m^2",
         "c_13": "largest less smallest moment",
@@ -46,7 +64,6 @@ BODY = Part(
         **{f"Omega_{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
     },
 )
-CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 SPIN = {"Omega_1": "0", "Omega_2": "0", "Omega_3": "0"}
 PROLATE, OBLATE = {"c_23": "2"}, {"c_23": "0"}
 SEPARATRIX = {"c_13": "5/4", "Omega_1": "1", "Omega_3": "3/4"}
@@ -71,103 +88,104 @@ TREE = (
     ),
     ("on_separatrix", "off_middle", ("spin_2", SPIN | {"Omega_2": "1"}), ("separatrix_motion", {})),
 )
-# The regular form's axes, and its E's in terms of those above; c_a - c_d > 0 or < 0.
-LARGEST = {"a": "1", "b": "2", "d": "3", "E_a": "E_1", "E_b": "E_2", "E_d": "E_3"}
-SMALLEST = {"a": "3", "b": "2", "d": "1", "E_a": "(-E_3)", "E_b": "E_2", "E_d": "(-E_1)"}
-SQUARES = FORMULAS | {"m": "E_a/E_d*c_bd/c_ab", "m_1": "E_b/E_d*c_ad/c_ab"}
+# The regular form's axes, its differences of moments and its E's in terms of those above, of which
+# all but E_2 are nonnegative.  Here it is -E_2 that is, if a is the axis of the smallest moment.
+NAMES = symbols("c_a c_b c_d c_ab c_ad c_bd E_a E_b E_d")
+NOT_E_2 = -UnevaluatedExpr(-E_2)
 VISIBLY = {
-    "1": {
-        "A_a": "E_3/(c_1*c_13)",
-        "A_b": "E_1/(c_2*c_12)",
-        "A_d": "E_1/(c_3*c_13)",
-        "lambda_": "c_12*E_3/(c_1*c_2*c_3)",
-        "m": "E_1*c_23/(E_3*c_12)",
-        "m_1": "c_13*E_2/(c_12*E_3)",
-    },
-    "3": {
-        "A_a": "E_1/(c_3*c_13)",
-        "A_b": "E_3/(c_2*c_23)",
-        "A_d": "E_3/(c_1*c_13)",
-        "lambda_": "c_23*E_1/(c_1*c_2*c_3)",
-        "m": "E_3*c_12/(E_1*c_23)",
-        "m_1": "c_13*(-E_2)/(c_23*E_1)",
-    },
+    1: dict(zip(NAMES, (c_1, c_2, c_3, c_12, c_13, c_23, E_1, E_2, E_3), strict=True)),
+    3: dict(zip(NAMES, (c_3, c_2, c_1, -c_23, -c_13, -c_12, -E_3, NOT_E_2, -E_1), strict=True)),
 }
-EDGES = {
-    "separatrix_motion": {"m": "1", "m_1": "0"},
-    "oblate_motion": {"m": "0", "m_1": "1"},
-    "prolate_motion": {"m": "0", "m_1": "1"},
+PLAINLY = {c_12: c_1 - c_2, c_13: c_1 - c_3, c_23: c_2 - c_3, NOT_E_2: E_2}
+# What is 0 at an edge, and makes m or 1 - m zero.
+EDGES: dict[str, Symbol] = {
+    "separatrix_motion": E_2,
+    "oblate_motion": c_23,
+    "prolate_motion": c_12,
 }
+SOURCE = ("10", "13", "14")
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Split all motions into leaves, and state what holds in each leaf."""
     builder.open(join("sorted_body", BODY, static=True))
-    square = {"E_1": "2*H*c_1 - K_squared", "E_2": "K_squared - 2*H*c_2"}
-    builder.claim("sorted_body.differences", square | {"E_3": "K_squared - 2*H*c_3"}, ["6", "15"])
+    differences = [(BY_RATES[name], form) for name, form in EXCESSES.items()]
+    builder.claim("sorted_body.differences", differences, ["6", "15"])
     for context, name, *cases in TREE:
         builder.split(context, name, *cases)
     _steady(builder)
     for leaf in ("largest", "oblate_motion", "separatrix_motion"):
-        _moving(builder, leaf, LARGEST)
+        _moving(builder, leaf, 1)
     for leaf in ("smallest", "prolate_motion"):
-        _moving(builder, leaf, SMALLEST)
+        _moving(builder, leaf, 3)
     for context, name, *cases in reversed(TREE):
         builder.partition(context, name, *(case for case, _ in cases))
 
 
 def _steady(builder: LedgerBuilder) -> None:
     """Prove (c_i - c) Omega_i = 0, by a quantity that is both >= 0 and <= 0."""
-    builder.sign(
-        "rest.rates", {f"-Omega_{k}**2": f"Omega_{i}**2 + Omega_{j}**2" for k, i, j in CYCLES}
-    )
-    builder.sign("spherical.moments", {"-c_12": "c_23", "-c_23": "c_12"})
-    for leaf in ("spin_1", "oblate_polar", "prolate_equatorial"):
-        forms = {
-            "-(c_12*Omega_2**2)": "c_3*c_13*Omega_3**2/c_2",
-            "-(c_13*Omega_3**2)": "c_2*c_12*Omega_2**2/c_3",
-        }
-        builder.sign(f"{leaf}.parallel", forms)
-    for leaf in ("spin_3", "prolate_polar", "oblate_equatorial"):
-        forms = {
-            "-(c_13*Omega_1**2)": "c_2*c_23*Omega_2**2/c_1",
-            "-(c_23*Omega_2**2)": "c_1*c_13*Omega_1**2/c_2",
-        }
-        builder.sign(f"{leaf}.parallel", forms)
-    builder.sign("spin_2.parallel", {"-Omega_1**2": "Omega_3**2", "-Omega_3**2": "Omega_1**2"})
+    squares = {w: compute(SQUARES_SUM).apply(solve, w**2)[0] for w in OMEGA}
+    builder.sign("rest.rates", {-(w**2): -form for w, form in squares.items()})
+    gap = compute(c_13 - c_23).subs(c_13, 0)  # it is c_12
+    other = compute(c_13 - c_12).subs(c_13, 0)
+    builder.sign("spherical.moments", {-c_12: -gap, -c_23: -other})
+    for E, pairs, leaves in (
+        (E_1, ((c_12, Omega_2), (c_13, Omega_3)), ("spin_1", "oblate_polar", "prolate_equatorial")),
+        (E_3, ((c_13, Omega_1), (c_23, Omega_2)), ("spin_3", "prolate_polar", "oblate_equatorial")),
+    ):
+        forms = {-gap * w**2: -gap * BY_RATES[E].apply(solve, w**2)[0] for gap, w in pairs}
+        for leaf in leaves:
+            builder.sign(f"{leaf}.parallel", forms)
+    across = compute(Omega_1**2 + Omega_3**2)
+    forms = {-(w**2): -across.apply(solve, w**2)[0] for w in (Omega_1, Omega_3)}
+    builder.sign("spin_2.parallel", forms)
 
 
-def _moving(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
+def _moving(builder: LedgerBuilder, leaf: str, axis: int) -> None:
     """Prove that squares, m and 1 - m of the regular form are nonnegative."""
-    edge = EDGES.get(leaf, {})
-    forms = {key: form for key, form in VISIBLY[axes["a"]].items() if key not in edge}
-    signs = {_named(SQUARES[key], axes): form for key, form in forms.items()}
-    builder.sign(f"{leaf}.squares", signs, ["10", "13", "14"])
+    forms = {
+        name: form.xreplace(VISIBLY[axis]) for name, form in {**FORMULAS, **PARAMETERS}.items()
+    }
+    plain = {name: form.xreplace(PLAINLY) for name, form in forms.items()}
+    for name in PARAMETERS:
+        # An excess and a difference of moments are divided by one after the other.
+        gaps = forms[name].subs(dict.fromkeys((E_1, E_3, NOT_E_2), 1)).xreplace(PLAINLY)
+        plain[name] = (plain[name] / gaps) * gaps.held()
+    edge = _edge(leaf, forms)
+    signs = {plain[name]: form for name, form in forms.items() if name not in edge}
+    builder.sign(f"{leaf}.squares", signs, SOURCE)
     if edge:
-        values = {_named(SQUARES[key], axes): value for key, value in edge.items()}
-        builder.claim(f"{leaf}.edge", values, ["10", "13", "14"])
-    _constants(builder, leaf, axes)
+        values = [(plain[name], value) for name, value in edge.items()]
+        builder.claim(f"{leaf}.edge", values, SOURCE)
+    _constants(builder, leaf, axis, forms | edge)
 
 
-def _constants(builder: LedgerBuilder, leaf: str, axes: dict[str, str]) -> None:
+def _edge(leaf: str, forms: dict[str, Computation]) -> dict[str, Computation]:
+    """Return the values of m and 1 - m at an edge."""
+    if leaf not in EDGES:
+        return {}
+    values = {name: forms[name].subs(EDGES[leaf], 0) for name in PARAMETERS}
+    (zero,) = (name for name, value in values.items() if value.value == 0)
+    (one,) = PARAMETERS.keys() - {zero}
+    return {zero: values[zero], one: 1 - values[zero]}
+
+
+def _constants(builder: LedgerBuilder, leaf: str, axis: int, forms: dict[str, Computation]) -> None:
     """Prove that the regular form has its constants here: squares of real numbers, 0 <= m <= 1."""
     whole, context = builder.ledger.contexts[leaf], f"{leaf}_constants"
     squares = part_of(builder.ledger.contexts["any_motion"]).definitions
-    named = {f"{x}_{axis}": f"{x}_{axes[axis]}" for x in ("c", "Omega") for axis in "abd"}
-    differ = ("c_23",) if leaf == "prolate_motion" else ()
+    named = {
+        symbol(f"{x}_{name}"): symbol(f"{x}_{k}")
+        for x in ("c", "Omega")
+        for name, k in zip("abd", (axis, 2, 4 - axis), strict=True)
+    }
+    differ = (c_23,) if leaf == "prolate_motion" else ()
     definitions = {**squares, **whole.definitions, **named}
     builder.open(extend(context, whole, Part(units=differ, definitions=definitions)))
     builder.model(context, "any_motion")
-    names = {"m": "m", "m_1": "1 - m"}
-    edge = EDGES.get(leaf, {})
-    forms = {names.get(key, f"{key}_squared"): x for key, x in (VISIBLY[axes["a"]] | edge).items()}
-    builder.sign(f"{context}.squares", forms, ["10", "13", "14"])
-    if edge:
-        builder.claim(f"{context}.edge", {"m": edge["m"]}, ["10", "13", "14"])
-
-
-def _named(text: str, axes: dict[str, str]) -> str:
-    """Return a formula of the regular form with axes a, b, d replaced by numbers."""
-    text = re.sub(r"c_([abd])([abd])", r"(c_\1 - c_\2)", text)
-    text = re.sub(r"E_[abd]", lambda found: axes[found[0]], text)
-    return re.sub(r"(?<=c_)[abd]", lambda found: axes[found[0]], text)
+    m = symbol("m")
+    names = {"m": m, "m_1": 1 - m}
+    signs = {names.get(name, symbol(f"{name}_squared")): form for name, form in forms.items()}
+    builder.sign(f"{context}.squares", signs, SOURCE)
+    if leaf in EDGES:
+        builder.claim(f"{context}.edge", {m: forms["m"]}, SOURCE)

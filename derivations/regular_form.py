@@ -2,26 +2,147 @@
 
     Omega_a = sigma A_a dn,    Omega_b = chi A_b sn,    Omega_d = chi tau A_d cn
 
-of (u | m) with u' = lambda and always 0 <= m <= 1.  The motion is described by the amplitudes B of
-the momentum, with B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and 1/c_d = 1/c_a + rho Delta; the middle
-inertia follows.  rho is the sign of c_a - c_d and tells the two circulations apart; tau = -rho
-epsilon sigma makes lambda positive, and chi = +-1 lets a motion start with |u| <= K(m).  m = 1 is
-the separatrix, m = 0 a symmetric body: neither is excluded, and neither needs a formula of its
-own.
+of (u | m) with u' = lambda and always 0 <= m <= 1.  Put into 2 H and K^2, whose coefficients of
+sn^2 vanish, this ansatz gives the amplitudes and m; Euler's equation gives lambda.  The motion is
+described by the amplitudes B of the momentum, with B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and
+1/c_d = 1/c_a + rho Delta; the middle inertia follows.  rho is the sign of c_a - c_d and tells the
+two circulations apart; tau makes lambda positive, and chi = +-1 lets a motion start with
+|u| <= K(m).  m = 1 is the separatrix, m = 0 a symmetric body: neither is excluded, and neither
+needs a formula of its own.
 """
 
-from sympy import Add, Expr, Symbol, expand, factor, symbols
+from typing import Any
 
-from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
+from sympy import Expr, S, solve
+
+from derivations.attitude import (
+    ENERGY,
+    EULER,
+    GRADIENT,
+    HANDEDNESS,
+    INERTIA,
+    MOMENTS,
+    OMEGA,
+    SENSE,
+    SIZE,
+    H,
+    K,
+    epsilon,
+    sigma,
+)
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, sign
-from rigidsym.proof.algebra._printing import printed
+from rigidsym.proof.algebra._computation import Computation, compute, guess
+from rigidsym.proof.algebra._parts import text
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbol, symbols
+
+c_a, c_b, c_d = MOMENTS
+rho, chi, tau, i_a, i_b, i_d, Delta = symbols("rho chi tau i_a i_b i_d Delta")
+m, m_1, lambda_, u, sn, cn, dn = symbols("m m_1 lambda_ u sn cn dn")
+A = A_a, A_b, A_d = symbols("A_a A_b A_d")
+B = B_a, B_b, B_d = symbols("B_a B_b B_d")
+E_a, E_b, E_d, c_ab, c_ad, c_bd = symbols("E_a E_b E_d c_ab c_ad c_bd")
+# The moments enter by these, too: where two of them agree to many digits, a difference known before
+# they were rounded has digits that they have lost.
+DIFFERENCES = {c_ab: c_a - c_b, c_ad: c_a - c_d, c_bd: c_b - c_d}
+# These numbers have no cancellation but the one in E_b, whose sign tells the circulations apart.
+EXCESSES = {E_a: 2 * H * c_a - K**2, E_b: K**2 - 2 * H * c_b, E_d: K**2 - 2 * H * c_d}
+
+
+def unsigned(expression: Computation) -> Computation:
+    """Simplify a product by the squares of the signs, which are 1."""
+    signs = (epsilon, sigma, rho, chi, tau)
+    return expression.factor().subs({x**2: 1 for x in signs}).subs({1 / x: x for x in signs})
+
+
+def named(expression: Computation) -> Computation:
+    """Return a product with names for the differences of moments and for the excesses."""
+    names: dict[Expr, Expr] = {}
+    for name, form in {**DIFFERENCES, **EXCESSES}.items():
+        names |= {form: name, -form: -name}
+    return expression.factor().xreplace(names)
+
+
+def excess(form: Expr) -> Computation:
+    """Return a multiple of the energy less K^2, by the rates and the differences of moments."""
+    known = compute(form).subs({H: ENERGY, K**2: SIZE}).subs(GRADIENT).expand()
+    return sum((named(known.coeff(w**2)) * w**2 for w in OMEGA), compute(S.Zero))
+
+
+ANSATZ = dict(zip(OMEGA, (sigma * A_a * dn, chi * A_b * sn, chi * tau * A_d * cn), strict=True))
+
+
+def by_sn(form: Expr) -> list[Computation]:
+    """Return the coefficients of 1 and sn^2 in a quadratic form of the rates."""
+    moving = compute(form).subs(GRADIENT).subs(ANSATZ)
+    squares = {cn**2: 1 - sn**2, dn**2: 1 - m * sn**2}
+    whole = moving.subs(squares).expand()
+    return [unsigned(whole.coeff(sn, power)) for power in (0, 2)]
+
+
+ENERGY_0, ENERGY_2 = by_sn(2 * ENERGY)
+SIZE_0, SIZE_2 = by_sn(SIZE)
+OUTER = compute([ENERGY_0 - 2 * H, SIZE_0 - K**2]).apply(solve, [A_a**2, A_d**2], simplify=False)
+INNER = compute([ENERGY_2, SIZE_2]).apply(solve, [A_b**2, m], simplify=False, dict=True)[0]
+# Omega_d' by the ansatz, and by Euler's equation.
+LAMBDA = (-chi * tau * A_d * lambda_ * sn * dn - EULER[OMEGA[2]].subs(ANSATZ)).apply(
+    solve, lambda_, simplify=False
+)[0]
+M_FOUND = INNER[m].subs(OUTER)
+SQUARES = {
+    A_a: OUTER[A_a**2],
+    A_b: INNER[A_b**2].subs(OUTER),
+    A_d: OUTER[A_d**2],
+    lambda_: unsigned(LAMBDA**2).subs(INNER).subs(OUTER),
+}
+# What the number half evaluates: each amplitude, rate and parameter from inertia and invariants.
+FORMULAS = {
+    str(name): named(form).ordered("c_a c_b c_d c_ab c_ad E_a E_d")
+    for name, form in SQUARES.items()
+}
+PARAMETERS = {
+    "m": named(M_FOUND).ordered("E_a c_bd E_d c_ab"),
+    "m_1": named(1 - M_FOUND).ordered("c_ab c_ad E_b E_d"),
+}
+ORDER = "c_a c_b c_d c_ab c_ad c_bd Omega_a Omega_b Omega_d"
+BY_RATES: dict[str, Any] = {
+    "H": guess(
+        text(compute(ENERGY).ordered(ORDER), ()), "the kinetic energy, where the derivation begins"
+    ),
+    **{str(name): excess(form).ordered(ORDER) for name, form in EXCESSES.items()},
+}
+# At t = 0 these say where on the polhode the motion starts.
+START = {
+    str(name): unsigned(compute(form - w).apply(solve, name, simplify=False)[0])
+    for name, (w, form) in zip((dn, sn, cn), ANSATZ.items(), strict=True)
+}
+
+# The same by the amplitudes of the momentum, for the motion as numbers describe it.
+INVERSES = {c_a: 1 / i_a, c_b: 1 / i_b, c_d: 1 / i_d}
+BY_MOMENTUM = {a: b / c for a, b, c in zip(A, B, MOMENTS, strict=True)}
+
+
+def by_momentum(expression: Computation) -> Computation:
+    """Put in the amplitudes of the momentum and the reciprocal moments."""
+    return expression.subs(BY_MOMENTUM).subs(INVERSES)
+
+
+RELATION = by_momentum(SIZE_2)
+OF_POLHODE = RELATION.apply(solve, m, simplify=False)[0]
+BETWEEN = by_momentum(ENERGY_2).subs(m, OF_POLHODE).apply(solve, i_b, simplify=False)[0]
+MIDDLE = i_a + (BETWEEN - i_a).factor()
+TURNING = by_momentum(LAMBDA).subs(i_b, MIDDLE).factor()
+# lambda is positive if tau is the sign that it has with tau = 1.
+POSITIVE = dict.fromkeys((*B, Delta), 1)
+OUTERMOST = {i_d: i_a + rho * Delta}
+TAU = TURNING.subs(OUTERMOST).subs({tau: 1, **POSITIVE}).ordered("rho epsilon sigma")
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
 HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")
 POLHODE = Part(
     witness={"i_a": "1/6", "Delta": "5/6", "B_a": "7", "B_d": "24"},
-    units=("i_a", "i_a + rho*Delta", "Delta", "B_a", "B_d", "rho"),
-    definitions={"c_a": "1/i_a", "i_d": "i_a + rho*Delta", "c_d": "1/i_d"},
+    units=(i_a, i_a + rho * Delta, Delta, B_a, B_d, rho),
+    definitions={c_a: INVERSES[c_a], **OUTERMOST, c_d: INVERSES[c_d]},
     reading={
         "i_a": "1/c_a",
         "Delta": "|1/c_d - 1/c_a|",
@@ -29,48 +150,46 @@ POLHODE = Part(
         "B_d": "amplitude of c_d |Omega_d|",
     },
 )
+SQUARE_OF_B = B_d**2 + m * B_a**2
 PARAMETER = Part(
     witness={"m": "1", "B_b": "25"},
-    units=("B_b", "B_d**2 + m*B_a**2", "i_a*(B_d**2 + m*B_a**2) + rho*Delta*B_d**2"),
-    relations=("B_b**2 - B_d**2 - m*B_a**2",),
-    nonnegative=("B_b",),
+    units=(B_b, SQUARE_OF_B, i_a * SQUARE_OF_B + rho * Delta * B_d**2),
+    relations=(RELATION,),
+    nonnegative=(B_b,),
     reading={"m": "parameter (k^2) of the Jacobi functions", "B_b": "amplitude of c_b |Omega_b|"},
 )
-# The moments enter by these, too: where two of them agree to many digits, a difference known before
-# they were rounded has digits that they have lost.
-PAIRS = ("ab", "ad", "bd")
-DIFFERENCES = {f"c_{x}{y}": f"c_{x} - c_{y}" for x, y in PAIRS}
 AMPLITUDES = Part(
     definitions={
-        "i_b": "i_a + rho*Delta*B_d**2/B_b**2",
-        "c_b": "1/i_b",
+        i_b: MIDDLE.subs(OUTERMOST),
+        c_b: INVERSES[c_b],
         **DIFFERENCES,
-        "A_a": "B_a/c_a",
-        "A_b": "B_b/c_b",
-        "A_d": "B_d/c_d",
-        "lambda_": "Delta*B_a*B_d/B_b",
-        "tau": "-rho*epsilon*sigma",
-        "m_1": "1 - m",
+        **BY_MOMENTUM,
+        lambda_: unsigned(TURNING.subs(OUTERMOST).subs(tau, TAU)),
+        tau: TAU,
+        m_1: 1 - m,
     },
-    nonnegative=("A_a", "A_b", "A_d", "lambda_"),
+    nonnegative=(*A, lambda_),
     reading={
         "lambda_": "rate of the argument u, rad/s",
         **{f"A_{x}": f"amplitude of |Omega_{x}|, rad/s" for x in "abd"},
     },
 )
 ROTATING = Part(
-    definitions={"Omega_a": "sigma*A_a*dn", "Omega_b": "chi*A_b*sn", "Omega_d": "chi*tau*A_d*cn"},
+    definitions={
+        w: compute(form).ordered("chi tau sigma A_a A_b A_d") for w, form in ANSATZ.items()
+    }
 )
 # The invariants by the amplitudes; the claims show that they are those of the rates.
 INVARIANTS = Part(
     definitions={
-        "H": "(i_a*B_a**2 + i_d*B_d**2)/2",
-        "E_a": "c_d*c_ad*A_d**2",
-        "E_b": "c_a*c_ab*A_a**2*m_1",
-        "E_d": "c_a*c_ad*A_a**2",
-        "M_a": "sigma*B_a*dn",
-        "M_b": "chi*B_b*sn",
-        "M_d": "chi*tau*B_d*cn",
+        H: (by_momentum(ENERGY_0) / 2).factor().ordered("i_a B_a i_d"),
+        E_a: (A_d**2 - named(OUTER[A_d**2])).apply(solve, E_a)[0],
+        E_b: (m_1 - PARAMETERS["m_1"]).apply(solve, E_b)[0].subs(E_d, c_a * c_ad * A_a**2),
+        E_d: (A_a**2 - named(OUTER[A_a**2])).apply(solve, E_d)[0],
+        **{
+            x: by_momentum(form.subs(ANSATZ)).ordered("chi tau sigma B_a B_d")
+            for x, form in GRADIENT.items()
+        },
     },
 )
 BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)
@@ -78,63 +197,18 @@ FUNCTIONS = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
 # Numbers have 1 - m without a difference.
 BY_COMPLEMENT = Part(reading={f"{x}n": f"jacobi_{x}n(u, 1 - m_1)" for x in "scd"})
 REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, BY_COMPLEMENT, ROTATING, INVARIANTS)
-EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
-
-
-def differences() -> dict[str, str]:
-    """Return 2 H c_a - K^2, K^2 - 2 H c_b and K^2 - 2 H c_d without cancellation.
-
-    No cancellation but the one in E_b, whose sign tells the circulations apart.
-    """
-    moments, rates = symbols("c_a c_b c_d"), symbols("Omega_a Omega_b Omega_d")
-    c_a, c_b, c_d = moments
-    terms = list(zip(moments, rates, strict=True))
-    twice_energy, square = sum(c * w**2 for c, w in terms), sum((c * w) ** 2 for c, w in terms)
-    short = {Symbol(f"c_{x}") - Symbol(f"c_{y}"): Symbol(f"c_{x}{y}") for x, y in PAIRS}
-    short |= {-form: -name for form, name in short.items()}
-
-    def collected(form: Expr) -> str:
-        found = (factor(form.coeff(w**2)).xreplace(short) * w**2 for w in rates)
-        return printed(Add(*found), " ".join(map(str, (*moments, *short.values(), *rates))))
-
-    forms = {
-        "E_a": twice_energy * c_a - square,
-        "E_b": square - twice_energy * c_b,
-        "E_d": square - twice_energy * c_d,
-    }
-    return {name: collected(expand(form)) for name, form in forms.items()}
-
-
-BY_RATES = {"H": RATES.definitions["H"], **differences()}
-# What the number half evaluates: each amplitude, rate and parameter from inertia and invariants.
-FORMULAS = {
-    "A_a": "E_d/(c_a*c_ad)",
-    "A_b": "E_a/(c_b*c_ab)",
-    "A_d": "E_a/(c_d*c_ad)",
-    "lambda_": "c_ab*E_d/(c_a*c_b*c_d)",
-}
-PARAMETERS = {"m": "E_a*c_bd/(E_d*c_ab)", "m_1": "c_ad*E_b/(c_ab*E_d)"}
-
-# At t = 0 these say where on the polhode the motion starts.
-START = {"sn": "chi*Omega_b/A_b", "cn": "chi*tau*Omega_d/A_d", "dn": "sigma*Omega_a/A_a"}
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, and the amplitudes, lambda and m by inertia and invariants."""
     builder.open(join("regular", *REGULAR))
-    builder.claim("regular.euler", EULER, ["5", "10"])
+    builder.claim(
+        "regular.euler", {rate_of(w): turning for w, turning in EULER.items()}, ["5", "10"]
+    )
     for name, form in BY_RATES.items():
         builder.claim(f"regular.{name}", {name: form}, ["6", "15"])
-    square = "(M_a**2 + M_b**2 + M_d**2)"
-    builder.claim(
-        "regular.differences",
-        {
-            "E_a": f"2*H*c_a - {square}",
-            "E_b": f"{square} - 2*H*c_b",
-            "E_d": f"{square} - 2*H*c_d",
-        },
-        ["6", "15"],
-    )
+    excesses = {name: compute(form).subs(K**2, SIZE) for name, form in EXCESSES.items()}
+    builder.claim("regular.differences", excesses, ["6", "15"])
     for name, radicand in FORMULAS.items():
         builder.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
     for name, form in PARAMETERS.items():
@@ -152,41 +226,33 @@ def _every_motion(builder: LedgerBuilder) -> None:
     That the squares are nonnegative and 0 <= m <= 1 is the choice of the axis a, in the chapter
     on regimes; where E_a or E_d vanish the rates are constant.
     """
+    squared = {x: symbol(f"{x}_squared") for x in (*A, lambda_, *B)}
+    by_squares = {x**2: name for x, name in squared.items()}
+    momenta = dict(zip(B, zip(MOMENTS, A, strict=True), strict=True))
     squares = Part(
         units=(
-            "c_a - c_b",
-            "c_a - c_d",
-            "c_b*(c_a - c_b)*Omega_b**2 + c_d*(c_a - c_d)*Omega_d**2",
-            "c_a*(c_a - c_d)*Omega_a**2 + c_b*(c_b - c_d)*Omega_b**2",
+            c_a - c_b,
+            c_a - c_d,
+            *(excess(EXCESSES[x]).subs(DIFFERENCES) for x in (E_a, E_d)),
         ),
         definitions={
-            **{f"{name}_squared": form for name, form in FORMULAS.items()},
-            "m": PARAMETERS["m"],
-            "B_a_squared": "c_a**2*A_a_squared",
-            "B_b_squared": "c_b**2*A_b_squared",
-            "B_d_squared": "c_d**2*A_d_squared",
+            **{squared[x]: FORMULAS[str(x)] for x in (*A, lambda_)},
+            m: PARAMETERS["m"],
+            **{squared[b]: c**2 * squared[a] for b, (c, a) in momenta.items()},
         },
     )
     moving = Part(witness={"Omega_a": "1", "Omega_b": "0", "Omega_d": "1"})
     by_rates = Part(definitions=DIFFERENCES | BY_RATES)
     builder.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
-    builder.claim("any_motion.parameter", {"B_b_squared": "B_d_squared + m*B_a_squared"}, ["14"])
-    builder.claim(
-        "any_motion.inertia", {"1/c_b": "1/c_a + (1/c_d - 1/c_a)*B_d_squared/B_b_squared"}, ["14"]
-    )
-    builder.claim(
-        "any_motion.rate",
-        {"lambda__squared": "(1/c_d - 1/c_a)**2*B_a_squared*B_d_squared/B_b_squared"},
-        ["14"],
-    )
-    builder.claim(
-        "any_motion.start",
-        {
-            "Omega_b**2/A_b_squared + Omega_d**2/A_d_squared": "1",
-            "Omega_a**2/A_a_squared + m*Omega_b**2/A_b_squared": "1",
-        },
-        ["12"],
-    )
+    middle = RELATION.subs(by_squares).apply(solve, squared[B_b])[0]
+    builder.claim("any_motion.parameter", {squared[B_b]: middle}, ["14"])
+    by_moments = {i: 1 / c for c, i in zip(MOMENTS, (i_a, i_b, i_d), strict=True)}
+    inertia = {1 / c_b: MIDDLE.subs(by_squares).subs(by_moments)}
+    builder.claim("any_motion.inertia", inertia, ["14"])
+    turning = unsigned(TURNING**2).subs(by_squares).subs(by_moments)
+    builder.claim("any_motion.rate", {squared[lambda_]: turning}, ["14"])
+    a, b, d = (w**2 / squared[x] for w, x in zip(OMEGA, A, strict=True))
+    builder.evaluate("any_motion.start", [b + d, a + m * b], ["12"])
 
 
 def _start(builder: LedgerBuilder) -> None:
@@ -196,54 +262,47 @@ def _start(builder: LedgerBuilder) -> None:
     """
     witness = {"Omega_a": "1", "Omega_b": "0", "Omega_d": "4", "K": "5"}
     amplitudes = {"A_a": "1", "A_b": "4", "A_d": "4"}
-    others = ("t", "phase", "mu", "psi_0", "kappa", "J", "J_0")
+    others = t, phase, mu, psi_0, kappa, J, J_0 = symbols("t phase mu psi_0 kappa J J_0")
+    u_1, psi = symbols("u_1 psi")
     given = Part(
-        witness=witness | amplitudes | dict.fromkeys(others, "0"),
-        units=("c_ab", "c_ad", "E_d", *amplitudes),
+        witness=witness | amplitudes | dict.fromkeys(map(str, others), "0"),
+        units=(c_ab, c_ad, E_d, *A),
         definitions={
             **DIFFERENCES,
-            **RATES.definitions,
+            **GRADIENT,
             **BY_RATES,
             **PARAMETERS,
-            "tau": AMPLITUDES.definitions["tau"],
+            tau: TAU,
             **START,
-            "u_1": "mu*t + phase",
-            "psi": "psi_0*t + kappa*(J - J_0)",
+            u_1: mu * t + phase,
+            psi: psi_0 * t + kappa * (J - J_0),
         },
-        relations=(
-            "K**2 - M_a**2 - M_b**2 - M_d**2",
-            *(f"{name}**2 - {FORMULAS[name]}" for name in amplitudes),
-            "t",
-            "J - J_0",
-        ),
-        nonnegative=("K", *amplitudes),
+        relations=(K**2 - SIZE, *(x**2 - FORMULAS[str(x)] for x in A), t, J - J_0),
+        nonnegative=(K, *A),
     )
     signs = (HANDEDNESS, SENSE, CIRCULATION, HALF)
     builder.open(join("rates_start", *signs, INERTIA, given, static=True))
-    builder.root("rates_start.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
+    size = compute(K**2 - SIZE).apply(solve, K**2, simplify=False)[0]
+    builder.root("rates_start.K", K, size, ["6", "15"])
     for name in amplitudes:
         builder.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
-    builder.claim("rates_start.rates", ROTATING.definitions, ["10"])
-    builder.claim("rates_start.time", {"u_1": "phase", "psi": "0"}, ["20", "21", "33", "34"])
-    builder.claim("rates_start.parameters", {"m + m_1": "1"}, ["13", "14"])
+    rates = [(builder.value("rates_start", form), form) for form in ANSATZ.values()]
+    builder.claim("rates_start.rates", rates, ["10"])
+    builder.evaluate("rates_start.time", [u_1, psi], ["20", "21", "33", "34"])
+    builder.evaluate("rates_start.parameters", [m + m_1], ["13", "14"])
 
 
 def _signs(builder: LedgerBuilder) -> None:
     """Prove dn >= 0, cn >= 0 and Delta >= 0 at the start, by the definitions of the signs."""
+    outer = {x: form for x, form in ANSATZ.items() if x != OMEGA[1]}
     given = Part(
         witness={"i_a": "1", "Delta": "1", "A_a": "1", "A_d": "1", "dn": "1", "cn": "1"},
-        units=("i_a", "i_a + rho*Delta", "A_a", "A_d"),
-        definitions={
-            **POLHODE.definitions,
-            **{name: AMPLITUDES.definitions[name] for name in ("c_ad", "tau")},
-            **{name: ROTATING.definitions[name] for name in ("Omega_a", "Omega_d")},
-        },
-        nonnegative=("A_a", "A_d", "c_a", "c_d", "rho*c_ad", "sigma*Omega_a", "chi*tau*Omega_d"),
+        units=(i_a, i_a + rho * Delta, A_a, A_d),
+        definitions={**POLHODE.definitions, c_ad: DIFFERENCES[c_ad], tau: TAU, **outer},
+        nonnegative=(A_a, A_d, c_a, c_d, rho * c_ad, sigma * OMEGA[0], chi * tau * OMEGA[2]),
     )
     builder.open(join("start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True))
-    forms = {
-        "dn": "sigma*Omega_a/A_a",
-        "cn": "chi*tau*Omega_d/A_d",
-        "Delta": "rho*c_ad/(c_a*c_d)",
-    }
+    between = (compute(i_d) - OUTERMOST[i_d]).apply(solve, Delta, simplify=False)[0]
+    apart = named(unsigned(between).subs({i_a: 1 / c_a, i_d: 1 / c_d}))
+    forms = {dn: START["dn"], cn: START["cn"], Delta: apart}
     builder.sign("start_signs.signs", forms, ["12"])

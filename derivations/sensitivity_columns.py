@@ -14,173 +14,285 @@ grows like t if the body is symmetric.  E_t and F_t follow from each other: the 
 not small, the other where p is not.
 """
 
-from collections.abc import Iterator
+from collections.abc import Mapping
+from typing import Any
+
+import sympy
+from sympy import Expr, Symbol, UnevaluatedExpr, factor
 
 from derivations.addition_form import (
+    BODY,
     COEFFICIENTS,
     EULER,
     FUNCTIONS,
+    INTEGRALS,
     OTHERS,
     OVER_SQUARE,
     SQUARED,
     START,
     TIME,
 )
+from derivations.addition_form import GIVEN as INVARIANTS
+from derivations.addition_form import RATES as RATES_AT_TIME
 from derivations.attitude import HANDEDNESS, INERTIA
-from derivations.rate_sensitivities import MODULI
+from derivations.rate_sensitivities import (
+    ALONG_K,
+    ALONG_R,
+    FUNCTION_PARTS,
+    MODULI,
+    MOVING,
+    C,
+    D,
+    E,
+    F,
+    S,
+    at_start,
+    change,
+    change_of,
+    defined,
+    integral,
+    p,
+    r,
+    still,
+)
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import Computation, compute, guess
+from rigidsym.proof.steps._names import collected, read, symbol, symbols
 
 AXES = ("a", "b", "d")
-RATES_AT_START = Part(
-    witness={"Omega_a0": "1", "Omega_b0": "1", "Omega_d0": "1"},
-    reading={f"Omega_{x}0": f"body rate about axis {x} at t = 0, rad/s" for x in AXES},
+t, epsilon, tilt, k, below, over, leant, turning, f = symbols(
+    "t epsilon tilt k below over leant turning f"
 )
-# Euler's equations are Omega_a' = alpha_a Omega_b Omega_d and so on; `tilt` is E_b in these units.
-MOMENTS = {
-    "c_ab": "c_a - c_b",
-    "c_ad": "c_a - c_d",
-    "c_bd": "c_b - c_d",
-    "alpha_a": "epsilon*c_bd/c_a",
-    "alpha_b": "-epsilon*c_ad/c_b",
-    "alpha_d": "epsilon*c_ab/c_d",
-    "E_b": "c_a*c_ab*Omega_a0**2 - c_d*c_bd*Omega_d0**2",
-    "tilt": "epsilon*E_b/(c_a*c_d)",
-    **{
-        name: text
-        for x, (y, z) in OTHERS.items()
-        for name, text in (
-            (f"alpha_{x}_by_c_{x}", f"-alpha_{x}/c_{x}"),
-            (f"alpha_{x}_by_c_{y}", f"epsilon/c_{x}"),
-            (f"alpha_{x}_by_c_{z}", f"-epsilon/c_{x}"),
-        )
-    },
-}
-# What E_b and `tilt` change by, each with no difference but those of moments.
-_TILTED = {
-    "a": "epsilon*((c_a + c_ab)*Omega_a0**2)/c_a/c_d - tilt/c_a",
-    "b": "-epsilon*(c_a*Omega_a0**2 + c_d*Omega_d0**2)/c_a/c_d",
-    "d": "epsilon*((c_d - c_bd)*Omega_d0**2)/c_a/c_d - tilt/c_d",
-}
-MOMENTS |= {f"tilt_by_c_{y}": text for y, text in _TILTED.items()}
+c, alpha, OMEGA_0, OMEGA = (
+    {x: symbol(form.format(x)) for x in AXES}
+    for form in ("c_{}", "alpha_{}", "Omega_{}0", "Omega_{}")
+)
+CHANGES = (*(f"Omega_{x}" for x in AXES), *(f"c_{x}" for x in AXES))
+
+
+def by(name: Any, y: str) -> Symbol:
+    """Return the name of what a quantity changes by with a rate at t = 0 or a moment."""
+    return symbol(f"{name}_by_{y}")
+
+
+def named(found: Mapping[str, Computation]) -> dict[Any, Symbol]:
+    """Return the names of values, to put them in the place of these."""
+    return {value.value: symbol(name) for name, value in found.items()}
+
+
+RATES_AT_START = Part(
+    witness=dict.fromkeys(OMEGA_0.values(), "1"),
+    reading={OMEGA_0[x]: f"body rate about axis {x} at t = 0, rad/s" for x in AXES},
+)
+# Numbers have the differences of moments from before rounding.
+DIFFERENCES = {symbol(f"c_{x}{y}"): c[x] - c[y] for x, y in (("a", "b"), ("a", "d"), ("b", "d"))}
+TILT = alpha["d"] * OMEGA_0["a"] ** 2 - alpha["a"] * OMEGA_0["d"] ** 2
+
+
+def _moment_definitions() -> dict[Any, Any]:
+    """Return the coefficients of Euler's equations and `tilt`, with their changes.
+
+    `tilt` is E_b in these units.  Differences are those of moments alone.
+    """
+    names = {difference: name for name, difference in DIFFERENCES.items()}
+    forces = {
+        x: compute(value).subs(names)
+        for x, value in defined(HANDEDNESS, INERTIA, BODY).items()
+        if x in alpha.values()
+    }
+    whole = compute(TILT).subs(forces).factor()
+    numerator = whole.apply(sympy.fraction)[0] / epsilon
+    found = {**DIFFERENCES, **forces, symbol("E_b"): numerator}
+    found[tilt] = whole / numerator * symbol("E_b")
+    for x, others in OTHERS.items():
+        for y in (x, *others):
+            found[by(alpha[x], f"c_{y}")] = change_of(alpha[x], forces[alpha[x]], _moved(y))
+    for y in AXES:
+        moved = {symbol("E_b"): change(numerator, _moved(y)).factor(), **_moved(y)}
+        found[by(tilt, f"c_{y}")] = change_of(tilt, found[tilt], moved)
+    return found
+
+
+def _moved(y: str) -> dict[Any, Any]:
+    """Return the change of one moment, and those of differences by it."""
+    return {c[y]: 1, **{name: change(x, {c[y]: 1}) for name, x in DIFFERENCES.items()}}
+
+
+MOMENTS = _moment_definitions()
 TILT_BY = {
-    f"tilt_by_c_{y}": f"alpha_d_by_c_{y}*Omega_a0**2 - alpha_a_by_c_{y}*Omega_d0**2" for y in AXES
-}
-TILT = {"tilt": "alpha_d*Omega_a0**2 - alpha_a*Omega_d0**2"}
-BODY = {
-    "g_a": "alpha_a*Omega_b0**2 - alpha_b*Omega_a0**2",
-    "g_d": "alpha_d*Omega_b0**2 - alpha_b*Omega_d0**2",
-    "k": "alpha_a*alpha_d*Omega_b0**2",
-    "kappa_a": "-alpha_b*alpha_d*Omega_a0**2",
-    "kappa_d": "-alpha_a*alpha_b*Omega_d0**2",
-    "p": "k + kappa_a",
-    "r": "k + kappa_d",
-    "apart": "-alpha_b*tilt",
-}
-# What p and r change by with each rate; where it is not here it is zero.
-BY_RATES = {
-    "p_by_Omega_a": "-2*alpha_b*alpha_d*Omega_a0",
-    "p_by_Omega_b": "2*alpha_a*alpha_d*Omega_b0",
-    "r_by_Omega_d": "-2*alpha_a*alpha_b*Omega_d0",
+    by(tilt, f"c_{y}"): change(TILT, {alpha[x]: by(alpha[x], f"c_{y}") for x in AXES}) for y in AXES
 }
 
 
-def _by_moments() -> Iterator[tuple[str, str]]:
-    """Yield the changes of p, p - r, kappa_a and rates with each moment, functions fixed."""
-    for y in AXES:
-        a, b, d = (f"alpha_{x}_by_c_{y}" for x in AXES)
-        yield f"kappa_by_c_{y}", f"-({b}*alpha_d + alpha_b*{d})*Omega_a0**2"
-        yield f"p_by_c_{y}", f"kappa_by_c_{y} + ({a}*alpha_d + alpha_a*{d})*Omega_b0**2"
-        yield (
-            f"apart_by_c_{y}",
-            f"-alpha_b*tilt_by_c_{y} - {b}*tilt",
-        )
+def _constants() -> dict[Any, Any]:
+    """Return p, r and what they are made of, with their changes by all inputs.
+
+    p = k + kappa_a and r = k + kappa_d, where kappa is what is left without a rate about b.
+    """
+    of_motion = defined(COEFFICIENTS, INVARIANTS)
+    named_by = join("invariants", COEFFICIENTS, INVARIANTS, static=True).definitions
+    whole = {x: compute(of_motion[x]).subs(of_motion).expand() for x in (p, r)}
+    found: dict[Any, Any] = {symbol(x): named_by[x] for x in ("g_a", "g_d")}
+    kappa = {x: whole[y].subs(OMEGA_0["b"], 0) for x, y in (("a", p), ("d", r))}
+    found[k] = whole[p] - kappa["a"]
+    found |= {symbol(f"kappa_{x}"): value for x, value in kappa.items()}
+    parts = {found[x].value: x for x in symbols("k kappa_a kappa_d")}
+    found |= {x: value.subs(parts) for x, value in whole.items()}
+    apart = (whole[p] - whole[r]).factor().subs(TILT, tilt)
+    found[symbol("apart")] = apart
+    for y, moduli in {"a": (p,), "b": (p,), "d": (r,)}.items():
+        found |= {by(x, f"Omega_{y}"): whole[x].diff(OMEGA_0[y]) for x in moduli}
+    for y in (f"c_{x}" for x in AXES):
+        moved = {x: by(x, y) for x in (tilt, *alpha.values())}
+        of_k, of_a, of_d = (change(found[x], moved).factor() for x in symbols("k kappa_a kappa_d"))
+        found[by("kappa", y)] = of_a
+        found[by(p, y)] = of_k + by("kappa", y)
+        found[by("apart", y)] = change(apart, moved)
         # Of k - kappa_d: p and p - r together are twice kappa_a, and this.
-        yield (
-            f"leant_by_c_{y}",
-            f"({a}*alpha_d + alpha_a*{d})*Omega_b0**2 + ({a}*alpha_b + alpha_a*{b})*Omega_d0**2",
-        )
-        yield f"a_by_c_{y}", f"{a}*Omega_b0*Omega_d0"
-        yield f"b_by_c_{y}", f"{b}*Omega_d0*Omega_a0"
-        yield f"d_by_c_{y}", f"{d}*Omega_a0*Omega_b0"
+        found[by("leant", y)] = of_k - of_d
+        for x, (v, w) in OTHERS.items():
+            found[by(x, y)] = change(alpha[x] * OMEGA_0[v] * OMEGA_0[w], moved)
+    return found
 
 
-CONSTANTS = {**BODY, **BY_RATES, **dict(_by_moments())}
-RATES = {
-    "below": "D_t**2 + kappa_d*S_t**2",
-    "over": "1/below",
-    "Omega_a": "over*(Omega_a0*D_t + alpha_a*Omega_b0*Omega_d0*S_t*C_t)",
-    "Omega_b": "over*(Omega_b0*C_t*D_t + alpha_b*Omega_d0*Omega_a0*S_t)",
-    "Omega_d": "over*(Omega_d0*C_t + alpha_d*Omega_a0*Omega_b0*S_t*D_t)",
-}
-# Along `_k` and `_r`; those of S_t, C_t and D_t, of `below`, and of the rates.
-DIRECTIONS = {
-    "S_k": "(C_t*D_t*E_t - S_t**3)/2",
-    "C_k": "-S_t*(S_t*C_t + p*D_t*E_t)/2",
-    "D_k": "-S_t*(S_t*D_t + r*C_t*E_t)/2",
-    "below_k": "-S_t*(S_t*below + k*C_t*D_t*E_t)",
-    "leant": "alpha_a*Omega_b0*Omega_d0",
-    # Half of Omega_a'.
-    "turning": "over*(S_t*C_t*(k*Omega_a*D_t - r*Omega_a0/2) + leant*D_t*(C_t**2 - p*S_t**2)/2)",
-    "Omega_a_k": "turning*E_t - over*leant*S_t**3*C_t/2",
+CONSTANTS = _constants()
+
+
+def _at_time() -> dict[Any, Any]:
+    """Return the rates and what they change by in both directions.
+
+    E_t in S_k, C_k and D_k is half of the functions' rates times E_t, and so for -F_t in S_r, C_r
+    and D_r.  So that much of Omega_a_k and Omega_a_r is half of Omega_a' times E_t and -F_t.
+    """
+    rates = defined(HANDEDNESS, INERTIA, BODY, INVARIANTS, FUNCTIONS, RATES_AT_TIME)
+    product = {CONSTANTS[k].value: k}
+    space = compute(rates[below]).subs(product)
+    found: dict[Any, Any] = {
+        below: space.subs(k, r - symbol("kappa_d")).expand().subs(1 - r * S**2, D**2),
+        over: 1 / below,
+    }
+    above = {x: compute(rates[OMEGA[x]]).apply(sympy.fraction)[0] for x in AXES}
+    found |= {OMEGA[x]: compute(rates[OMEGA[x]]).subs(below, 1 / over) for x in AXES}
+    lean = {leant: alpha["a"] * OMEGA_0["b"] * OMEGA_0["d"]}
+    leaning = above["a"].subs(lean[leant], leant)
+    quick = change_of(OMEGA["a"], leaning / space, MOVING).subs(space, 1 / over) / 2
+    found |= lean
+    found[turning] = (quick / over).expand().collect(leant, collected) * over
+    for way, functions, part, sign, grow in (
+        ("k", ALONG_K, E, 1, {k: 1}),
+        ("r", ALONG_R, F, -1, {}),
+    ):
+        names = symbols(f"S_{way} C_{way} D_{way}")
+        values = dict(zip((S, C, D), functions, strict=True))
+        if way == "r":
+            found[f] = D * F
+        found |= {x: value.subs(F, f / D) for x, value in zip(names, functions, strict=True)}
+        of_below = change(space, {**grow, **values}).expand().subs(k * S**4, S**2 * (1 - below))
+        found[symbol(f"below_{way}")] = of_below.subs(F, f / D).factor()
+        begun = {x: value.subs(part, 0) for x, value in values.items()}
+        left = over * change(leaning, begun) - over * OMEGA["a"] * of_below.subs(part, 0)
+        left = (left - sign * HALF).subs({below: 1 / over, OMEGA["a"]: over * leaning}).expand()
+        left = left.subs(OMEGA_0["a"] * D, OMEGA_0["a"] * (1 - r * S**2) / D)
+        rest = (2 * left / (over * S**3)).expand() * over * S**3 / 2
+        slow = turning * E if way == "k" else -f * UnevaluatedExpr(turning / D)
+        found[along("a", way)] = rest + slow
+        steps = {**grow, **dict(zip((S, C, D), names, strict=True))}
+        for x in ("b", "d"):
+            moved = change(above[x], steps).collect([alpha["b"], alpha["d"]], factor)
+            falls = OMEGA[x] * symbol(f"below_{way}")
+            found[along(x, way)] = over * (moved.held() - falls)
     # Each small square is multiplied by 1/below: two of them may be below the least double.
-    "Omega_b_k": "over*(alpha_b*Omega_d0*Omega_a0)*(S_k - S_t*(over*below_k))"
-    " - Omega_b0*S_t*E_t*((over*kappa_a + over*kappa_d)*(over*C_t**2)*D_t**2"
-    " + S_t**2*(p*(over*kappa_a)*(over*D_t**2) + r*(over*kappa_d)*(over*C_t**2)))/2",
-    "Omega_d_k": "over*(Omega_d0*C_k + alpha_d*Omega_a0*Omega_b0*(S_k*D_t + S_t*D_k)"
-    " - Omega_d*below_k)",
-    "f": "D_t*F_t",
-    "S_r": "-C_t*f/2",
-    "C_r": "p*S_t*f/2",
-    "D_r": "(r*S_t*C_t*f - S_t**2)/(2*D_t)",
-    "below_r": "k*S_t*C_t*f",
-    "Omega_a_r": "over*S_t**3*(leant*C_t - r*Omega_a0*S_t/D_t)/2 - f*(turning/D_t)",
-    "Omega_b_r": "over*(Omega_b0*(C_r*D_t + C_t*D_r) + alpha_b*Omega_d0*Omega_a0*S_r"
-    " - Omega_b*below_r)",
-    "Omega_d_r": "over*(Omega_d0*C_r + alpha_d*Omega_a0*Omega_b0*(S_r*D_t + S_t*D_r)"
-    " - Omega_d*below_r)",
-}
-# What each rate changes by where the functions stay, by the rate at t = 0.
-STAYING = {
-    "a": {"a": "D_t", "b": "alpha_b*Omega_d0*S_t", "d": "alpha_d*Omega_b0*S_t*D_t"},
-    "b": {"a": "alpha_a*Omega_d0*S_t*C_t", "b": "C_t*D_t", "d": "alpha_d*Omega_a0*S_t*D_t"},
-    "d": {"a": "alpha_a*Omega_b0*S_t*C_t", "b": "alpha_b*Omega_a0*S_t", "d": "C_t"},
-}
+    why = "small where the spin is about b, and without underflow: found by hand"
+    found[along("b", "k")] = guess(MIDDLE_ALONG_K, why)
+    for y in CHANGES:
+        found |= {by(OMEGA[x], y): _column(x, y, above) for x in AXES}
+    return found
+
+
+def along(x: str, way: str) -> Symbol:
+    """Return the name of what a rate changes by in a direction, for Omega_a less HALF."""
+    return symbol(f"Omega_{x}_{way}")
+
+
+def _column(x: str, y: str, above: Mapping[str, Computation]) -> Computation:
+    """Return the change of a rate by an input, by the chain rule in p, p - r and kappa_a.
+
+    Along the first p, r and k grow alike, along the second r falls, and along the third k falls,
+    and with it over, while the functions stay.
+    """
+    grows, apart_grows, kappa_grows, leans = _coordinates(y)
+    if y.startswith("c"):
+        explicit = {alpha[x]: by(alpha[x], y)}
+        whole = {CONSTANTS[by(x, y)].value: by(x, y)}
+    else:
+        explicit, whole = {OMEGA_0[y[-1]]: 1}, {}
+    stays = change(above[x], explicit).subs(whole)
+    if x != "a":
+        stays = over * (stays - OMEGA[x] * kappa_grows * S**2)
+    elif kappa_grows == 0:
+        stays = over * stays + HALF * leans
+    else:
+        lost = 2 * (LOSS / over) * UnevaluatedExpr(over * kappa_grows)
+        stays = (over * stays + HALF * (leans + lost)).held()
+    by_p, by_apart = (value * along(x, way) for value, way in ((grows, "k"), (apart_grows, "r")))
+    return (stays + by_p - by_apart).collect(by(p, y)).collect(by(r, y))
+
+
+def _coordinates(y: str) -> list[Any]:
+    """Return the changes of p, p - r, kappa_a and k - kappa_d by an input."""
+    if y.startswith("c"):
+        return [by(x, y) for x in ("p", "apart", "kappa", "leant")]
+    kappa_a, kappa_d = symbols("kappa_a kappa_d")
+    moved = {"a": {kappa_a: by(p, y)}, "b": {k: by(p, y)}, "d": {kappa_d: by(r, y)}}[y[-1]]
+    every = (k + kappa_a, kappa_a - kappa_d, kappa_a, k - kappa_d)
+    return [change(value, moved).value for value in every]
+
+
 # What Omega_a_k and Omega_a_r leave out, taken off and put on.
-HALF = "Omega_a*S_t**2/2"
-# The functions that the coefficient of each rate stands with.
-WITH = {"a": "S_t*C_t", "b": "S_t", "d": "S_t*D_t"}
+HALF = OMEGA["a"] * S**2 / 2
+# 1 - 1/below.
+LOSS = compute(1 - over).subs(over, 1 / (1 - k * S**2)).factor().subs(1 - k * S**2, 1 / over)
+MIDDLE_ALONG_K = (
+    "over*(alpha_b*Omega_d0*Omega_a0)*(S_k - S_t*(over*below_k))"
+    " - Omega_b0*S_t*E_t*((over*kappa_a + over*kappa_d)*(over*C_t**2)*D_t**2"
+    " + S_t**2*(p*(over*kappa_a)*(over*D_t**2) + r*(over*kappa_d)*(over*C_t**2)))/2"
+)
+AT_TIME = _at_time()
 
 
-def _columns() -> Iterator[tuple[str, str]]:
-    """Yield the columns by each rate at t = 0 and each moment."""
-    for x in AXES:
-        stays = f"{STAYING['a'][x]} - Omega_{x}*p_by_Omega_a*{'k*S_t**4' if x == 'a' else 'S_t**2'}"
-        yield (
-            f"Omega_{x}_by_Omega_a",
-            f"over*({stays}) + p_by_Omega_a*(Omega_{x}_k - Omega_{x}_r)",
-        )
-    for y, grows, way, sign in (("b", "p", "k", "+"), ("d", "r", "r", "-")):
-        for x in AXES:
-            along = f"(Omega_a_{way} {sign} {HALF})" if x == "a" else f"Omega_{x}_{way}"
-            stays = STAYING[y][x]
-            yield f"Omega_{x}_by_Omega_{y}", f"over*({stays}) + {grows}_by_Omega_{y}*{along}"
-    for y in AXES:
-        for x in AXES:
-            stays = f"over*({x}_by_c_{y}*({WITH[x]}) - Omega_{x}*kappa_by_c_{y}*S_t**2)"
-            if x == "a":
-                left = f"leant_by_c_{y} - 2*(over*kappa_by_c_{y})*k*S_t**2"
-                stays = f"over*(a_by_c_{y}*({WITH[x]})) + {HALF}*({left})"
-            yield (
-                f"Omega_{x}_by_c_{y}",
-                f"{stays} + p_by_c_{y}*Omega_{x}_k - apart_by_c_{y}*Omega_{x}_r",
-            )
+def _excesses() -> dict[Any, Any]:
+    """Return the integrals of squared rates beyond those of the rates at t = 0."""
+    integrals = defined(
+        HANDEDNESS, INERTIA, BODY, INVARIANTS, *FUNCTION_PARTS, RATES_AT_TIME, INTEGRALS
+    )
+    late = sympy.Dummy()
+    whole = compute(integrals[symbol("I_b")]) - OMEGA_0["b"] ** 2 * t
+    growing = whole.coeff(E) * E
+    left = ((whole - growing) / OMEGA_0["b"]).expand().subs(S, late + t).expand()
+    excess_b = symbol("excess_b")
+    found = {excess_b: growing + OMEGA_0["b"] * left.collect(t).subs(late, S - t)}
+    for x in "ad":
+        by_b = compute(integrals[symbol(f"I_{x}")]) - OMEGA_0[x] ** 2 * t
+        found[symbol(f"excess_{x}")] = by_b.subs(symbol("I_b"), excess_b + OMEGA_0["b"] ** 2 * t)
+    return found
 
 
-COLUMNS = dict(_columns())
-# Of the integral of Omega_b^2: what it has beyond that of the rate at t = 0.
-EXCESS = {
-    "excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*(S_t - t) + (Omega_b - Omega_b0)*t)",
-}
+EXCESS_B, *EXCESSES = _excesses().items()
+AT_TIME[EXCESS_B[0]] = EXCESS_B[1]
+
+
+def _middle(x: str, y: str) -> Computation:
+    """Return the middle rate's column by a rate, as alpha_x Omega_b^2 - alpha_b Omega_x^2 stays."""
+    kept = alpha[x] * OMEGA["b"] ** 2 - alpha["b"] * OMEGA[x] ** 2
+    unknown, ratio = sympy.Dummy(), sympy.Dummy()
+    stays = change(kept, {OMEGA["b"]: unknown, OMEGA[x]: by(OMEGA[x], f"Omega_{y}")})
+    (found,) = stays.apply(sympy.solve, unknown)
+    quotient = UnevaluatedExpr(OMEGA[x] / OMEGA["b"])
+    return found.subs(OMEGA[x], ratio * OMEGA["b"]).subs(ratio, quotient)
+
+
+# The middle rate's columns where the spin is about it: with no difference.
+MIDDLE = {by("middle", f"Omega_{y}"): _middle(x, y) for x, y in (("d", "a"), ("a", "d"))}
 # The same near a spin about b, where E_t and t are large beside it: kappa_a, kappa_d, p - r and the
 # product of the other two rates are small, and each term has one of them.
 SPUN = {
@@ -189,11 +301,6 @@ SPUN = {
     "lag": "kappa_a/p*(S_t*C_t/D_t - t) + apart*(S_t**3/(D_t + C_t) - k/p*f)/D_t",
     "excess_spun": "Omega_b0**2*(lag + (kappa_a + kappa_d)*E_t)"
     " + (alpha_b*Omega_d0*Omega_a0)**2*E_t + Omega_b0*swung*S_t",
-}
-# The middle rate's columns where the spin is about it: with no difference.
-MIDDLE = {
-    "middle_by_Omega_a": "alpha_b/alpha_d*(Omega_d/Omega_b)*Omega_d_by_Omega_a",
-    "middle_by_Omega_d": "alpha_b/alpha_a*(Omega_a/Omega_b)*Omega_a_by_Omega_d",
 }
 # Where p grows alone: `_k` less `_r`, by r times the integral of S_t^2/D_t^2 over the phase, from
 # where it was at t = 0, instead of over the elapsed time from 0.
@@ -208,28 +315,26 @@ PASSING = {
     "Omega_d_p": "alpha_d*Omega_a*Omega_b*since"
     " + over*S_t*(Omega_d*S_t + share*alpha_d*Omega_b0*D_t)",
 }
-CHANGES = ("Omega_a", "Omega_b", "Omega_d", "c_a", "c_b", "c_d")
-AT_TIME = {**RATES, **DIRECTIONS, **COLUMNS, **EXCESS}
-MOVED = {"a": "h1", "b": "h2", "d": "h3"}
-# By what each integral follows from the other, and the square that it is of.
+# By what each integral follows from the other.
 ELAPSED = {
-    "F_t": ("E_t", "(t - p*E_t - S_t*C_t/D_t)/(p - r)", "p - r", "S_t**2/D_t**2"),
-    "E_t": ("F_t", "(t - S_t*C_t/D_t - (p - r)*F_t)/p", "p", "S_t**2"),
+    F: (E, integral(MOVING[F], t, E, S * C / D), p - r),
+    E: (F, integral(MOVING[E], t, F, S * C / D), p),
 }
 GIVEN = Part(
     witness={
         **COEFFICIENTS.witness,
-        **dict.fromkeys((f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES), "1"),
+        **dict.fromkeys((by(alpha[x], f"c_{y}") for x in AXES for y in AXES), "1"),
     },
     reading={
         **COEFFICIENTS.reading,
         **{
-            f"alpha_{x}_by_c_{y}": f"what alpha_{x} changes by with c_{y}"
+            by(alpha[x], f"c_{y}"): f"what alpha_{x} changes by with c_{y}"
             for x in AXES
             for y in AXES
         },
     },
 )
+DEFINED = Part(definitions={tilt: TILT, **TILT_BY, **CONSTANTS, **AT_TIME}, units=(below,))
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -241,114 +346,90 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _moments(builder: LedgerBuilder) -> None:
     """Prove the coefficients and their changes by the moments of inertia."""
-    changes = Part(
-        {f"h{n}": "1" for n in (1, 2, 3)},
-        definitions={
-            **MOMENTS,
-            **{
-                f"dalpha_{x}": " + ".join(f"alpha_{x}_by_c_{y}*{h}" for y, h in MOVED.items())
-                for x in AXES
-            },
-        },
-        reading={h: f"a change of c_{y}" for y, h in MOVED.items()},
-    )
-    builder.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, changes, static=True))
-    same = {f"c_{x}*alpha_{x}": f"epsilon*(c_{y} - c_{z})" for x, (y, z) in OTHERS.items()}
-    builder.claim("coefficients.euler", same, ["5"])
-    varied = {
-        f"c_{x}*dalpha_{x} + {MOVED[x]}*alpha_{x}": f"epsilon*({MOVED[y]} - {MOVED[z]})"
-        for x, (y, z) in OTHERS.items()
+    h = dict(zip(AXES, symbols("h1 h2 h3"), strict=True))
+    changes = {
+        symbol(f"dalpha_{x}"): sum(by(alpha[x], f"c_{y}") * h[y] for y in AXES) for x in AXES
     }
+    moved = Part(
+        witness=dict.fromkeys(h.values(), "1"),
+        definitions={**MOMENTS, **changes},
+        reading={h[y]: f"a change of c_{y}" for y in AXES},
+    )
+    builder.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, moved, static=True))
+    forces = defined(HANDEDNESS, INERTIA, BODY)
+    euler = {x: compute(forces[alpha[x]] * c[x]) for x in AXES}
+    builder.claim("coefficients.euler", {c[x] * alpha[x]: euler[x] for x in AXES}, ["5"])
+    by_moments = {c[x]: h[x] for x in AXES}
+    small = {**by_moments, **{alpha[x]: symbol(f"dalpha_{x}") for x in AXES}}
+    varied = {change(c[x] * alpha[x], small): change(euler[x], by_moments) for x in AXES}
     builder.claim("coefficients.variation", varied, ["5"])
-    builder.claim("coefficients.tilt", TILT, ["6", "15"])
+    builder.claim("coefficients.tilt", {tilt: TILT}, ["6", "15"])
     builder.claim("coefficients.tilt_by", TILT_BY, ["6", "15"])
 
 
 def _columns_vary(builder: LedgerBuilder) -> None:
     """Prove the columns at all times and at the start."""
-    defined = Part(
-        definitions={**TILT, **TILT_BY, **CONSTANTS, **AT_TIME},
-        units=("below",),
-    )
     given = (GIVEN, RATES_AT_START)
-    functions = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
-    builder.open(join("varied_rates", *given, *functions, defined))
-    builder.claim("varied_rates.below", {"below": "1 - k*S_t**2", "p - r": "apart"}, ["10"])
+    parts = (*given, *FUNCTION_PARTS, DEFINED)
+    builder.open(join("varied_rates", *parts))
+    claims = {below: 1 - k * S**2, p - r: symbol("apart")}
+    builder.claim("varied_rates.below", claims, ["10"])
     builder.claim("varied_rates.euler", EULER, ["5"])
     for y in CHANGES:
-        builder.claim(f"varied_rates.by_{y}", _variation(y), ["5"])
-    builder.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
-    _excesses(builder, *given, *functions, defined)
-    _middle(builder, *given, *functions, defined)
-    _passing(builder, *given, *functions, defined)
-    _spun(builder, *given, *functions, defined)
-    still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
-    start = Part(relations=(*START.relations, "F_t"))
-    builder.open(join("varied_rates_start", *given, *still, defined, start, static=True))
-    begun = {f"Omega_{x}": f"Omega_{x}0" for x in AXES}
-    begun |= {f"Omega_{x}_by_{y}": str(int(y == f"Omega_{x}")) for y in CHANGES for x in AXES}
-    builder.claim("varied_rates_start.rates", begun | {"excess_b": "0"}, ["12"])
+        moved = {OMEGA[x]: by(OMEGA[x], y) for x in AXES}
+        if y.startswith("c"):
+            moved |= {alpha[x]: by(alpha[x], y) for x in AXES}
+        varied = {
+            f"D({by(OMEGA[x], y)})": change(read(EULER[f"D({OMEGA[x]})"]), moved) for x in AXES
+        }
+        builder.claim(f"varied_rates.by_{y}", varied, ["5"])
+    builder.claim("varied_rates.excess", {"D(excess_b)": _square("b")}, ["10"])
+    _other_forms(builder, *parts)
+    start = Part(relations=(*START.relations, F))
+    parts = (*given, *still(*FUNCTION_PARTS), DEFINED, start)
+    builder.open(join("varied_rates_start", *parts, static=True))
+    begun: dict[Any, Any] = {OMEGA[x]: OMEGA_0[x] for x in AXES}
+    begun |= {by(OMEGA[x], y): int(y == f"Omega_{x}") for y in CHANGES for x in AXES}
+    builder.claim("varied_rates_start.rates", {**begun, "excess_b": 0}, ["12"])
 
 
-def _variation(y: str) -> dict[str, str]:
-    """Return the variation of Euler's equations for one change."""
-
-    def change(x: str, others: tuple[str, str]) -> str:
-        v, w = others
-        product = f"Omega_{v}_by_{y}*Omega_{w} + Omega_{v}*Omega_{w}_by_{y}"
-        moved = f"alpha_{x}_by_{y}*Omega_{v}*Omega_{w} + " if y.startswith("c") else ""
-        return f"{moved}alpha_{x}*({product})"
-
-    return {f"D(Omega_{x}_by_{y})": change(x, others) for x, others in OTHERS.items()}
+def _square(x: str) -> Expr:
+    return OMEGA[x] ** 2 - OMEGA_0[x] ** 2
 
 
-def _excesses(builder: LedgerBuilder, *parts: Part) -> None:
-    """Prove the integrals of the other squares where b is no axis of symmetry."""
-    defined = {f"excess_{x}": f"alpha_{x}/alpha_b*excess_b" for x in "ad"}
-    builder.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
-    squares = {f"D({name})": f"Omega_{name[-1]}**2 - Omega_{name[-1]}0**2" for name in defined}
+def _other_forms(builder: LedgerBuilder, *parts: Part) -> None:
+    """Prove the forms for symmetric bodies, for spins about b, and for motions that turn over."""
+    defined = Part(definitions=dict(EXCESSES), units=(alpha["b"],))
+    builder.open(join("excesses", *parts, defined))
+    squares = {f"D({name})": _square(str(name)[-1]) for name, _ in EXCESSES}
     builder.claim("excesses.squares", squares, ["10"])
-
-
-def _middle(builder: LedgerBuilder, *parts: Part) -> None:
-    """Prove the columns of the middle rate, by alpha_x Omega_b^2 - alpha_b Omega_x^2 constant."""
-    defined = Part(definitions=MIDDLE, units=("alpha_a", "alpha_d", "Omega_b"))
-    builder.open(join("middle_columns", *parts, defined))
-    same = {name: name.replace("middle", "Omega_b") for name in MIDDLE}
+    units = (alpha["a"], alpha["d"], OMEGA["b"])
+    builder.open(join("middle_columns", *parts, Part(definitions=MIDDLE, units=units)))
+    same = {name: str(name).replace("middle", "Omega_b") for name in MIDDLE}
     builder.claim("middle_columns.products", same, ["10"])
-
-
-def _passing(builder: LedgerBuilder, *parts: Part) -> None:
-    """Prove the columns for growing p without differences of growing terms."""
-    _, text, _, _ = ELAPSED["E_t"]
+    by_F = Part(definitions={E: ELAPSED[E][1]})
+    parts = tuple(x for x in parts if x is not SQUARED)
     # p is alpha_d g_a.
-    units = ("alpha_b", "alpha_d", "Omega_a", "Omega_a0", "g_a")
-    defined = Part(definitions={"E_t": text, **PASSING}, units=units)
-    builder.open(join("passing", *(x for x in parts if x is not SQUARED), defined))
-    builder.claim(
-        "passing.integral", {"D(passed)": "-alpha_a/alpha_b*(Omega_b/Omega_a)**2"}, ["10"]
-    )
-    same = {f"Omega_{x}_p": f"Omega_{x}_k - Omega_{x}_r" for x in AXES}
+    units = (alpha["b"], alpha["d"], OMEGA["a"], OMEGA_0["a"], "g_a")
+    builder.open(join("passing", *parts, by_F, Part(definitions=PASSING, units=units)))
+    integrand = -alpha["a"] / alpha["b"] * (OMEGA["b"] / OMEGA["a"]) ** 2
+    builder.claim("passing.integral", {"D(passed)": integrand}, ["10"])
+    same = {f"Omega_{x}_p": along(x, "k") - along(x, "r") for x in AXES}
     builder.claim("passing.changes", same, ["10"])
-
-
-def _spun(builder: LedgerBuilder, *parts: Part) -> None:
-    """Prove the change and the integral of the middle rate near a spin about b."""
-    _, text, _, _ = ELAPSED["E_t"]
-    defined = Part(definitions={"E_t": text, **SPUN}, units=("p", "C_t + D_t"))
-    builder.open(join("spun", *(x for x in parts if x is not SQUARED), defined))
-    builder.claim("spun.excess", {"swung": "Omega_b - Omega_b0", "excess_spun": "excess_b"}, ["10"])
+    builder.open(join("spun", *parts, by_F, Part(definitions=SPUN, units=(p, C + D))))
+    same = {"swung": OMEGA["b"] - OMEGA_0["b"], "excess_spun": "excess_b"}
+    builder.claim("spun.excess", same, ["10"])
 
 
 def _elapsed(builder: LedgerBuilder) -> None:
     """Prove E_t by F_t, and F_t by E_t."""
-    for name, (other, text, divisor, changing) in ELAPSED.items():
-        integral = {"E_t": SQUARED, "F_t": OVER_SQUARE}[other]
-        defined = Part(definitions={name: text}, units=("D_t", divisor))
-        context = f"elapsed_{name[0]}"
-        builder.open(join(context, MODULI, FUNCTIONS, TIME, integral, defined))
-        builder.claim(f"{context}.integral", {f"D({name})": changing}, ["DLMF 22.16"])
-        still = [Part(x.witness, reading=x.reading) for x in (FUNCTIONS, TIME, integral)]
-        start = Part(relations=("t", "S_t", "C_t - 1", "D_t - 1", other))
-        builder.open(join(f"{context}_start", MODULI, *still, start, defined, static=True))
-        builder.claim(f"{context}_start.integral", {name: "0"}, ["12"])
+    for name, (other, value, divisor) in ELAPSED.items():
+        known = {E: SQUARED, F: OVER_SQUARE}[other]
+        defined = Part(definitions={name: value}, units=(D, divisor))
+        context = f"elapsed_{str(name)[0]}"
+        builder.open(join(context, MODULI, FUNCTIONS, TIME, known, defined))
+        builder.claim(f"{context}.integral", {f"D({name})": MOVING[name]}, ["DLMF 22.16"])
+        begun = Part(relations=(t, S, C - 1, D - 1, other))
+        parts = (MODULI, *still(FUNCTIONS, TIME, known), begun, defined)
+        builder.open(join(f"{context}_start", *parts, static=True))
+        builder.claim(f"{context}_start.integral", at_start(defined), ["12"])

@@ -7,26 +7,32 @@ R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from itertools import permutations
-from typing import Any
+from itertools import combinations, permutations, product
+from typing import Any, NoReturn
 
 import sympy
 
 from rigidsym.errors import InputError
 from rigidsym.proof.steps._names import read, symbols
 
+RATES = symbols("Omega1 Omega2 Omega3")
+MOMENTS, PRODUCTS, WHEELS = symbols("c1 c2 c3"), symbols("c12 c13 c23"), symbols("h1 h2 h3")
 KINETIC = "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2"
 AXES = (1, 2, 3)
+# Twelve sequences of turns: no two in a row are about the same axis.
+SEQUENCES = tuple((i, j, k) for i, j, k in product(AXES, repeat=3) if j not in (i, k))
 
 
 @dataclass(frozen=True, slots=True)
 class Setting:
     """Choices of a derivation; raises InputError for an invalid one.
 
-    `sequence` are the axes of three turns, the outer two alike, and `axis` is the one that the
-    momentum is turned onto.  The basis is sign * factor times the quaternions i, j, k in the order
-    `order`.  `lagrangian` is diagonal and quadratic in the rates plus linear: constant wheel
-    momenta h1, h2, h3 make a gyrostat of the body.
+    `sequence` are the axes of three turns: Euler's such as 3-1-3, or Tait's and Bryan's such as
+    3-2-1.  `axis` is the one that the momentum is turned onto.  The basis is sign * factor times
+    the quaternions i, j, k in the order `order`.  `lagrangian` is quadratic in the
+    rates plus linear: moments of inertia c1, c2, c3, of which some may be equal; products of
+    inertia c12, c13, c23 about other axes than the principal ones; constant wheel momenta h1, h2,
+    h3, which make a gyrostat of the body.
     """
 
     sequence: tuple[int, int, int] = (1, 2, 1)
@@ -37,9 +43,8 @@ class Setting:
     lagrangian: str = KINETIC
 
     def __post_init__(self) -> None:
-        outer, middle, last = (*self.sequence, None, None, None)[:3]
-        if len(self.sequence) != 3 or {outer, middle} - {*AXES} or outer != last or outer == middle:
-            known = ", ".join(f"{i}-{j}-{i}" for i, j in permutations(AXES, 2))
+        if self.sequence not in SEQUENCES:
+            known = ", ".join(map(_dashed, SEQUENCES))
             raise InputError("sequence", _dashed(self.sequence), f"must be one of: {known}")
         if self.axis not in (0, *AXES):
             raise InputError("axis", self.axis, "must be 1, 2 or 3")
@@ -50,11 +55,11 @@ class Setting:
         if tuple(sorted(self.order)) != AXES:
             rule = "must have each of 1, 2, 3 once: another basis spans no algebra"
             raise InputError("order", _dashed(self.order), rule)
-        self.wheel()  # says what is wrong with the Lagrangian
+        self._check_lagrangian()
 
     @property
     def target(self) -> int:
-        """The axis that the momentum is turned onto: the outer one of the sequence by default."""
+        """The axis that the momentum is turned onto: the first one of the sequence by default."""
         return self.axis or self.sequence[0]
 
     @property
@@ -64,9 +69,18 @@ class Setting:
 
     @property
     def axes(self) -> tuple[int, int, int]:
-        """The outer, the middle and the third axis of the sequence."""
-        outer, middle, _ = self.sequence
-        return outer, middle, 6 - outer - middle
+        """The last axis of the sequence, the middle one, and the one that is neither."""
+        _, middle, last = self.sequence
+        return last, middle, 6 - last - middle
+
+    def nutation(self, phi2: sympy.Symbol) -> tuple[sympy.Expr, sympy.Expr]:
+        """Return two functions of phi2: of the momentum along the last axis, and across it.
+
+        They are the cosine and the sine of the whole angle, or the sine and the cosine where the
+        first and the last axis differ.
+        """
+        pair = sympy.cos(2 * self.factor * phi2), sympy.sin(2 * self.factor * phi2)
+        return pair if self.sequence[0] == self.sequence[2] else pair[::-1]
 
     def basis(self) -> tuple[sympy.ImmutableMatrix, ...]:
         """Return the basis A1, A2, A3."""
@@ -82,22 +96,68 @@ class Setting:
         except (ValueError, SyntaxError, TypeError):  # TypeError: neg(x, y)
             raise InputError("lagrangian", self.lagrangian, "must be an expression") from None
 
+    def inertia(self) -> sympy.ImmutableMatrix:
+        """Return the inertia tensor: the second derivatives of the Lagrangian by the rates."""
+        return sympy.ImmutableMatrix(sympy.hessian(self.energy(), RATES))
+
     def wheel(self) -> tuple[sympy.Expr, ...]:
         """Return the linear coefficients h1, h2, h3 of the Lagrangian."""
-        rates = symbols("Omega1 Omega2 Omega3")
-        rule = "must be (c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2 plus a linear part"
+        lagrangian = sympy.Poly(self.energy(), *RATES)
+        return tuple(lagrangian.coeff_monomial(rate) for rate in RATES)
+
+    @property
+    def about_principal_axes(self) -> bool:
+        """True if the inertia tensor is diagonal."""
+        return self.inertia().is_diagonal()
+
+    def moment(self, axis: int) -> sympy.Expr:
+        """Return the moment of inertia about an axis."""
+        return self.inertia()[axis - 1, axis - 1]
+
+    def alike(self, *axes: int) -> bool:
+        """Return True if the moments of inertia about these axes are equal."""
+        return len({*map(self.moment, axes)}) == 1
+
+    @property
+    def symmetry_axis(self) -> int | None:
+        """The axis that has equal moments across it, if there is one; the first of a sphere."""
+        return next((k for k in AXES if self.alike(*({*AXES} - {k}))), None)
+
+    def _refuse(self, rule: str) -> NoReturn:
+        raise InputError("lagrangian", self.lagrangian, rule)
+
+    def _check_lagrangian(self) -> None:
+        """Raise InputError for a Lagrangian that no chapter derives from."""
+        rule = f"must be {KINETIC} plus products of inertia, plus a linear part"
         try:
-            rest = sympy.Poly(self.energy() - read(KINETIC), *rates)
+            lagrangian = sympy.Poly(self.energy(), *RATES)
         except sympy.PolynomialError:
-            raise InputError("lagrangian", self.lagrangian, rule) from None
-        known = symbols("h1 h2 h3")
-        if any(sum(powers) != 1 for powers in rest.monoms() if not rest.is_zero):
-            raise InputError("lagrangian", self.lagrangian, rule)
-        linear = tuple(rest.coeff_monomial(rate) for rate in rates)
-        if any(h.free_symbols - {*known} or not h.is_polynomial(*known) for h in linear):
-            rule = "must have polynomials in h1, h2, h3 in front of the rates of its linear part"
-            raise InputError("lagrangian", self.lagrangian, rule)
-        return linear
+            self._refuse(rule)
+        potential = lagrangian.coeff_monomial(1)
+        if potential.free_symbols - {*MOMENTS, *PRODUCTS, *WHEELS}:
+            self._refuse(
+                f"must have no potential ({potential}): its torque adds to [M, Omega] in M', (7), "
+                "so the spectrum of M, that is K, is not conserved, (15)"
+            )
+        if potential != 0 or lagrangian.total_degree() > 2:
+            self._refuse(rule)
+        self._check_inertia()
+        if any(h.free_symbols - {*WHEELS} or not h.is_polynomial(*WHEELS) for h in self.wheel()):
+            self._refuse(
+                "must have polynomials in h1, h2, h3 in front of the rates of its linear part"
+            )
+
+    def _check_inertia(self) -> None:
+        """Raise InputError unless the entries of the inertia tensor have their names."""
+        tensor, names = self.inertia(), list(sympy.hessian(read(KINETIC), RATES).diagonal())
+        moments = list(tensor.diagonal())
+        for moment in moments:
+            if moment not in names or moments[names.index(moment)] != moment:
+                self._refuse("must have the moments c1, c2, c3; equal ones have one of their names")
+        for (i, j), name in zip(combinations(range(3), 2), PRODUCTS, strict=True):
+            if tensor[i, j] not in (0, name, -name):
+                rates = RATES[i] * RATES[j]
+                self._refuse(f"must have the product of inertia {name} in front of {rates}")
 
 
 def setting_of(texts: Mapping[str, str]) -> Setting:
@@ -115,7 +175,8 @@ def setting_of(texts: Mapping[str, str]) -> Setting:
 def _axes(name: str, text: str) -> tuple[int, ...]:
     """Parse "3-1-3" or "313" as three axes."""
     if not re.fullmatch(r"[1-3](-?)[1-3]\1[1-3]", text):
-        raise InputError(name, text, "must be three axes such as 3-1-3")
+        known = SEQUENCES if name == "sequence" else permutations(AXES)
+        raise InputError(name, text, f"must be one of: {', '.join(map(_dashed, known))}")
     return tuple(map(int, text.replace("-", "")))
 
 

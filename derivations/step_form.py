@@ -18,446 +18,575 @@ parameter is complex, and J is small with t^3.  By G alone the second half of a 
 the first (`second_half`), whatever J is: psi needs J for the shortest of times.
 """
 
-from derivations.attitude import HANDEDNESS, INERTIA, PULL_BACK, RATES, SENSE, SHORTEST, TURN
-from derivations.theta_edges import given
-from derivations.theta_form import times
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
-from rigidsym.proof.algebra._parts import part_of
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from sympy import I, S, Symbol, conjugate, factorial, rcollect, solve
+
+from derivations import addition_form
+from derivations.addition_form import ALPHA, FORCES, GIVEN, OMEGA_0
+from derivations.attitude import (
+    ENERGY,
+    EULER,
+    HANDEDNESS,
+    INERTIA,
+    MOMENTS,
+    OMEGA,
+    PSI_RATE,
+    PULL_BACK,
+    RATES,
+    SENSE,
+    SHORTEST,
+    TURN,
+    M,
+    Omega_a,
+    unsigned,
+)
+from derivations.landen_step import BELOW, CN, DN, GROWTH, KC, SN, c_next, d_next, k_next, s_next
+from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, named
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbol, symbols
+
+# The names of the addition form, of the attitude, of the point and of the body.
+alpha_a, alpha_b, alpha_d = ALPHA
+p, r, g_a, g_d, below, S_t, C_t, D_t = symbols("p r g_a g_d below S_t C_t D_t")
+epsilon, sigma, nu, K, H, psi_rate = symbols("epsilon sigma nu K H psi_rate")
+(M_a, M_b, M_d), (c_a, c_b, c_d) = M, MOMENTS
+n_a0, n_b0, n_d0 = N_0 = symbols("n_a0 n_b0 n_d0")
+n_a, n_b, n_d = N_T = symbols("n_a n_b n_d")
+h_a, h_b, h_d = H_N = symbols("h_a h_b h_d")
+i_a, i_b, i_d = I_N = symbols("i_a i_b i_d")
+M_a0, M_b0, M_d0 = M_0 = symbols("M_a0 M_b0 M_d0")
+c_ab, c_ad, c_bd, l_a, l_b, l_d, psi_0, H_0 = symbols("c_ab c_ad c_bd l_a l_b l_d psi_0 H_0")
+# Those of the step.
+X, Y, X_next, Y_next, inside, mu = symbols("X Y X_next Y_next inside mu")
+h, f, g, room, e_1, e_2, even, odd = symbols("h f g room e_1 e_2 even odd")
+one, one_0, other, before, after, turn_0 = symbols("one one_0 other before after turn_0")
+square, R, N, J_rate, G_rate = symbols("square R N J_rate G_rate")
+cos_half_psi, sin_half_psi = symbols("cos_half_psi sin_half_psi")
+
+
+z_re, z_im, zr_re, zr_im, w_re, w_im = symbols("z_re z_im zr_re zr_im w_re w_im")
+G_re, G_im, G_re_rate, G_im_rate = symbols("G_re G_im G_re_rate G_im_rate")
+T_re, T_im, E_re, E_im, W_re, W_im = symbols("T_re T_im E_re E_im W_re W_im")
+V_re, V_im = symbols("V_re V_im")
+z, zr, nu_, rate, G, F, T, E, U, W, P = (
+    symbol(f"{name}_re") + I * symbol(f"{name}_im")
+    for name in ("z", "zr", "nu", "rate", "G", "F", "T", "E", "U", "W", "P")
+)
+
+
+def _parts(name: str, value: Any) -> dict[Symbol, Computation]:
+    """Return the real and the imaginary part of what is to have a complex name."""
+    parts = compute(value).expand().as_real_imag()
+    return named(symbols(f"{name}_re {name}_im"), parts)
+
+
+def _imaginary(value: Any) -> Computation:
+    return compute(value).expand().as_real_imag()[1]
+
+
+def _over(parts: dict[Symbol, Computation], divisor: Symbol) -> dict[Symbol, Computation]:
+    return {name: part / divisor for name, part in parts.items()}
+
+
+def _slope(value: Any, rates: Any) -> Computation:
+    """Return the time derivative by the chain rule."""
+    return sum(compute(value).diff(name) * rate for name, rate in rates.items())
+
+
+# Landen's step of the functions of the addition form, with s = mu X, c d = Y and h = k_1 mu^2.
+LAMBDA = GROWTH * mu
+RATIO = {k_next * mu**2: h}
+F_OF_X = compute(BELOW).subs(s_next, mu * X).subs(RATIO)
+G_OF_X = (DN * BELOW).cancel().subs(s_next, mu * X).subs(RATIO)
+BY_ELAPSED = {
+    name: form.subs({s_next: mu * X, d_next: Y / c_next}).subs(RATIO)
+    for name, form in {S_t: SN / LAMBDA, C_t: CN, D_t: DN}.items()
+}
+BY_F_AND_G = {F_OF_X: f, G_OF_X: g}
+# X' has the square (1 - mu^2 X^2)(1 - k_1^2 mu^2 X^2), and p = lambda^2, r = k^2 lambda^2.
+CURVE = compute((1 - mu**2 * X**2) * (1 - k_next**2 * mu**2 * X**2)).expand()
+TWICE_H = (-CURVE.coeff(X, 2) - LAMBDA**2 * KC**2).factor().subs(RATIO)
+MODULI = {
+    h: (((1 - KC**2) * LAMBDA**2).factor().subs(RATIO) - r).solve_for(h),
+    e_1: TWICE_H + p - r,
+    e_2: CURVE.coeff(X, 4).subs(mu**2 * k_next, h),
+}
+# The rates at t, where the denominators of S_t, C_t and D_t are multiplied out.
+ADDED = addition_form.RATES.definitions
+ROOM = (ADDED[below].subs(BY_ELAPSED).xreplace(BY_F_AND_G) * f**2).expand()
+MOVED_RATES = {
+    w: ((ADDED[w] * below).subs(BY_ELAPSED).xreplace(BY_F_AND_G) * f**2).expand() / room
+    for w in OMEGA
+}
+CONSTANTS = {g_a: GIVEN.definitions[g_a], g_d: GIVEN.definitions[g_d]}
+CONSTANTS |= {x: GIVEN.definitions[x].subs(CONSTANTS) for x in (p, r)}
+
+
+def _by(value: Any, rates: Iterable[Any], forces: Iterable[Any]) -> Computation:
+    """Return a formula of the addition form for other quantities with equations like Euler's."""
+    others = named((*OMEGA_0, *ALPHA), (*rates, *forces))
+    return compute(value).subs(others, simultaneous=True)
+
+
+def _moduli(rates: Iterable[Any], forces: Iterable[Any]) -> dict[Symbol, Computation]:
+    """Return h, e_1 and e_2."""
+    known = (tuple(rates), tuple(forces))
+    quarter, rest = (
+        _by(form.subs(CONSTANTS).factor(), *known).factor().subs(epsilon**2, 1)
+        for form in (MODULI[h], compute(p - r))
+    )
+    return {h: quarter, e_1: TWICE_H + rest, e_2: MODULI[e_2]}
+
+
+# The momentum has equations like Euler's for the inverse moments.
+BY_MOMENTUM = {w: i * m for w, i, m in zip(OMEGA, I_N, M, strict=True)}
+BY_INVERSE = {c: 1 / i for c, i in zip(MOMENTS, I_N, strict=True)}
+FORCES_OF_M = [
+    (EULER[w] * c).subs(BY_MOMENTUM).subs(BY_INVERSE).factor() * m / (M_a * M_b * M_d)
+    for w, c, m in zip(OMEGA, MOMENTS, M, strict=True)
+]
+
+
+def _projected(zr: Symbol, z: Symbol, above: Any, below: Any, rates: Any) -> Computation:
+    """Solve for the time derivative of the projection z = above/below."""
+    moved = _slope(z * below - above, {**rates, z: zr})
+    return unsigned(moved).solve_for(zr).factor()
+
 
 # n_a, n_b, n_d are sigma M_a/K, sigma epsilon M_b/K and M_d/K: Euler's equations without signs.
+OF_POINT = named(N_0, (h_a * n_b0 * n_d0, h_b * n_d0 * n_a0, h_d * n_a0 * n_b0))
+POINTING = {M_a: sigma * K * n_a, M_b: sigma * epsilon * K * n_b, M_d: K * n_d}
+BY_K = {n_a: sigma * M_a / K, n_b: sigma * epsilon * M_b / K, n_d: M_d / K}
+DIFFERENCES = {i_b: i_a + h_d / K, i_d: i_a - h_b / K}
+ENERGY_OF_M = compute(ENERGY).subs(BY_MOMENTUM).subs(BY_INVERSE)
+
+
+def _half_turn() -> Computation:
+    """Return half of what psi' is beyond K i_a, by the point."""
+    beyond = (PSI_RATE - K * i_a).subs({H: ENERGY_OF_M, Omega_a: i_a * M_a})
+    parts = beyond.together().as_numer_denom()
+    above, under = (unsigned(part.subs(DIFFERENCES).subs(POINTING)) for part in parts)
+    return (above.subs(n_a**2, 1 - n_b**2 - n_d**2) / under / 2).factor()
+
+
+HALF_TURN = _half_turn()
+
+
+def _half_turn_at(point: Sequence[Symbol], one: Any) -> Computation:
+    """Return half of what psi' is beyond K i_a, at a point."""
+    return HALF_TURN.subs(named(N_T, point)).xreplace({1 + point[0]: one})
+
+
 POINT = Part(
-    witness={"h_a": "1", "h_d": "1", "n_d0": "0", "n_b0": "0", "n_a0": "1"},
-    units=("1 + n_a0",),
-    relations=("n_a0**2 + n_b0**2 + n_d0**2 - 1",),
+    witness={h_a: "1", h_d: "1", n_d0: "0", n_b0: "0", n_a0: "1"},
+    units=(1 + n_a0,),
+    relations=(n_a0**2 + n_b0**2 + n_d0**2 - 1,),
     definitions={
-        "h_b": "-h_a - h_d",
-        "h": "h_a*(h_d*n_b0**2 - h_b*n_d0**2)/4",
-        "e_1": "2*h - h_b*(h_d*n_a0**2 - h_a*n_d0**2)",
-        "e_2": "h**2",
-        "z_re": "n_d0/(1 + n_a0)",
-        "z_im": "n_b0/(1 + n_a0)",
-        "zr_re": "n_b0*(h_d*n_a0 - z_re*h_a*n_d0)/(1 + n_a0)",
-        "zr_im": "n_d0*(h_b*n_a0 - z_im*h_a*n_b0)/(1 + n_a0)",
-        "turn_0": "(h_d*n_b0**2 - h_b*n_d0**2)/(2*(1 + n_a0))",
+        h_b: -h_a - h_d,
+        **_moduli(N_0, H_N),
+        z_re: compute(n_d0 / (1 + n_a0)),
+        z_im: compute(n_b0 / (1 + n_a0)),
+        zr_re: _projected(zr_re, z_re, n_d0, 1 + n_a0, OF_POINT),
+        zr_im: _projected(zr_im, z_im, n_b0, 1 + n_a0, OF_POINT),
+        turn_0: _half_turn_at(N_0, 1 + n_a0),
     },
     reading={
-        "h_a": "(1/c_d - 1/c_b) K, 1/s",
-        "h_d": "(1/c_b - 1/c_a) K, 1/s",
+        h_a: "(1/c_d - 1/c_b) K, 1/s",
+        h_d: "(1/c_b - 1/c_a) K, 1/s",
         **{f"n_{x}0": f"component {x} of M/K at t = 0, but for signs" for x in "abd"},
     },
 )
 ELAPSED = Part(
-    witness={"X": "0", "Y": "1"},
-    relations=("Y**2 - 1 + e_1*X**2 - e_2*X**4",),
-    rates={"X": "Y", "Y": "-e_1*X + 2*e_2*X**3"},
+    witness={X: "0", Y: "1"},
+    relations=(Y**2 - 1 + e_1 * X**2 - e_2 * X**4,),
+    rates={X: Y, Y: -e_1 * X + 2 * e_2 * X**3},
     reading={
-        "X": "sn(mu t | k_1^2)/mu with mu^2 and k_1^2 mu^2 the roots of x^2 - e_1 x + e_2",
-        "Y": "X', cn dn of the same",
+        X: "sn(mu t | k_1^2)/mu with mu^2 and k_1^2 mu^2 the roots of x^2 - e_1 x + e_2",
+        Y: "X', cn dn of the same",
     },
 )
 # What the start alone decides of psi: nu X^2 is 1 - G, and rate is half of nu'.
-START = Part(
-    definitions={
-        "nu_re": "h*(z_im**2 - z_re**2)",
-        "nu_im": "-2*h*z_re*z_im",
-        "rate_re": "h*(z_im*zr_im - z_re*zr_re)",
-        "rate_im": "-h*(z_re*zr_im + z_im*zr_re)",
-    },
-)
+NU = {name: part.collect(h) for name, part in _parts("nu", -h * z**2).items()}
+RATE = {name: part.collect(h) for name, part in _parts("rate", -h * z * zr).items()}
+START = Part(definitions={**NU, **RATE})
+G_PARTS = _parts("G", 1 - nu_ * X**2)
+G_SLOPES = named((G_re_rate, G_im_rate), (_slope(part, ELAPSED.rates) for part in G_PARTS.values()))
+SQUARE = compute(G * conjugate(G)).expand()
+# The rate of the angle of G is the imaginary part of G'/G.
+TURN_OF_G = _imaginary((I * G_im_rate + G_re_rate) * conjugate(G)) / square
 FACTOR = Part(
-    units=("square",),
+    units=(square,),
     definitions={
-        "G_re": "1 - nu_re*X**2",
-        "G_im": "-nu_im*X**2",
-        "square": "G_re**2 + G_im**2",
-        "G_re_rate": "-2*nu_re*X*Y",
-        "G_im_rate": "-2*nu_im*X*Y",
-        "J_rate": "X**2*(rate_im*G_re - rate_re*G_im)/square",
-        "G_rate": "-2*nu_im*X*Y/square",
+        **G_PARTS,
+        square: SQUARE,
+        **G_SLOPES,
+        J_rate: _imaginary(rate * conjugate(G)).ordered("rate_re rate_im") * X**2 / square,
+        G_rate: (TURN_OF_G * square).subs(G_SLOPES).subs(G_PARTS).expand() / square,
     },
 )
+PARITY = {even: room + n_a0 * f * g, odd: h_a * n_b0 * n_d0 * X * Y, one_0: 1 + n_a0}
 PLACES = Part(
-    units=("room",),
-    definitions={
-        "f": "1 + h*X**2",
-        "g": "1 - h*X**2",
-        "room": "f**2 - h_a*h_d*n_b0**2*X**2",
-        "even": "room + n_a0*f*g",
-        "odd": "h_a*n_b0*n_d0*X*Y",
-        "one_0": "1 + n_a0",
-    },
+    units=(room,),
+    definitions={f: F_OF_X, g: G_OF_X, room: _by(ROOM, N_0, H_N), **PARITY},
 )
 
 
-def _moved(point: str, x: str, one: str, turn: str) -> Part:
+def _moved(point: str, time: Any, one: Symbol, turn: Symbol) -> Part:
     """Return the point after a time, or before it, and half of psi's rate there."""
-    n_a, n_b, n_d = (f"{point}_{axis}" for axis in "abd")
+    moved = symbols(" ".join(f"{point}_{axis}" for axis in "abd"))
+    places = (_by(MOVED_RATES[w], N_0, H_N).subs(X, time) for w in OMEGA)
     return Part(
         units=(one,),
         definitions={
-            n_a: f"(n_a0*f*g + h_a*n_b0*n_d0*{x}*Y)/room",
-            n_b: f"(n_b0*g*Y + h_b*n_d0*n_a0*f*{x})/room",
-            n_d: f"(n_d0*f*Y + h_d*n_a0*n_b0*g*{x})/room",
-            one: f"1 + {n_a}",
-            turn: f"(h_d*{n_b}**2 - h_b*{n_d}**2)/(2*{one})",
+            **named(moved, places),
+            one: 1 + moved[0],
+            turn: _half_turn_at(moved, one),
         },
     )
 
 
-STEP = (POINT, ELAPSED, START, FACTOR, PLACES, _moved("n", "X", "one", "after"))
-BEFORE = _moved("o", "(-X)", "other", "before")
+STEP = (POINT, ELAPSED, START, FACTOR, PLACES, _moved("n", X, one, after))
+BEFORE = _moved("o", -X, other, before)
 # The projection at t.
 QUOTIENT = Part(
     definitions={
-        "F_re": "z_re*Y + zr_re*X",
-        "F_im": "z_im*Y + zr_im*X",
-        "w_re": "(F_re*G_re + F_im*G_im)/square",
-        "w_im": "(F_im*G_re - F_re*G_im)/square",
+        **_parts("F", z * Y + zr * X),
+        **_over(_parts("w", F * conjugate(G)), square),
     },
 )
 # The rate of psi/2 as a share of that at the start; then its even and its odd part.
 SHARE = Part(
-    witness={"one_0": "2", "one": "2", "square": "1", "even": "2", "odd": "0", "turn_0": "1"},
-    units=("one_0", "one", "square"),
-    relations=("one*(even - odd) - one_0**2*square",),
-    definitions={"after": "turn_0*one_0/one"},
+    witness={one_0: "2", one: "2", square: "1", even: "2", odd: "0", turn_0: "1"},
+    units=(one_0, one, square),
+    relations=(one * (even - odd) - one_0**2 * square,),
+    definitions={after: turn_0 * one_0 / one},
 )
 EARLIER = Part(
-    witness={"other": "2"},
-    units=("other",),
-    relations=("other*(even + odd) - one_0**2*square",),
-    definitions={"before": "turn_0*one_0/other"},
+    witness={other: "2"},
+    units=(other,),
+    relations=(other * (even + odd) - one_0**2 * square,),
+    definitions={before: turn_0 * one_0 / other},
 )
+BY_PRODUCT = {
+    turn: compute(shared).subs(point, compute(product).solve_for(point))
+    for turn, shared, point, product in (
+        (after, SHARE.definitions[after], one, SHARE.relations[0]),
+        (before, EARLIER.definitions[before], other, EARLIER.relations[0]),
+    )
+}
 PARTS = Part(
-    witness={"one_0": "2", "square": "1", "even": "2", "odd": "0", "turn_0": "1"},
-    units=("one_0", "square"),
+    witness={one_0: "2", square: "1", even: "2", odd: "0", turn_0: "1"},
+    units=(one_0, square),
     definitions={
-        "after": "turn_0*(even - odd)/(one_0*square)",
-        "G_rate": "2*turn_0*odd/(one_0*square)",
+        after: BY_PRODUCT[after],
+        G_rate: (BY_PRODUCT[before] - BY_PRODUCT[after]).factor(),
     },
 )
-EVEN = Part(definitions={"J_rate": "turn_0*even/(one_0*square) - turn_0"})
-BACK = Part(definitions={"before": "turn_0*(even + odd)/(one_0*square)"})
+EVEN = Part(definitions={J_rate: turn_0 * even / (one_0 * square) - turn_0})
+BACK = Part(definitions={before: BY_PRODUCT[before]})
 # R is the modulus of G; V is what the turn W of the first half becomes in the second.
+MODULUS = compute(R**2 - square).subs(square, SQUARE)
+R_RATE = _slope(SQUARE, {G_re: G_re_rate, G_im: G_im_rate}) / (2 * R)
 HALVES = Part(
-    witness={"W_re": "1", "W_im": "0", "R": "1"},
-    units=("R",),
-    relations=("W_im**2 + W_re**2 - 1", "R**2 - square"),
-    rates={
-        "W_re": "-before*W_im",
-        "W_im": "before*W_re",
-        "R": "(G_re*G_re_rate + G_im*G_im_rate)/R",
-    },
-    nonnegative=("R",),
-    definitions={
-        "V_re": "(W_re*G_re + W_im*G_im)/R",
-        "V_im": "(W_im*G_re - W_re*G_im)/R",
-    },
-    reading={"W_re": "cos of psi/2 from -t to 0", "W_im": "sin of psi/2 from -t to 0"},
+    witness={W_re: "1", W_im: "0", R: "1"},
+    units=(R,),
+    relations=(W_im**2 + W_re**2 - 1, R**2 - square),
+    rates={W_re: -before * W_im, W_im: before * W_re, R: R_RATE},
+    nonnegative=(R,),
+    definitions=_over(_parts("V", W * conjugate(G)), R),
+    reading={W_re: "cos of psi/2 from -t to 0", W_im: "sin of psi/2 from -t to 0"},
 )
-TURNED = Part(
-    witness={"before": "1", "G_re": "1", "G_im": "0", "G_re_rate": "0", "G_im_rate": "0"},
-    units=("square",),
-    rates={
-        **dict.fromkeys(("before", "G_re_rate", "G_im_rate"), "?"),
-        "G_re": "G_re_rate",
-        "G_im": "G_im_rate",
-    },
-    definitions={
-        "square": "G_re**2 + G_im**2",
-        "G_rate": "(G_im_rate*G_re - G_re_rate*G_im)/square",
-        "after": "before - G_rate",
-    },
+# Of the turn of G alone, whatever G is, and psi's.
+ANY_G = Part(
+    witness={G_re: "1", G_im: "0", G_re_rate: "0", G_im_rate: "0"},
+    units=(square,),
+    rates={G_re: G_re_rate, G_im: G_im_rate, G_re_rate: "?", G_im_rate: "?"},
+    definitions={square: SQUARE, G_rate: TURN_OF_G},
 )
+ANY_BEFORE = Part({before: "1"}, rates={before: "?"}, definitions={after: before - G_rate})
+ANY_J = Part(
+    {J_rate: "0"}, rates={J_rate: "?"}, definitions={psi_rate: psi_0 + 2 * J_rate - G_rate}
+)
+CONSTANT = Part({psi_0: "1"})
 
 
-# psi/2 by three turns: T at the start's rate, E at that of J, and U, by half the angle of G.
-PRODUCT = times("P", "U")
+# psi/2 by three turns: T at the start's rate, E at that of J, and U, by half the angle of G: R + G
+# halves the angle, and N is its modulus.
+N_SQUARED = compute((R + G) * (R + conjugate(G))).expand().subs(G_im**2, R**2 - G_re**2).factor()
+N_SQUARED = N_SQUARED.ordered("R")
 THIRDS = Part(
-    witness={
-        **{"T_re": "1", "T_im": "0", "E_re": "1", "E_im": "0", "R": "1", "N": "2"},
-    },
-    units=("R", "N", "R + G_re"),
+    witness={T_re: "1", T_im: "0", E_re: "1", E_im: "0", R: "1", N: "2"},
+    units=(R, N, R + G_re),
     relations=(
-        *("T_im**2 + T_re**2 - 1", "E_im**2 + E_re**2 - 1"),
-        *("R**2 - square", "N**2 - 2*R*(R + G_re)"),
+        *(T_im**2 + T_re**2 - 1, E_im**2 + E_re**2 - 1),
+        *(R**2 - square, (N**2 - N_SQUARED).ordered("R")),
     ),
     rates={
-        **{"T_re": "-(psi_0/2)*T_im", "T_im": "(psi_0/2)*T_re"},
-        **{"E_re": "-J_rate*E_im", "E_im": "J_rate*E_re"},
-        "R": "(G_re*G_re_rate + G_im*G_im_rate)/R",
-        "N": "((G_re*G_re_rate + G_im*G_im_rate)*(2*R + G_re)/R + R*G_re_rate)/N",
+        **{T_re: -(psi_0 / 2) * T_im, T_im: (psi_0 / 2) * T_re},
+        **{E_re: -J_rate * E_im, E_im: J_rate * E_re},
+        R: R_RATE,
+        N: _slope(N_SQUARED, {R: R_RATE, G_re: G_re_rate}) / (2 * N),
     },
-    nonnegative=("R", "N"),
+    nonnegative=(R, N),
     definitions={
-        "U_re": "(R + G_re)/N",
-        "U_im": "-G_im/N",
-        **{f"P_{part}": form for part, form in times("T", "E").items()},
-        "cos_half_psi": PRODUCT["re"],
-        "sin_half_psi": PRODUCT["im"],
+        **_over(_parts("U", R + conjugate(G)), N),
+        **_parts("P", T * E),
+        **named((cos_half_psi, sin_half_psi), _parts("P", P * U).values()),
     },
     reading={
-        **{"T_re": "cos(psi_0*t/2)", "T_im": "sin(psi_0*t/2)"},
-        **{"E_re": "cos of the integral of J_rate", "E_im": "sin of the integral of J_rate"},
-        **{"R": "the modulus of G", "N": "sqrt(2*R*(R + G_re))"},
-    },
-)
-THIRD = Part(
-    witness={
-        **{"psi_0": "1", "J_rate": "0", "G_re": "1", "G_im": "0"},
-        **{"G_re_rate": "0", "G_im_rate": "0"},
-    },
-    units=("square",),
-    rates={
-        **dict.fromkeys(("J_rate", "G_re_rate", "G_im_rate"), "?"),
-        **{"G_re": "G_re_rate", "G_im": "G_im_rate"},
-    },
-    definitions={
-        "square": "G_re**2 + G_im**2",
-        "G_rate": "(G_im_rate*G_re - G_re_rate*G_im)/square",
-        "psi_rate": "psi_0 + 2*J_rate - G_rate",
+        T_re: "cos(psi_0*t/2)",
+        T_im: "sin(psi_0*t/2)",
+        E_re: "cos of the integral of J_rate",
+        E_im: "sin of the integral of J_rate",
+        R: "the modulus of G",
+        N: "sqrt(2*R*(R + G_re))",
     },
 )
 # A body and its start, by the inverse moments and the momentum.
+BELOW_Z = K + sigma * M_a0
+BY_DIFFERENCE = {c_a - c_b: c_ab, c_a - c_d: c_ad, c_b - c_d: c_bd}
+ALPHAS = {name: FORCES[str(name)].subs(BY_DIFFERENCE) for name in ALPHA}
+PRODUCTS = {l_a: -alpha_b * alpha_d, l_b: alpha_a * alpha_d, l_d: -alpha_a * alpha_b}
+AT_START = named((*OMEGA, *M, *N_T, H), (*OMEGA_0, *M_0, *N_0, H_0))
+POINTED_START = {n.subs(AT_START): form.subs(AT_START) for n, form in BY_K.items()}
+MOMENTUM_RATES = named(
+    M_0, (x * M_a0 * M_b0 * M_d0 / m for x, m in zip(FORCES_OF_M, M_0, strict=True))
+)
+# Names in the order of evaluation that numbers follow.
+ORDER = "alpha_a alpha_b alpha_d Omega_a0 Omega_b0 Omega_d0 f g X Y"
 STARTED = Part(
-    witness={
-        **{"i_a": "1/3", "i_b": "1/2", "i_d": "1"},
-        **{"M_d0": "0", "M_b0": "0", "M_a0": "3", "K": "3"},
-    },
-    units=("i_a", "i_b", "i_d", "K", "K + sigma*M_a0"),
-    relations=("K**2 - M_a0**2 - M_b0**2 - M_d0**2",),
-    nonnegative=("K",),
+    witness={i_a: "1/3", i_b: "1/2", i_d: "1", M_d0: "0", M_b0: "0", M_a0: "3", K: "3"},
+    units=(i_a, i_b, i_d, K, BELOW_Z),
+    relations=(K**2 - M_a0**2 - M_b0**2 - M_d0**2,),
+    nonnegative=(K,),
     definitions={
-        **{f"c_{x}": f"1/i_{x}" for x in "abd"},
-        **{f"Omega_{x}0": f"i_{x}*M_{x}0" for x in "abd"},
-        "c_ab": "c_a - c_b",
-        "c_ad": "c_a - c_d",
-        "c_bd": "c_b - c_d",
-        "alpha_a": "epsilon*c_bd/c_a",
-        "alpha_b": "-epsilon*c_ad/c_b",
-        "alpha_d": "epsilon*c_ab/c_d",
-        "l_a": "c_ab*c_ad/(c_b*c_d)",
-        "l_b": "c_ab*c_bd/(c_a*c_d)",
-        "l_d": "c_ad*c_bd/(c_a*c_b)",
-        "H_0": "(c_a*Omega_a0**2 + c_b*Omega_b0**2 + c_d*Omega_d0**2)/2",
-        "psi_0": "(2*H_0 + K*sigma*Omega_a0)/(K + sigma*M_a0)",
-        "h": "(i_d - i_b)*((i_b - i_a)*M_b0**2 - (i_a - i_d)*M_d0**2)/4",
-        "e_1": "2*h - (i_a - i_d)*((i_b - i_a)*M_a0**2 - (i_d - i_b)*M_d0**2)",
-        "e_2": "h**2",
-        "z_re": "M_d0/(K + sigma*M_a0)",
-        "z_im": "sigma*epsilon*M_b0/(K + sigma*M_a0)",
-        "zr_re": "epsilon*M_b0*((i_b - i_a)*M_a0 - sigma*(i_d - i_b)*M_d0*z_re)/(K + sigma*M_a0)",
-        "zr_im": "sigma*M_d0*((i_a - i_d)*M_a0 - epsilon*(i_d - i_b)*M_b0*z_im)/(K + sigma*M_a0)",
+        **BY_INVERSE,
+        **{w: i * m for w, i, m in zip(OMEGA_0, I_N, M_0, strict=True)},
+        **{name: difference for difference, name in BY_DIFFERENCE.items()},
+        **ALPHAS,
+        **{name: unsigned(compute(form).subs(ALPHAS)) for name, form in PRODUCTS.items()},
+        H_0: compute(ENERGY).subs(AT_START).factor(),
+        psi_0: PSI_RATE.subs(AT_START).ordered("K sigma"),
+        **_moduli(M_0, FORCES_OF_M),
+        **{x: POINT.definitions[x].subs(POINTED_START).cancel() for x in (z_re, z_im)},
+        zr_re: _projected(zr_re, z_re, M_d0, BELOW_Z, MOMENTUM_RATES),
+        zr_im: _projected(zr_im, z_im, sigma * epsilon * M_b0, BELOW_Z, MOMENTUM_RATES),
     },
     reading={
-        "K": "|M|, kg m^2 rad/s",
-        **{f"i_{x}": f"1/c_{x}" for x in "abd"},
+        K: "|M|, kg m^2 rad/s",
+        **named(I_N, (f"1/{c}" for c in MOMENTS)),
         **{f"M_{x}0": f"the momentum about axis {x} at t = 0, kg m^2 rad/s" for x in "abd"},
     },
 )
 MOVED = Part(
-    units=("room",),
+    units=(room,),
     definitions={
-        "f": "1 + h*X**2",
-        "g": "1 - h*X**2",
-        "room": "f**2 - (i_d - i_b)*(i_b - i_a)*M_b0**2*X**2",
-        "M_a": "(M_a0*f*g + epsilon*(i_d - i_b)*M_b0*M_d0*X*Y)/room",
-        "M_b": "(M_b0*g*Y + epsilon*(i_a - i_d)*M_d0*M_a0*f*X)/room",
-        "M_d": "(M_d0*f*Y + epsilon*(i_b - i_a)*M_a0*M_b0*g*X)/room",
-        **{f"Omega_{x}": f"i_{x}*M_{x}" for x in "abd"},
+        f: F_OF_X,
+        g: G_OF_X,
+        room: unsigned(_by(ROOM, M_0, FORCES_OF_M)),
+        **{m: _by(MOVED_RATES[w], M_0, FORCES_OF_M) for m, w in zip(M, OMEGA, strict=True)},
+        **BY_MOMENTUM,
     },
 )
 # The names of `turn` in a body's, and what `attitude` says of psi.
+POINTED_FORCES = {h_a: K * (i_d - i_b), h_d: K * (i_b - i_a), h_b: -h_a - h_d}
 POINTED = Part(
     definitions={
-        "h_a": "K*(i_d - i_b)",
-        "h_d": "K*(i_b - i_a)",
-        "h_b": "-h_a - h_d",
-        **{f"n_a{x}": f"sigma*M_a{x}/K" for x in ("", "0")},
-        **{f"n_b{x}": f"sigma*epsilon*M_b{x}/K" for x in ("", "0")},
-        **{f"n_d{x}": f"M_d{x}/K" for x in ("", "0")},
-        "one_0": "1 + n_a0",
-        "one": "1 + n_a",
-        "turn_0": "(h_d*n_b0**2 - h_b*n_d0**2)/(2*one_0)",
-        "even": "room + n_a0*f*g",
-        "odd": "h_a*n_b0*n_d0*X*Y",
+        **POINTED_FORCES,
+        **BY_K,
+        **POINTED_START,
+        **PARITY,
+        one: 1 + n_a,
+        turn_0: _half_turn_at(N_0, one_0),
     },
 )
 TURNING = Part(
-    units=("K + sigma*M_a",),
-    definitions={
-        "after": "(h_d*n_b**2 - h_b*n_d**2)/(2*one)",
-        "H": "(i_a*M_a**2 + i_b*M_b**2 + i_d*M_d**2)/2",
-        "psi_rate": "(2*H + K*sigma*Omega_a)/(K + sigma*M_a)",
-    },
+    units=(K + sigma * M_a,),
+    definitions={after: _half_turn_at(N_T, one), H: ENERGY_OF_M, psi_rate: PSI_RATE},
 )
 DIRECTION = Part(
-    witness={
-        **{"i_a": "1/3", "i_b": "1/2", "i_d": "1"},
-        **{"M_d": "0", "M_b": "0", "M_a": "3", "K": "3"},
-    },
-    units=("K",),
-    relations=("K**2 - M_a**2 - M_b**2 - M_d**2",),
-    definitions={
-        "Omega_a": "i_a*M_a",
-        **{name: POINTED.definitions[name] for name in ("h_a", "h_d", "h_b")},
-        **{f"n_{x}": POINTED.definitions[f"n_{x}"] for x in "abd"},
-        "one": "1 + n_a",
-    },
+    witness={i_a: "1/3", i_b: "1/2", i_d: "1", M_d: "0", M_b: "0", M_a: "3", K: "3"},
+    units=(K,),
+    relations=(K**2 - M_a**2 - M_b**2 - M_d**2,),
+    definitions={Omega_a: i_a * M_a, **POINTED_FORCES, **BY_K, one: 1 + n_a},
 )
 
 
 # A body by i_a, K and h_a, h_d; its start by the direction of the momentum.
 AIMED = Part(
-    witness={"i_a": "1/3", "K": "3", "h_a": "3/2", "h_d": "1/2"},
-    units=("K", "i_a", "i_b", "i_d"),
+    witness={i_a: "1/3", K: "3", h_a: "3/2", h_d: "1/2"},
+    units=(K, i_a, i_b, i_d),
     definitions={
-        "i_b": "i_a + h_d/K",
-        "i_d": "i_b + h_a/K",
-        "M_a0": "sigma*K*n_a0",
-        "M_b0": "sigma*epsilon*K*n_b0",
-        "M_d0": "K*n_d0",
+        i_b: i_a + h_d / K,
+        i_d: i_b + h_a / K,
+        **named(M_0, (form.subs(AT_START) for form in POINTING.values())),
     },
-    nonnegative=("K",),
-    reading={"K": STARTED.reading["K"]},
+    nonnegative=(K,),
+    reading={K: STARTED.reading[K]},
 )
 # The shortest rotation that takes the momentum to its axis.
 SHORTEST_TURN = Part(
-    {"nu": "6"},
-    ("nu",),
+    {nu: "6"},
+    (nu,),
     SHORTEST.definitions,
     SHORTEST.relations[1:],
     SHORTEST.rates,
-    ("nu",),
-    reading={"nu": SHORTEST.reading["nu"]},
+    (nu,),
+    reading={nu: SHORTEST.reading["nu"]},
 )
 # What the turn by thirds has for J's rate: psi's, less that at the start.
 RATE_OF_J = Part(
     definitions={
-        **{f"i_{x}": f"1/c_{x}" for x in "abd"},
-        **{name: form for name, form in DIRECTION.definitions.items() if name != "Omega_a"},
-        "after": TURNING.definitions["after"],
-        "turn_0": "psi_0/2 - K*i_a/2",
-        "J_rate": "after - turn_0 + G_rate/2",
+        **named(I_N, (1 / c for c in MOMENTS)),
+        **{name: form for name, form in DIRECTION.definitions.items() if name != Omega_a},
+        after: TURNING.definitions[after],
+        turn_0: psi_0 / 2 - K * i_a / 2,
+        J_rate: after - turn_0 + G_rate / 2,
     },
 )
 # At the start no time has passed, and nothing has turned.
-ELAPSED_START = ("X", "Y - 1")
-TURN_START = ("W_re - 1", "W_im", "R - 1")
-THIRDS_START = ("T_re - 1", "T_im", "E_re - 1", "E_im", "R - 1", "N - 2")
+ELAPSED_START = (X, Y - 1)
+TURN_START = (W_re - 1, W_im, R - 1)
+THIRDS_START = (T_re - 1, T_im, E_re - 1, E_im, R - 1, N - 2)
 
 
 def derive(builder: LedgerBuilder) -> None:
-    """Prove the doubling, the turn, the second half of a time, and the motion by these."""
+    """Find the doubling, the turn, the second half of a time, and the motion by these."""
     for claims in (_doubling, _turn, _halves, _psi, _body, _motion):
         claims(builder)
 
 
+def _doubled() -> dict[Symbol, Any]:
+    """Match 2 X Y/(1 + x X^2 + y X^4) with the series of X at 2 t; Y there is half the slope."""
+    x, y, t = symbols("x y t")
+    series, derivative = compute(S.Zero), compute(X)
+    for n in range(6):
+        series += derivative.subs({X: 0, Y: 1}) * t**n / factorial(n)
+        derivative = _slope(derivative, ELAPSED.rates)
+    below = 1 + x * X**2 + y * X**4
+    miss = series.subs(t, 2 * t) * compute(below).subs(X, series) - 2 * series * series.diff(t)
+    miss = miss.expand()
+    found = compute([miss.coeff(t, 3), miss.coeff(t, 5)]).apply(solve, [x, y])
+    below = compute(below).subs(found)
+    slope = _slope(2 * X * Y / below, ELAPSED.rates) / 2 - 1
+    slope = slope.together().subs(Y**2, 1 - e_1 * X**2 + e_2 * X**4).factor()
+    return {
+        inside: below,
+        X_next: 2 * X * Y / compute(below).subs(below, inside),
+        Y_next: 1 + slope.xreplace({-below: -inside}).apply(rcollect, e_1),
+    }
+
+
 def _doubling(builder: LedgerBuilder) -> None:
     """Prove that X and Y at 2 t are the functions of 2 t, by their rates and their start."""
+    doubled = _doubled()
     free = Part(
-        witness={"e_1": "1", "e_2": "0", **ELAPSED.witness},
-        units=("1 - e_2*X**4",),
+        witness={e_1: "1", e_2: "0", **ELAPSED.witness},
+        units=(1 - e_2 * X**4,),
         relations=ELAPSED.relations,
         rates=ELAPSED.rates,
-        definitions={
-            "inside": "1 - e_2*X**4",
-            "X_next": "2*X*Y/inside",
-            "Y_next": "1 - 2*X**2*(e_1*(1 + e_2*X**4) - 4*e_2*X**2)/inside**2",
-        },
+        definitions=doubled,
     )
     builder.open(join("doubling", free))
-    moved = {"D(X_next)": "2*Y_next", "D(Y_next)": "2*(-e_1*X_next + 2*e_2*X_next**3)"}
+    moved = {
+        rate_of(X_next): 2 * Y_next,
+        rate_of(Y_next): 2 * (-e_1 * X_next + 2 * e_2 * X_next**3),
+    }
     builder.claim("doubling.rates", moved, ["DLMF 22.6.5"])
-    curve = {"Y_next**2": "1 - e_1*X_next**2 + e_2*X_next**4"}
+    curve = {Y_next**2: 1 - e_1 * X_next**2 + e_2 * X_next**4}
     builder.claim("doubling.curve", curve, ["DLMF 22.6.5"])
-    start = {"X_next": "0", "Y_next": "1"}
-    builder.begin("doubling", ELAPSED_START, "", start, "DLMF 22.6.5")
+    builder.begin("doubling", ELAPSED_START, "", [X_next, Y_next], "DLMF 22.6.5")
 
 
 def _turn(builder: LedgerBuilder) -> None:
     """Prove Euler's equations for the point, its projection, and psi's rate."""
     builder.open(join("turn", *STEP, QUOTIENT))
-    others = {"a": "bd", "b": "da", "d": "ab"}
-    euler = {f"D(n_{x})": f"h_{x}*n_{y}*n_{z}" for x, (y, z) in others.items()}
+    euler = {
+        rate_of(n_a): h_a * n_b * n_d,
+        rate_of(n_b): h_b * n_d * n_a,
+        rate_of(n_d): h_d * n_a * n_b,
+    }
     builder.claim("turn.euler", euler, ["5", "10"])
-    builder.claim("turn.point", {"n_a**2 + n_b**2 + n_d**2": "1"}, ["6", "15"])
-    projected = {"w_re*(1 + n_a)": "n_d", "w_im*(1 + n_a)": "n_b"}
+    builder.evaluate("turn.point", [n_a**2 + n_b**2 + n_d**2], ["6", "15"])
+    projected = {w_re * (1 + n_a): n_d, w_im * (1 + n_a): n_b}
     builder.claim("turn.projection", projected, ["27"])
-    _shared(builder, "share", SHARE, "turn")
-    parts = join("parts", PARTS, EVEN, static=True)
-    builder.open(parts)
-    builder.claim("parts.psi", {"after": "turn_0 + J_rate - G_rate/2"}, ["33", "34", "36"])
-    builder.claim("turn.parts", {x: parts.definitions[x] for x in ("J_rate", "G_rate")}, ["36"])
+    _shared(builder, "share", "turn", SHARE)
+    builder.open(join("parts", PARTS, EVEN, static=True))
+    builder.claim("parts.psi", {after: turn_0 + J_rate - G_rate / 2}, ["33", "34", "36"])
+    parts = {J_rate: EVEN.definitions[J_rate], G_rate: PARTS.definitions[G_rate]}
+    builder.claim("turn.parts", parts, ["36"])
     builder.model("turn", "parts", ["turn.after", "turn.parts"])
     builder.carry("turn", ["parts.psi"])
 
 
-def _shared(builder: LedgerBuilder, name: str, share: Part, context: str) -> None:
+def _shared(builder: LedgerBuilder, name: str, context: str, *shares: Part) -> None:
     """Prove the rates as shares of the energy, and by 1 + n_a at t and -t."""
-    times = {"after": "one*(even - odd)", "before": "other*(even + odd)"}
-    shares = {"after": PARTS.definitions["after"], **BACK.definitions}
-    builder.open(join(name, share, static=True))
-    for rate in share.definitions:
-        builder.claim(f"{name}.{rate}", {rate: shares[rate]}, ["36"])
-    builder.claim(f"{context}.conserved", share.definitions, ["6"])
-    products = {times[rate]: "one_0**2*square" for rate in share.definitions}
-    builder.claim(f"{context}.product", products, ["36"])
+    products = {after: one * (even - odd), before: other * (even + odd)}
+    defined = {turn: form for share in shares for turn, form in share.definitions.items()}
+    builder.open(join(name, *shares, static=True))
+    for turn in defined:
+        builder.claim(f"{name}.{turn}", {turn: BY_PRODUCT[turn]}, ["36"])
+    builder.claim(f"{context}.conserved", defined, ["6"])
+    known = {products[turn]: one_0**2 * square for turn in defined}
+    builder.claim(f"{context}.product", known, ["36"])
     builder.model(context, name, [f"{context}.conserved", f"{context}.product"])
-    builder.carry(context, [f"{name}.{rate}" for rate in share.definitions])
+    builder.carry(context, [f"{name}.{turn}" for turn in defined])
 
 
 def _halves(builder: LedgerBuilder) -> None:
     """Prove that the second half of a time turns as the first, times the conjugate of G."""
     builder.open(join("halves", *STEP, BEFORE, HALVES))
-    _shared(builder, "shares", part_of(join("shares", SHARE, EARLIER, static=True)), "halves")
+    _shared(builder, "shares", "halves", SHARE, EARLIER)
     builder.open(join("difference", PARTS, BACK, static=True))
-    builder.claim("difference.rates", {"after": "before - G_rate"}, ["33", "34", "36"])
-    builder.claim("halves.odd", {"G_rate": PARTS.definitions["G_rate"]}, ["36"])
+    builder.claim("difference.rates", {after: before - G_rate}, ["33", "34", "36"])
+    builder.claim("halves.odd", {G_rate: PARTS.definitions[G_rate]}, ["36"])
     builder.model("halves", "difference", [f"halves.{x}" for x in ("after", "before", "odd")])
     builder.carry("halves", ["difference.rates"])
-    builder.open(join("second_half", TURNED, HALVES))
-    builder.root("second_half.R", "R", "G_re**2 + G_im**2", ["36"])
-    later = {"D(V_re)": "-after*V_im", "D(V_im)": "after*V_re", "V_re**2 + V_im**2": "1"}
+    builder.open(join("second_half", ANY_G, ANY_BEFORE, HALVES))
+    builder.root("second_half.R", R, MODULUS.solve_for(R**2), ["36"])
+    later = {rate_of(V_re): -after * V_im, rate_of(V_im): after * V_re, V_re**2 + V_im**2: 1}
     builder.claim("second_half.turn", later, ["33", "34", "36"])
     builder.model("halves", "second_half", ["halves.rates"])
     builder.carry("halves", ["second_half.turn", "second_half.R"])
-    begun = {"V_re": "1", "V_im": "0"}
-    start = ("G_re - 1", "G_im", *TURN_START)
-    builder.begin("second_half", start, "R", begun, "33", "34")
-    builder.begin("halves", (*ELAPSED_START, *TURN_START), "R", begun, "33", "34")
+    start = (G_re - 1, G_im, *TURN_START)
+    builder.begin("second_half", start, "R", [V_re, V_im], "33", "34")
+    builder.begin("halves", (*ELAPSED_START, *TURN_START), "R", [V_re, V_im], "33", "34")
 
 
 def _psi(builder: LedgerBuilder) -> None:
     """Prove that psi/2 is the angle of a product of three turns."""
-    builder.open(join("thirds", THIRD, THIRDS))
-    builder.root("thirds.R", "R", "G_re**2 + G_im**2", ["36"])
-    builder.root("thirds.N", "N", "2*R*(R + G_re)", ["36"])
+    builder.open(join("thirds", ANY_G, CONSTANT, ANY_J, THIRDS))
+    builder.root("thirds.R", R, MODULUS.solve_for(R**2), ["36"])
+    builder.root("thirds.N", N, N_SQUARED, ["36"])
     turn = {
-        "D(cos_half_psi)": "-psi_rate/2*sin_half_psi",
-        "D(sin_half_psi)": "psi_rate/2*cos_half_psi",
-        "cos_half_psi**2 + sin_half_psi**2": "1",
+        rate_of(cos_half_psi): -psi_rate / 2 * sin_half_psi,
+        rate_of(sin_half_psi): psi_rate / 2 * cos_half_psi,
+        cos_half_psi**2 + sin_half_psi**2: 1,
     }
     builder.claim("thirds.turn", turn, ["33", "34", "36"])
-    start = ("G_re - 1", "G_im", *THIRDS_START)
-    builder.begin("thirds", start, "R N", {"cos_half_psi": "1", "sin_half_psi": "0"}, "33", "34")
+    start = (G_re - 1, G_im, *THIRDS_START)
+    builder.begin("thirds", start, "R N", [cos_half_psi, sin_half_psi], "33", "34")
 
 
 def _body(builder: LedgerBuilder) -> None:
     """Prove Euler's equations for the rates of a body, and psi' as in `attitude`."""
     signs = (HANDEDNESS, SENSE)
     builder.open(join("direction", *signs, DIRECTION, TURNING, static=True))
-    builder.claim("direction.psi_rate_of_point", {"psi_rate": "K*i_a + 2*after"}, ["33", "34"])
+    builder.claim("direction.psi_rate_of_point", {psi_rate: K * i_a + 2 * after}, ["33", "34"])
     parts = (*signs, STARTED, ELAPSED, START, FACTOR, MOVED, POINTED, TURNING, QUOTIENT)
     builder.open(join("step", *parts))
-    builder.claim("step.euler", {f"D({x})": rate for x, rate in RATES.rates.items()}, ["5", "10"])
-    momenta = {f"M_{x}0": f"c_{x}*Omega_{x}0" for x in "abd"}
-    for name, form in momenta.items():
-        builder.claim(f"step.{name}", {name: form}, ["8"])
-    builder.claim("step.momentum", {"M_a**2 + M_b**2 + M_d**2": "K**2"}, ["6", "15"])
-    builder.claim("step.energy", {"H": "H_0"}, ["6"])
-    builder.root("step.K", "K", "M_a0**2 + M_b0**2 + M_d0**2", ["6", "15"])
-    builder.claim("step.turn_0", {"turn_0": "psi_0/2 - K*i_a/2"}, ["33", "34"])
+    builder.claim("step.euler", {rate_of(w): rate for w, rate in EULER.items()}, ["5", "10"])
+    for w, i, c, m in zip(OMEGA_0, I_N, MOMENTS, M_0, strict=True):
+        momentum = compute(w - i * m).solve_for(m).subs(i, 1 / c)
+        builder.claim(f"step.{m}", {m: momentum}, ["8"])
+    builder.claim("step.momentum", {M_a**2 + M_b**2 + M_d**2: K**2}, ["6", "15"])
+    builder.claim("step.energy", {H: H_0}, ["6"])
+    size = compute(STARTED.relations[0]).solve_for(K**2).ordered("M_a0 M_b0")
+    builder.root("step.K", K, size, ["6", "15"])
+    builder.claim("step.turn_0", {turn_0: psi_0 / 2 - K * i_a / 2}, ["33", "34"])
     builder.model("step", "direction", ["step.momentum"])
     builder.carry("step", ["direction.psi_rate_of_point"])
     builder.model("step", "turn")
@@ -466,22 +595,26 @@ def _body(builder: LedgerBuilder) -> None:
 
 
 def _numbers(builder: LedgerBuilder) -> None:
-    """Prove the step by moments and rates, with sums of nonnegative terms where signs decide."""
-    builder.claim("step.h", {"h": "(l_b*Omega_b0**2 + l_d*Omega_d0**2)/4"}, ["10"])
-    first = {"e_1": "l_a*Omega_a0**2 + (l_b*Omega_b0**2 - l_d*Omega_d0**2)/2"}
-    builder.claim("step.e_1", first, ["10"])
-    builder.claim("step.room", {"room": "g**2 + l_d*Omega_d0**2*X**2"}, ["10"])
+    """Find the step by moments and rates, with sums of nonnegative terms where signs decide."""
+    by_product = {alpha_a * alpha_d: l_b, alpha_a * alpha_b: -l_d, alpha_b * alpha_d: -l_a}
+    found = {name: form.subs(CONSTANTS).expand().subs(by_product) for name, form in MODULI.items()}
     rates = {
-        "Omega_a": "(Omega_a0*f*g + alpha_a*Omega_b0*Omega_d0*X*Y)/room",
-        "Omega_b": "(Omega_b0*g*Y + alpha_b*Omega_d0*Omega_a0*f*X)/room",
-        "Omega_d": "(Omega_d0*f*Y + alpha_d*Omega_a0*Omega_b0*g*X)/room",
+        m: (EULER[w] * c).subs(BY_DIFFERENCE).subs(AT_START)
+        for m, w, c in zip(M_0, OMEGA, MOMENTS, strict=True)
     }
     projected = {
-        "zr_re": "epsilon*Omega_b0*(c_ab*Omega_a0 - sigma*c_bd*Omega_d0*z_re)/(K + sigma*M_a0)",
-        "zr_im": "-sigma*Omega_d0*(c_ad*Omega_a0 + epsilon*c_bd*Omega_b0*z_im)/(K + sigma*M_a0)",
+        zr_re: _projected(zr_re, z_re, M_d0, BELOW_Z, rates),
+        zr_im: _projected(zr_im, z_im, sigma * epsilon * M_b0, BELOW_Z, rates),
     }
-    for name, form in rates.items():
-        builder.claim(f"step.{name}", {name: form}, ["5", "10"])
+    builder.claim("step.h", {h: found[h].factor()}, ["10"])
+    builder.claim("step.e_1", {e_1: found[e_1].subs(h, found[h]).expand()}, ["10"])
+    # Between f^2 and g^2 is 4 h X^2.
+    between = compute(f**2 - g**2).subs({f: F_OF_X, g: G_OF_X}).expand().subs(h, found[h])
+    places = g**2 + (between + ROOM.subs(by_product) - f**2).expand()
+    places = places.ordered("l_d Omega_d0")
+    builder.claim("step.room", {room: places}, ["10"])
+    for w, form in MOVED_RATES.items():
+        builder.claim(f"step.{w}", {w: form.ordered(ORDER)}, ["5", "10"])
     for name, form in projected.items():
         builder.claim(f"step.{name}", {name: form}, ["27"])
 
@@ -492,11 +625,11 @@ def _motion(builder: LedgerBuilder) -> None:
     Its variables are those of the point, by which psi's rate is short enough to be compared.
     """
     signs = (HANDEDNESS, SENSE)
-    turned = (*signs, INERTIA, RATES, SHORTEST, *given((THIRD,), ["J_rate"], ()), RATE_OF_J)
+    turned = (*signs, INERTIA, RATES, SHORTEST, ANY_G, CONSTANT, RATE_OF_J)
     angle = Part(definitions=half_angle("psi").definitions)
     builder.open(join("turned_by_thirds", *turned, THIRDS, TURN, angle, PULL_BACK))
-    rate = {"psi_rate": "psi_0 + 2*J_rate - G_rate"}
-    builder.claim("turned_by_thirds.rate", rate, ["33", "34"])
+    turning = {psi_rate: psi_0 + 2 * J_rate - G_rate}
+    builder.claim("turned_by_thirds.rate", turning, ["33", "34"])
     builder.model("turned_by_thirds", "thirds", ["turned_by_thirds.rate"])
     builder.carry("turned_by_thirds", ["thirds.turn", "thirds.R", "thirds.N"])
     builder.model("turned_by_thirds", "attitude", ["turned_by_thirds.turn"])
@@ -517,10 +650,8 @@ def _motion(builder: LedgerBuilder) -> None:
 def _start(builder: LedgerBuilder) -> None:
     """Prove that the step starts at its rates and its attitude."""
     published = "M_a0 M_b0 M_d0 K h e_1 zr_re zr_im room Omega_a Omega_b Omega_d"
-    rates = {f"Omega_{x}": f"Omega_{x}0" for x in "abd"}
-    builder.begin("step", ELAPSED_START, published, rates, "5", "10")
-    turned = {"cos_half_psi": "1", "sin_half_psi": "0"}
-    start = (*ELAPSED_START, *THIRDS_START)
-    builder.begin("step_motion", start, "R N nu", rates | turned, "33", "34", "37")
+    builder.begin("step", ELAPSED_START, published, OMEGA, "5", "10")
+    begun, start = (*OMEGA, cos_half_psi, sin_half_psi), (*ELAPSED_START, *THIRDS_START)
+    builder.begin("step_motion", start, "R N nu", begun, "33", "34", "37")
     for context in ("step_start", "attitude_begun"):
         builder.model("step_motion_start", context)

@@ -32,7 +32,7 @@ def derive(builder: LedgerBuilder) -> None:
 
 
 def _outer_halves(scope: Scope, algebra: Algebra) -> None:
-    """Prove cos^2 and sin^2 of phi2/2 by cos(phi2)."""
+    """Prove cos^2 and sin^2 of phi2/2 by cos(phi2), and cos^2(phi2) where x is sin(phi2)."""
     angle = algebra.setting.factor * PHI[1]
     cosine, sine, whole = sympy.cos(angle), sympy.sin(angle), sympy.cos(2 * angle)
     double = [cosine**2 + sine**2 - 1, cosine**2 - sine**2 - whole]
@@ -40,6 +40,10 @@ def _outer_halves(scope: Scope, algebra: Algebra) -> None:
         why = f"its {name} by the cosine of the whole angle"
         squares = [cosine**2, sine**2]
         eliminate(scope, f"theorem1.outer_{name}", half**2, double, squares, why, ["19"])
+    x, root = algebra.setting.nutation(PHI[1])
+    if x != whole:
+        why = "and the cosine by the sine, up to its sign"
+        eliminate(scope, "theorem1.outer_whole", root**2, [x**2 + root**2 - 1], [root**2], why)
 
 
 def _inner_half(builder: LedgerBuilder) -> None:

@@ -17,33 +17,89 @@ that, so the attitude solves (3) by these.  Modulus, shift and the momentum are 
 nome q, by b and by a factor; their readings say which nome and b belong to a body.
 """
 
-from sympy import I, expand, symbols
+from sympy import Expr, I, UnevaluatedExpr, factor_terms, powdenest, solve, sqrt
 
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
-from derivations.descended_form import MOTION
-from derivations.regular_form import HALF
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
-from rigidsym.proof.algebra._printing import printed
+from derivations.descended_form import MOTION, SECULAR
+from derivations.regular_form import AMPLITUDES, HALF
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, text
+from rigidsym.proof.algebra._computation import Computation, compute
+from rigidsym.proof.steps._names import expressions, symbol, symbols, unfold
 
-# sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
-# polynomial.
+k_1, root_k, K, B_a, B_d, C_b, Y, W = symbols("k_1 root_k K B_a B_d C_b Y W")
+A_a, A_d, c_a, c_d = symbols("A_a A_d c_a c_d")
+s, c, d, x, y, z, n, r, t, p = symbols("s c d x y z n r t p")
+s_beta, c_beta, d_beta, cos_half_psi, sin_half_psi = symbols(
+    "s_beta c_beta d_beta cos_half_psi sin_half_psi"
+)
+epsilon, sigma, rho, chi, s_0, R, N = symbols("epsilon sigma rho chi s_0 R N")
+Lambda, psi_rate, psi_0, kappa, mu, zeta = symbols("Lambda psi_rate psi_0 kappa mu zeta")
+Z_u, Z_re, Z_im, SN_re, SN_im = symbols("Z_u Z_re Z_im SN_re SN_im")
+X_re, X_im, T4_re, T4_im, T1_re, T1_im = symbols("X_re X_im T4_re T4_im T1_re T1_im")
+ORDER = "root_k n X_re X_im SN_re SN_im Z_re Z_im s y z rho x c d"
+
+
+def whole(name: str) -> Expr:
+    """Return a complex quantity by the names of its parts."""
+    real, imaginary = symbols(f"{name}_re {name}_im")
+    return real + I * imaginary
+
+
+def parts(name: str, value: Expr | Computation) -> dict[str, Computation]:
+    """Return definitions of the real and imaginary part of a complex quantity."""
+    expanded = compute(value).expand()
+    real, imaginary = (
+        expanded.coeff(I, k).apply(factor_terms, sign=False).ordered(ORDER) for k in (0, 1)
+    )
+    return {f"{name}_re": real, f"{name}_im": imaginary}
+
+
+def times(one: str, other: str) -> dict[str, str]:
+    """Return real and imaginary part of a product as texts."""
+    names = " ".join(f"{name}_{part}" for name in (one, other) for part in ("re", "im"))
+    product = parts("", whole(one) * whole(other)).values()
+    sides = (text(side.ordered(names), ()) for side in product)
+    return dict(zip(("re", "im"), sides, strict=True))
+
+
+# sn, cn, dn of (i beta | k_1^2) are i x, y, z; those of -i rho beta follow by parity.
+S, C, D = symbols("S C D")
+SHIFTED = {S: -I * rho * x, C: y, D: z}
+# The addition theorems for sn (DLMF 22.8.1) and Z (DLMF 22.16(ii)), with n = k_1^2 S^2.
+ADDITION = {
+    **parts("SN", compute((s * C * D + S * c * d) / (1 - n * s**2)).subs(SHIFTED)),
+    **parts("Z", compute(Z_u - I * rho * zeta - k_1**2 * s * S * whole("SN")).subs(SHIFTED)),
+}
+POLE = compute(k_1**2 * S**2).subs(SHIFTED).subs(rho**2, 1)
+# Half the rate of psi is the imaginary part of mu Z and a constant: kappa and Lambda.
+J, psi = symbols("J psi")
+PSI = expressions(SECULAR.definitions)[psi]
+RATE = PSI.diff(t) + PSI.diff(J) * expressions(SECULAR.rates)[J]
+MOVING = unfold(Z_im, Part(definitions=ADDITION))
+KAPPA = (2 * (MOVING + rho * zeta) * (1 - n * s**2) / s**2).cancel()
+MEAN = (RATE / 2 - mu * MOVING).subs(kappa, KAPPA).cancel()
+# x is positive, n is -(k_1 x)^2, and K^2 - B_a^2 is B_d^2.
+SQUARE = unfold(-n / k_1**2, SECULAR).subs(K - B_a, B_d**2 / (K + B_a)).subs(k_1, root_k**2)
+BETA = SQUARE.apply(sqrt).apply(powdenest, force=True)
+
+# Y is y root_k (K + B_a), whose square is a polynomial.
 SHIFT = Part(
     witness={
-        **{"k_1": "49/676", "B_a": "161", "B_d": "240", "C_b": "45901/169", "K": "289", "w": "510"},
-        **{"root_k": "7/26", "Y": "3495/13", "zeta": "0"},
+        **{k_1: "49/676", B_a: "161", B_d: "240", C_b: "45901/169", K: "289", "w": "510"},
+        **{root_k: "7/26", Y: "3495/13", zeta: "0"},
     },
-    units=("root_k", "Y"),
+    units=(root_k, Y),
     definitions={
-        "x": "B_d/(root_k*(K + B_a))",
-        "y": "Y/(root_k*(K + B_a))",
-        "z": "C_b/Y",
-        "s_beta": "x/y",
-        "c_beta": "1/y",
-        "d_beta": "z/y",
-        "Lambda": "psi_0/2 + rho*mu*zeta",
+        x: BETA.ordered("B_d root_k K"),
+        y: Y / (root_k * (K + B_a)),
+        z: C_b / Y,
+        s_beta: x / y,
+        c_beta: 1 / y,
+        d_beta: z / y,
+        Lambda: MEAN.ordered("psi_0 rho mu zeta"),
     },
-    relations=("root_k**2 - k_1", "Y**2 - (K + B_a)*(K - B_a + k_1*(K + B_a))"),
-    nonnegative=("root_k", "Y", "B_a", "C_b"),
+    relations=(root_k**2 - k_1, Y**2 - (K + B_a) * (K - B_a + k_1 * (K + B_a))),
+    nonnegative=(root_k, Y, B_a, C_b),
     reading={
         "root_k": "sqrt(k_1)",
         "C_b": "sqrt((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2)",
@@ -56,21 +112,14 @@ SHIFT = Part(
         "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
     },
 )
-# sn and Z of (u_1 - i rho beta | k_1^2).
-ADDITION = {
-    "SN_re": "s*y*z/(1 - n*s**2)",
-    "SN_im": "-rho*x*c*d/(1 - n*s**2)",
-    "Z_re": "Z_u - rho*k_1**2*s*x*SN_im",
-    "Z_im": "rho*(k_1**2*s*x*SN_re - zeta)",
-}
 # Jacobi's zeta function on the real line, theta_4 off it, and its modulus.
 VALUES = Part(
-    witness={"Z_u": "0", "T4_re": "1", "T4_im": "0", "R": "1"},
-    units=("R",),
-    relations=("R**2 - T4_re**2 - T4_im**2",),
-    rates={"Z_u": "?"},
+    witness={Z_u: "0", T4_re: "1", T4_im: "0", R: "1"},
+    units=(R,),
+    relations=(R**2 - T4_re**2 - T4_im**2,),
+    rates={Z_u: "?"},
     definitions=ADDITION,
-    nonnegative=("R",),
+    nonnegative=(R,),
     reading={
         "Z_u": "g*dtheta4(g*u_1, nome_1)/theta4(g*u_1, nome_1)",
         "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
@@ -79,28 +128,17 @@ VALUES = Part(
     },
 )
 TURNING = Part(
-    witness={"X_re": "1", "X_im": "0"},
-    relations=("X_im**2 + X_re**2 - 1",),
-    rates={"X_re": "-Lambda*X_im", "X_im": "Lambda*X_re"},
+    witness={X_re: "1", X_im: "0"},
+    relations=(X_re**2 + X_im**2 - 1,),
+    rates=parts("X", I * Lambda * whole("X")),
     reading={"X_re": "cos(Lambda*t)", "X_im": "sin(Lambda*t)"},
 )
-
-
-def times(x: str, y: str) -> dict[str, str]:
-    """Return real and imaginary part of a product x y."""
-    names = f"{x}_re {x}_im {y}_re {y}_im"
-    a, b, c, d = symbols(names, real=True)
-    parts = expand((a + I * b) * (c + I * d)).as_real_imag()
-    return {name: printed(part, names) for name, part in zip(("re", "im"), parts, strict=True)}
-
-
-QUOTIENT = {f"T1_{part}": f"root_k*({form})" for part, form in times("SN", "T4").items()}
-SLOPE = {f"T4_{part}": form for part, form in times("Z", "T4").items()}
+QUOTIENT = parts("T1", root_k * whole("SN") * whole("T4"))
 # Watson's identities make the sum of the squares a product of two real thetas.
-NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
+NORM = {W: T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2}
 CLASSICAL = Part(
     definitions={**QUOTIENT, **NORM},
-    rates={**{name: f"mu*({form})" for name, form in SLOPE.items()}, "R": "mu*Z_re*R"},
+    rates={**parts("T4", mu * whole("Z") * whole("T4")), R: mu * Z_re * R},
     reading={
         "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
         "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
@@ -109,24 +147,52 @@ CLASSICAL = Part(
 )
 # e^(i psi/2) is e^(i Lambda t) theta_4 over its modulus: psi up to a constant, which the constant
 # unit quaternion of (37) takes up.
+PRODUCTS = {
+    **parts("P4", whole("X") * whole("T4")),
+    **parts("P1", whole("X") * whole("T1")),
+}
+P4_re, P4_im, P1_re, P1_im = symbols("P4_re P4_im P1_re P1_im")
+DOUBLED = parts("psi", (cos_half_psi + I * sin_half_psi) ** 2)
 PHASE = Part(
     definitions={
-        **{f"P4_{part}": form for part, form in times("X", "T4").items()},
-        **{f"P1_{part}": form for part, form in times("X", "T1").items()},
-        "N": "R/s_0",
-        "cos_half_psi": "P4_re/R",
-        "sin_half_psi": "P4_im/R",
-        "cos_psi": "cos_half_psi**2 - sin_half_psi**2",
-        "sin_psi": "2*sin_half_psi*cos_half_psi",
+        **PRODUCTS,
+        N: R / s_0,
+        cos_half_psi: P4_re / R,
+        sin_half_psi: P4_im / R,
+        "cos_psi": DOUBLED["psi_re"],
+        "sin_psi": DOUBLED["psi_im"],
     },
 )
-COMPONENTS = {
-    "qbar_0": "P4_re/N",
-    "qbar_a": "sigma*P4_im/N",
-    "qbar_b": "chi*P1_im/N",
-    "qbar_d": "-epsilon*sigma*chi*P1_re/N",
-}
 FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
+
+
+def components() -> dict[str, Computation]:
+    """Return the attitude by P_4 = X T_4 and P_1 = X T_1, from the turn by psi/2.
+
+    With e^(i psi/2) = X T_4/R, they are the parts of e^(i psi/2) s_0 and e^(i psi/2) (s_b + i
+    epsilon sigma s_d), where s_b + i epsilon sigma s_d is -i chi root_k sn s_0.
+    """
+    X, T4, T1, SN = symbols("X T4 T1 SN")
+    turn = X * T4 / R
+    sn, modulus = T1 / (root_k * T4), N * s_0
+    axis = compute(turn * s_0).subs(R, modulus)
+    across = compute(-I * chi * root_k * SN * s_0 * turn).subs(SN, sn).subs(R, modulus)
+    about = parts("", axis.subs(X * T4, whole("P4")))
+    other = parts("", across.subs(X * T1, whole("P1")))
+    return {
+        "qbar_0": about["_re"],
+        "qbar_a": sigma * about["_im"],
+        "qbar_b": other["_re"],
+        "qbar_d": epsilon * sigma * other["_im"],
+    }
+
+
+COMPONENTS = components()
+SIGNS = {sign**2: 1 for sign in (epsilon, sigma, chi)}
+# N^2 is what makes the sum of the squares 1; W is N^2 without the factor |X|^2 = 1.
+NORM_SQUARED = (N**2 * sum(q**2 for q in COMPONENTS.values())).expand().subs(SIGNS)
+ON_CIRCLE = unfold(NORM_SQUARED, Part(definitions=PRODUCTS)).factor().subs(X_im**2, 1 - X_re**2)
+NORM_OF_W = ON_CIRCLE.subs(NORM[W], W)
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -139,28 +205,48 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _shift(builder: LedgerBuilder) -> None:
     """Prove dn = K/B_a at i beta, and that beta is below K'/2."""
-    shift = {"y**2": "1 + x**2", "z**2": "1 + k_1**2*x**2", "n": "-(k_1*x)**2"}
+    at_beta = {S: I * x}
+    cn_squared = compute(1 - S**2).subs(at_beta)
+    dn_squared = compute(1 - k_1**2 * S**2).subs(at_beta)
+    shift = {y**2: cn_squared, z**2: dn_squared, n: POLE}
     builder.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
-    dn = {"B_a*(1 + k_1*x**2)": "K*(1 - k_1*x**2)"}
-    builder.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
-    builder.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
-    builder.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
-    builder.root("theta_form.root_k", "root_k", "k_1", ["27"])
-    builder.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
-    builder.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
-    builder.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
-    builder.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
-    beta = {
-        "s_beta": "x*c_beta",
-        "s_beta**2 + c_beta**2": "1",
-        "d_beta**2": "1 - (1 - k_1**2)*s_beta**2",
+    # Landen's dn at i beta is the second of these over the first.
+    k_1_x_squared = (
+        compute(k_1 * x**2).subs(x, BETA).subs(k_1, root_k**2).subs(B_d**2, K**2 - B_a**2)
+    )
+    above, below = ((1 + sign * k_1_x_squared).cancel() for sign in (1, -1))
+    builder.claim("theta_form.shifted_dn", {1 + k_1 * x**2: above}, ["DLMF 22.7.4"])
+    builder.sign("theta_form.inside", {1 - k_1 * x**2: below}, ["DLMF 22.5(i)"])
+    builder.claim("theta_form.kappa", {kappa: KAPPA}, ["34"])
+    (square,) = compute(SHIFT.relations[0]).apply(solve, root_k**2)
+    builder.root("theta_form.root_k", root_k, square, ["27"])
+    for amplitude, B, source in ((A_a, B_a, "27"), (A_d, B_d, "28")):
+        (found,) = (unfold(amplitude, AMPLITUDES) - amplitude).apply(solve, B)
+        builder.claim(f"theta_form.{B}", {B: found}, [source])
+    builder.root("theta_form.y", y, cn_squared, ["DLMF 22.6.1"])
+    radicand = dn_squared.subs((k_1 * x) ** 2, UnevaluatedExpr(k_1 * x) ** 2)
+    builder.root("theta_form.z", z, radicand, ["DLMF 22.6.1"])
+    _complementary(builder, cn_squared, dn_squared)
+
+
+def _complementary(builder: LedgerBuilder, y_squared: Computation, z_squared: Computation) -> None:
+    """Prove what sn, cn, dn of (beta | 1 - k_1^2) satisfy."""
+    ratio = compute(x / y).subs(1 / y, c_beta)
+    circle = (
+        compute(s_beta**2 + c_beta**2).subs({s_beta: x / y, c_beta: 1 / y}).subs(y**2, y_squared)
+    )
+    ellipse = (z_squared / y_squared).subs(x**2, s_beta**2 / (1 - s_beta**2))
+    laws = {
+        s_beta: ratio,
+        s_beta**2 + c_beta**2: circle.cancel(),
+        d_beta**2: ellipse.cancel(),
     }
-    builder.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
+    builder.claim("theta_form.complementary", laws, ["DLMF 22.6.1"])
 
 
 def _form(builder: LedgerBuilder) -> None:
     """Prove that phase and psi/2 have equal rates, and the quotient of the components."""
-    builder.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
+    builder.claim("theta_form.phase", {psi_rate / 2 - mu * Z_im: MEAN}, ["33", "34"])
     builder.model("theta_form", "descended")
     builder.carry("theta_form", ["descended.solution"])
     builder.carry("theta_form", [f"descended.{name}_of_attitude" for name in MOMENTUM])
@@ -170,23 +256,23 @@ def _form(builder: LedgerBuilder) -> None:
 def _assemble(builder: LedgerBuilder) -> None:
     """Prove the components as theta functions, given their quotient alone."""
     given = Part(
-        witness={"s_0": "1", "root_k": "1", "SN_re": "0", "SN_im": "0"},
-        units=("s_0", "N"),
-        nonnegative=("s_0", "R"),
+        witness={s_0: "1", root_k: "1", SN_re: "0", SN_im: "0"},
+        units=(s_0, N),
+        nonnegative=(s_0, R),
         definitions={
-            "s_b": "chi*root_k*SN_im*s_0",
-            "s_d": "-epsilon*sigma*chi*root_k*SN_re*s_0",
+            "s_b": chi * root_k * SN_im * s_0,
+            "s_d": -epsilon * sigma * chi * root_k * SN_re * s_0,
             **QUOTIENT,
             **NORM,
-            **{name: form for name, form in TURN.definitions.items() if name.startswith("qbar")},
+            **{name: form for name, form in TURN.definitions.items() if name in COMPONENTS},
         },
-        relations=("s_0**2*(1 + root_k**2*(SN_re**2 + SN_im**2)) - 1",),
+        relations=(s_0**2 * (1 + root_k**2 * (SN_re**2 + SN_im**2)) - 1,),
     )
     values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
     signs = (HANDEDNESS, SENSE, HALF)
     builder.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
-    builder.root("quotient.N", "N", "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2", ["1"])
-    builder.root("quotient.N_of_W", "N", "W", ["1"])
+    builder.root("quotient.N", N, NORM_SQUARED, ["1"])
+    builder.root("quotient.N_of_W", N, NORM_OF_W, ["1"])
     for name, form in COMPONENTS.items():
         builder.claim(f"quotient.{name}", {name: form}, ["18", "25"])
     builder.model("theta_form", "quotient")
@@ -201,9 +287,9 @@ def _truncation(builder: LedgerBuilder) -> None:
     go with each n.  With `inside`, e^(2 |Im z|) is below 1/q and r below q^(4 n + 1).
     """
     tail = Part(
-        witness={"t": "1/8", "r": "1/16", "p": "1/4"},
-        units=("1 - r", "1 - p*r"),
-        nonnegative=("t", "r", "p", "1 - r", "1 - p"),
+        witness={t: "1/8", r: "1/16", p: "1/4"},
+        units=(1 - r, 1 - p * r),
+        nonnegative=(t, r, p, 1 - r, 1 - p),
         reading={
             "t": "the first term left out, q**(2*n**2)*exp(2*n*|Im z|)",
             "r": "the next over this one, q**(4*n + 2)*exp(2*|Im z|)",
@@ -211,6 +297,9 @@ def _truncation(builder: LedgerBuilder) -> None:
         },
     )
     builder.open(join("theta_tail", tail, static=True))
-    rest, next_rest = "2*t/(1 - r)", "2*t*r/(1 - p*r)"
-    surplus = "2*t*r**2*(1 - p)/((1 - r)*((1 - r) + r*(1 - p)))"
-    builder.sign("theta_tail.bound", {f"{rest} - 2*t - {next_rest}": surplus}, ["DLMF 20.2.4"])
+    surplus = 2 * t / (1 - r) - 2 * t - 2 * t * r / (1 - p * r)
+    # By r and 1 - p, 1 - p r is a sum of nonnegative terms.
+    one_less_p = symbol("one_less_p")
+    below = (1 - r) * (1 - r + r * one_less_p)
+    form = (compute(surplus).subs(p, 1 - one_less_p) * below).factor() / below
+    builder.sign("theta_tail.bound", {surplus: form.subs(one_less_p, 1 - p)}, ["DLMF 20.2.4"])

@@ -10,6 +10,7 @@ half turns add is known for all theta, at theta + pi it is what k + 1 of them ad
 import sympy
 
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import Scope, differentiate, nonnegative
 from rigidsym.proof.steps._names import symbols
 
@@ -46,13 +47,15 @@ INTEGRAL = Part(
 def derive(builder: LedgerBuilder) -> None:
     """Prove that the rest of the rule is constant in theta, with a nonnegative denominator."""
     scope = Scope.open(builder, "windings", TURNING, INTEGRAL)
-    later, Pi, complete, n, theta = symbols("Pi_later Pi Pi_c n theta")
+    later, Pi, complete, n, k, theta = symbols("Pi_later Pi Pi_c n k theta")
     why = "what half turns add grows no further"
     rest = later - 2 * complete - Pi
     differentiate(scope, "windings.slope", rest, why, ["19", "20", "21"])
     sine, cosine = sympy.sin(theta), sympy.cos(theta)
     path = 1 - n * sine**2
-    form = sympy.collect(sympy.expand(path - 1 + cosine**2 + sine**2), sine**2)
+    form = (compute(path) + cosine**2 + sine**2 - 1).expand().collect(sine**2)
     nonnegative(scope, "windings.path", path, form, "the integral meets no pole", ["19"])
-    rule = {"Pi_later": "2*Pi_c + Pi", "2*k*Pi_c + Pi_later": "2*(k + 1)*Pi_c + Pi"}
+    # So Pi_later - Pi is what it is where theta is -pi/2.
+    added = compute(later - Pi).subs({later: complete, Pi: -complete})
+    rule = {later: Pi + added, 2 * k * complete + later: 2 * k * complete + Pi + added}
     builder.start("windings.rule", rule, ["19", "20", "21"])

@@ -26,7 +26,7 @@ ALLOWED = {
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
-    "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
+    "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article view.statements",
     "rigidsym.proof.coq": "proof.algebra proof.kernel",
     "rigidsym.proof.mutants": "language proof.algebra proof.kernel",
     "rigidsym.proof.paper": "language view.proofs",
@@ -60,7 +60,8 @@ ALLOWED = {
     "rigidsym.numbers": f"{FOUNDATION} inputs solution precise",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
-    "rigidsym.view.article": "language view.cards view.pages",
+    "rigidsym.view.article": "language view.cards view.pages view.statements",
+    "rigidsym.view.statements": "language",
     "rigidsym.view.pages": "view.cards view.style view.tables",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",

@@ -44,6 +44,7 @@ from derivations.conjugacy import (
     K,
     Reduction,
     by_angles,
+    circles,
     rotation,
     turns,
 )
@@ -64,7 +65,7 @@ from derivations.lie_algebra import (
 )
 from derivations.setting import Setting
 from rigidsym.io.cases import paper_case
-from rigidsym.proof.algebra import LedgerBuilder, Part, circle
+from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.steps import (
     Rate,
@@ -90,7 +91,7 @@ from support.figures import curve, label, momentum_sphere
 # A derivation starts from choices: which axes the body is turned about, and in which order; onto
 # which axis the momentum is turned; the basis of the Lie algebra; the Lagrangian. `Setting()` has
 # those of the paper. **Change them here and run on**: `Setting(sequence=(3, 1, 3))` takes the Euler
-# angles of celestial mechanics, `Setting(axis=2)` turns the momentum onto another axis,
+# angles of celestial mechanics, `Setting(sequence=(3, 2, 1))` those of aircraft, `Setting(axis=2)` turns the momentum onto another axis,
 # `Setting(sign=-1)` or `Setting(factor=1)` takes another basis. Everything below is computed again,
 # including the pictures.
 
@@ -360,10 +361,7 @@ except StepError as refusal:
 # onto the axis. This is a statement about one instant; time does not occur in it.
 
 # %%
-circles = tuple(
-    circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
-)
-reduction = Reduction(seen.value, varied.momenta, {**basis, **factors}, parts, circles)
+reduction = Reduction(seen.value, varied.momenta, {**basis, **factors}, parts, circles(setting))
 builder.keep(reduction)
 there = (given, MOMENTUM, *parts)
 named = {**reduction.matrices, "M": combination("M1 M2 M3")}
@@ -378,25 +376,26 @@ display(multiply(scope, "reduced.momentum", M, K * (R.I * axis * R), "and back",
 # ## Reading off two angles
 #
 # It remains to compare three components of the momentum with two angles. The component along the
-# outer axis gives $\phi_2$; the other two are linear in $\cos\phi_3$ and $\sin\phi_3$ and give
+# last axis of the sequence gives $\phi_2$; the other two are linear in $\cos\phi_3$ and $\sin\phi_3$ and give
 # $\phi_3$. No solution is lost or added: `solve` has the kernel decide both directions.
 
 # %%
 w = 2 * setting.factor  # exp(phi A) turns by w phi
 first, second, third = (k - 1 for k in setting.axes)
+along, across = setting.nutation(PHI[1])  # cosine and sine; for three axes, sine and cosine
 pole = Part(
-    witness={"M1": "1", "M2": "1", "M3": "1", "sin_phi2": "4/5"},
-    units=("sin_phi2",),
-    reading={"sin_phi2": str(sympy.sin(w * PHI[1]))},
+    witness={"M1": "1", "M2": "1", "M3": "1", f"{across.func}_phi2": "4/5"},
+    units=(f"{across.func}_phi2",),
+    reading={f"{across.func}_phi2": str(across)},
 )
-unknown = [sympy.cos(w * PHI[1]), sympy.cos(w * PHI[2]), sympy.sin(w * PHI[2])]
-names = ("cos_phi2", "cos_phi3", "sin_phi3")
+unknown = [along, sympy.cos(w * PHI[2]), sympy.sin(w * PHI[2])]
+names = (f"{along.func}_phi2", "cos_phi3", "sin_phi3")
 angles = Part(
     witness=dict.fromkeys(names, "1"), reading=dict(zip(names, map(str, unknown), strict=True))
 )
 scope = Scope.open(builder, "compared", MOMENTUM, pole, angles, static=True)
 compared = [(MOMENTA[k], K * seen[k]) for k in (first, second, third)]
-why = "the component along the outer axis gives phi2"
+why = "the component along the last axis gives phi2"
 phi2 = solve(scope, "compared.phi2", compared[:1], unknown[:1], why, ["27"])
 why = "the other two give phi3"
 phi3 = solve(scope, "compared.phi3", compared[1:], unknown[1:], why, ["28"])
@@ -407,7 +406,7 @@ display(phi2, phi3)
 # only up to half a turn.
 
 # %%
-there = (given, MOMENTUM, *circles)
+there = (given, MOMENTUM, *reduction.circles)
 scope = Scope.open(builder, "phi3", *there, by_angles(builder, reduction, *there), static=True)
 cosine, sine = unknown[1:]
 known = dict(zip(MOMENTA, varied.momenta, strict=True))
@@ -446,15 +445,11 @@ def numbers(expressions, names, *values):
 
 
 turned = float(w)
-sine_of_phi2 = sympy.sin(w * PHI[1])
+inverse, equator = (np.arccos, np.pi / 2) if isinstance(along, sympy.cos) else (np.arcsin, 0.0)
 inputs = (*momentum.T, size)
-(colatitude,) = np.arccos(numbers([phi2[unknown[0]]], (*MOMENTA, K), *inputs)).T
-longitude = numbers(
-    [x.subs(sine_of_phi2, symbol("s")) for x in (phi3[cosine], phi3[sine])],
-    (*MOMENTA, K, symbol("s")),
-    *inputs,
-    np.sin(colatitude),
-)
+(colatitude,) = inverse(numbers([phi2[along]], (*MOMENTA, K), *inputs)).T
+shares = [x.subs(across, 1) for x in (phi3[cosine], phi3[sine])]
+longitude = numbers(shares, (*MOMENTA, K), *inputs)
 longitude = np.unwrap(np.arctan2(longitude[:, 1], longitude[:, 0]))
 
 # %% tags=["hide-input"]
@@ -466,7 +461,7 @@ curve(axes, [0 * unit[0], unit[0]], color="C0", lw=1.5)
 share = np.linspace(0, 1, 30)
 arcs = {
     r"$\phi_2$": (share * colatitude[0], 0 * share + longitude[0], "C1"),
-    r"$\phi_3$": (0 * share + np.pi / 2, share * longitude[0], "C2"),
+    r"$\phi_3$": (0 * share + equator, share * longitude[0], "C2"),
 }
 for name, (down, around, colour) in arcs.items():
     arc = 0.55 * numbers(seen.value, PHI[1:], down / turned, around / turned)
@@ -531,7 +526,7 @@ assert len(ledger.facts) == len(builder.steps) >= 20
 assert "three_angles.wrong" not in ledger.facts
 products = [c * relation for c, relation in zip(cofactors, ring.relations, strict=True)]
 assert differences[entry].numerator == sum(products)
-assert ledger.contexts["tangent"].units[-2:] == ("sin_phi2", "cos_phi3")
+assert ledger.contexts["tangent"].units[-2:] == (f"{across.func}_phi2", "cos_phi3")
 earned = {
     "3": ["quaternions.kinematics", "moving_body.kinematics"],
     "4": ["quaternions.bracket_12", "quaternions.bracket_23", "quaternions.bracket_13"],

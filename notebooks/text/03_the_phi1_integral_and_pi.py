@@ -59,7 +59,7 @@ from derivations.winding import TURNING as HALF_TURNS
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.language.functions._jacobi import NUMPY
+from rigidsym.language.functions import NUMPY
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import verdicts
@@ -85,7 +85,7 @@ verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
 # %% [markdown]
 # ## The choices
 #
-# The setting is the paper's. **Change it here and run on**: `Setting(sequence=(3, 1, 3))` for other
+# The setting is the paper's. **Change it here and run on**: `Setting(sequence=(3, 2, 1))` for other
 # axes of the three turns, `Setting(sign=-1)`, `Setting(factor=1)` or `Setting(order=(2, 3, 1))` for
 # another basis. (A body with wheels needs other steps, because its rate is no multiple of
 # $\mathrm{sn}$; [notebook 11](11_derive_your_own.ipynb) derives one.) The builder starts where
@@ -160,8 +160,9 @@ halves = [f(w * PHI[2]) for f in (sympy.cos, sympy.sin)]
 gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (second, third)]
 (angles,) = sympy.solve(gaps, halves, dict=True)
 above, below = sympy.fraction(sympy.together(rate.subs(angles)))
+_, pole = setting.nutation(PHI[1])
 across = (MOMENTA[second] ** 2 + MOMENTA[third] ** 2) / K**2
-quotient = sympy.cancel(above / below.subs(sympy.sin(w * PHI[1]) ** 2, across))
+quotient = sympy.cancel(above / below.subs(pole**2, across))
 quotient = scope.reduced(quotient.subs(dict(zip(MOMENTA, dynamics.momenta, strict=True))))
 why = "phi1' with the momentum in the place of the angles"
 line = rewrite(scope, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
@@ -444,22 +445,17 @@ with mp.workdps(20):
     outer_turn = np.array([float(phi1(mp.mpf(float(s)))) for s in t])
 
 
-def angle_of(cosine, sine=None):
-    """A continuous angle by what `solve` found for its cosine and, if there is one, its sine."""
-    names = (*MOMENTA, K, symbol("s"))
-    found = [
-        sympy.lambdify(names, x.subs(sympy.sin(w * PHI[1]), names[-1]), "numpy")(
-            *momentum.T, float(body[K]), 1.0
-        )
-        for x in (cosine, sine)
-        if x is not None
-    ]
-    return np.arccos(found[0]) if sine is None else np.unwrap(np.arctan2(found[1], found[0]))
+def along_the_motion(expression):
+    """The values of a quotient of the momentum's components."""
+    found = sympy.lambdify((*MOMENTA, K), expression.subs(pole, 1), "numpy")
+    return found(*momentum.T, float(body[K]))
 
 
-(cosine,) = step(builder, "compared.phi2").value.values()
-nutation = angle_of(cosine) / float(w)
-spin = angle_of(*step(builder, "compared.phi3").value.values()) / float(w)
+((function, value),) = step(builder, "compared.phi2").value.items()
+inverse = np.arccos if isinstance(function, sympy.cos) else np.arcsin
+nutation = inverse(along_the_motion(value)) / float(w)
+cosine, sine = map(along_the_motion, step(builder, "compared.phi3").value.values())
+spin = np.unwrap(np.arctan2(sine, cosine)) / float(w)
 
 
 def product(p, q):

@@ -57,7 +57,7 @@ plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.f
 # %% [markdown]
 # The cells derive the new lines step by step, starting from the $\dot\phi_1$ of [notebook
 # 3](03_the_phi1_integral_and_pi.ipynb); **another setting** in the next cell, such as
-# `Setting(sequence=(3, 1, 3))`, changes these lines. (The pictures show the paper's setting.) Lines
+# `Setting(sequence=(3, 1, 3))`, changes these lines; its first and last axis have to be the same. (The pictures show the paper's setting.) Lines
 # quoted from later chapters have the name of their fact in the project's ledger. In the next cell,
 # a fresh kernel checks the ledger's certificates once more.
 

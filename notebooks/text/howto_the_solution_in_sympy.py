@@ -88,6 +88,52 @@ gap = np.max(np.abs(found[:4].T - motion(times)[0]))
 print(f"as the generated module has it: {gap < 1e-14}")
 
 # %% [markdown]
+# **Algebra**: SymPy 1.14 lacks Jacobi's elliptic functions, so `rigidsym.language.functions` has them. `simplify` uses
+# sn² + cn² = 1 and dn² + m sn² = 1, quarter periods have their values, and `expand_func` applies addition theorems.
+
+# %%
+from rigidsym.language.functions import jacobi_cn, jacobi_dn, jacobi_sn
+
+u, v, m = sp.symbols("u v m")
+K, across = sp.elliptic_k(m), sp.I * sp.elliptic_k(1 - m)
+sn, cn, dn = (function(u, m) for function in (jacobi_sn, jacobi_cn, jacobi_dn))
+print(sp.simplify(sn**2 + cn**2), sp.simplify((1 - m * sn**2) / dn))
+print(
+    jacobi_dn(K, m),
+    jacobi_sn(across, m),
+    jacobi_cn(u + 2 * K, m),
+    sp.expand_func(jacobi_sn(u + K, m)),
+)
+sp.expand_func(jacobi_dn(u + v, m))
+
+# %% [markdown]
+# So SymPy can check solutions. Here are Euler's equations for the moments 3, 2 and 1, and their solution for any two
+# amplitudes A and C.
+
+# %%
+A, C = sp.symbols("A C", positive=True)
+x, y, z = (sp.Function(name)(t) for name in "xyz")
+euler = [x.diff(t) - y * z / 3, y.diff(t) + x * z, z.diff(t) - x * y]
+argument = C * t / sp.sqrt(3), 3 * A**2 / C**2
+turning = [
+    A * jacobi_cn(*argument),
+    -sp.sqrt(3) * A * jacobi_sn(*argument),
+    C * jacobi_dn(*argument),
+]
+checked = sp.checkodesol(euler, [sp.Eq(*pair) for pair in zip((x, y, z), turning, strict=True)])
+print(checked)
+
+# %% [markdown]
+# C, Fortran and JAX have no such functions, and their printers say so; with `user_functions` they call yours.
+
+# %%
+try:
+    sp.ccode(sn)
+except NotImplementedError as refused:
+    print(refused)
+sp.ccode(sn**2, user_functions={"jacobi_sn": "my_sn"})
+
+# %% [markdown]
 # **Periods**: after a period the rates have their initial values, and the body has turned about its
 # momentum by the phase: 2HT/K less the solid angle that the momentum sweeps (Montgomery's formula).
 
@@ -116,3 +162,4 @@ assert abs(first - sp.Float(str(motion.precise("7/3", digits=50)[1][0]), 60)) < 
 assert abs(slope - product) < 1e-28
 assert abs(rates[0].subs(t, sp.Rational(1, 1000)) - solution.omega(0.001)[0].evalf(20)) < 1e-11
 assert gap < 1e-14
+assert checked == (True, [0, 0, 0])

@@ -134,12 +134,15 @@ ARTICLES = ("text", "markdown", "latex", "html")
 TEMPLATES = ("motion.toml", "slew.toml", "observations.csv", "observations.toml")
 SHELLS = ("bash", "zsh", "tcsh")
 SETTING = {
-    "sequence": ("I-J-I", "axes of the rotations; 1-2-1 by default"),
-    "axis": ("I", "axis to which the momentum is rotated; the outer axis by default"),
+    "sequence": ("I-J-K", "axes of the rotations; 1-2-1 by default"),
+    "axis": ("I", "axis to which the momentum is rotated; the first axis by default"),
     "factor": ("F", "factor of the basis (4), 1/2 or 1; 1/2 by default"),
     "sign": ("S", "sign of the basis (4), 1 or -1; 1 by default"),
     "order": ("I-J-K", "order of i, j, k in the basis; 1-2-3 by default"),
-    "lagrangian": ("L", "a Lagrangian with wheels: ... + h1*Omega1"),
+    "lagrangian": (
+        "L",
+        "a Lagrangian: equal moments, products of inertia, wheels (... + h1*Omega1)",
+    ),
 }
 "Options of `derive` for another derivation."
 
@@ -182,6 +185,7 @@ COMMANDS = (
             "unchanged keep the counts of the sealed ledger",
         ),
         _switch("--show", "print the derivation line by line in the terminal"),
+        _switch("--guesses", "list the statements that were guessed, and why"),
         _choice("--format", ARTICLES, "write an article, to stdout or --output"),
         Group(
             *(_value(f"--{name}", *texts) for name, texts in SETTING.items()),

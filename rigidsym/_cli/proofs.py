@@ -38,7 +38,7 @@ def derive(options: Namespace) -> int:
     if reading and options.json:
         raise InputError("json", "given", "is not for --show and --format")
     try:
-        setting = setting_of(chosen) if chosen or reading else None
+        setting = setting_of(chosen) if chosen else None
         sealed = "" if options.mutants or options.in_place else sealed_counts()
         derivation = derive(options.chapters, progress("derive"), setting, sealed)
     except DerivationError as error:
@@ -48,6 +48,8 @@ def derive(options: Namespace) -> int:
         return _article(derivation, options.format or "text", options.output)
     if options.json:
         print(derivation.to_json(), end="")
+    elif options.guesses:
+        _guesses(derivation)
     else:
         _chapters(derivation)
     sys.stdout.flush()
@@ -57,15 +59,31 @@ def derive(options: Namespace) -> int:
 
 
 def _chapters(derivation: "Derivation") -> None:
-    """Print a table with the numbers of computed and guessed facts in each chapter."""
-    rows = []
+    """Print how many facts of each chapter were computed, and the same for what is published."""
+    from rigidsym.proof.algebra._computation import Standing
+
+    rows: list[tuple[str, ...]] = []
     for chapter in derivation.chapters:
-        facts, computed = len(chapter.facts), chapter.computed
-        if not facts:
-            continue
-        counts = (str(computed), str(facts - computed), f"{chapter.seconds:.2f} s")
-        rows.append((chapter.name, chapter.title, *counts))
-    table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
+        counts = [str(chapter.standings[kind] or "") for kind in Standing]
+        if chapter.facts:
+            rows.append((chapter.name, chapter.title, *counts, f"{chapter.seconds:.2f} s"))
+    for kind, standings in derivation.published.items():
+        if standings:
+            counts = [str(standings[kind] or "") for kind in Standing]
+            rows.append(("", f"published {kind}", *counts, ""))
+    table("rigidsym derive", ("chapter", "", *Standing, "time"), rows)
+
+
+def _guesses(derivation: "Derivation") -> None:
+    """Print each fact whose statement was guessed, and why it was not computed."""
+    from rigidsym.proof.algebra._computation import Standing, reasons, standing
+    from rigidsym.proof.derivation import statement
+
+    facts = (fact for chapter in derivation.chapters for fact in chapter.facts)
+    for fact in facts:
+        if standing(fact) == Standing.GUESSED:
+            why = "; ".join(reasons(fact)) or "no reason is given"
+            print(f"{fact.id}: {statement(fact)}\n    {why}")
 
 
 def _mutants(derivation: "Derivation") -> None:
@@ -418,10 +436,11 @@ def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
 
 
 def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
-    from rigidsym.proof.paper._table import COLUMNS, counted, row
+    from rigidsym.proof.paper._table import COLUMNS, counted, explained, row
 
     parts = [
         f"{counted(ruled)}; all about one of them: rigidsym errata 10\n",
+        f"{why}\n" if (why := explained(ruled)) else "",
         table_text("rigidsym errata", COLUMNS, [row(verdict) for verdict in ruled]),
     ]
     rows = []

@@ -19,7 +19,7 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    476  10 %  follow facts of the ledger, each named on its line
+    483  11 %  follow facts of the ledger, each named on its line
     595  13 %  follow classical formulas, each with its reference
     102   2 %  are arithmetic: sums, products, quotients, roots, reductions
    3221  71 %  are the runtime, printed from its one representation
@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        9.1e-16  4.5e-16
 
 rigidsym 0.1.0, emitter c/2
-digest c988c90e12f1b299b6391121e5083d29a3565f23d52330cc7d70448e6e3f784a
+digest 3dcaff62e75fd58e6007aadf80923425c128ab2ad0cfd5eb65d909172de779fc
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

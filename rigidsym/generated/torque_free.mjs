@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.1e-15  5.0e-16
 
 rigidsym 0.1.0, emitter javascript/2
-digest d76986833e4288db4c8e34f84888ccb732ed03ae22dc7964bf75faeada4fab28
+digest 8decef3af24eac2e0a78f39805058bb6e78076eb1dbe54f151dcb39434d6fe28
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -532,13 +532,13 @@ function discriminant_exact(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d) {
 function circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2) {
     const c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     const c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    const common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const rest = 0.0; /* fact: rest.rates */
     const spherical = 0.0; /* fact: spherical.moments */
     const prolate_equatorial = 0.0; /* fact: prolate_equatorial.parallel */
@@ -660,9 +660,9 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
     const root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
     const kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
     const common_10 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_11 = dd_mul_xx(common_10, dd_add_dx(1.0, k_1)); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+    const v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(k_c, dn))); /* fact: landen.v; DLMF 22.7.4 */
     const c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
     const d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
     return [K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi];
@@ -671,20 +671,20 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
 /* One step of Landen's descending transformation. */
 function landen(k, kc, s, c, d, r, Y) {
     const common_1 = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
-    const common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const common_2 = dd_mul_xx(common_1, common_1); /* fact: landen.k_next, landen.r_next; DLMF 22.7.1 */
+    const k_next = dd_div_xx(dd_mul_xx(k, k), common_2); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_kc = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
     const kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_3 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
-    const common_4 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_3 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_4 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
     const common_5 = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    const v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(kc, d))); /* fact: landen.v; DLMF 22.7.4 */
     const c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const d_next = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    const r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
-    const S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
-    const Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
+    const d_next = dd_div_xx(v, common_3); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    const r_next = dd_div_xx(dd_mul_xx(k, r), common_2); /* fact: landen.r_next; DLMF 22.7.1 */
+    const S = dd_sqrt(dd_add_xx(dd_mul_xx(common_4, common_4), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    const Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_4, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     return [k_next, kc_next, s_next, c_next, d_next, r_next, Y_next];
 }
 
@@ -788,10 +788,10 @@ function circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s,
     const r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
     const root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
     const Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
-    const Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
+    const Y = dd_div_xx(B_d, dd_mul_xx(root_r, dd_add_xx(K, B_a))); /* fact: definition scaling.Y; (28) */
     let [K_1, sin_v, cos_v, Y_b] = ladder(k_1, kc_1, s, c, d, r, Y); /* classical: DLMF 19.8.12 */
-    const root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
-    const h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+    const root_h = dd_sqrt(dd_add_xx(Q, dd_mul_xx(Y_b, Y_b))); /* fact: scaling.root_h; (28) */
+    const h_plus = dd_add_xx(Y_b, root_h); /* fact: scaling.h_plus; (28) */
     const h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
     const g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
     const up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
@@ -2210,7 +2210,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "d76986833e4288db4c8e34f84888ccb732ed03ae22dc7964bf75faeada4fab28";
+    return "8decef3af24eac2e0a78f39805058bb6e78076eb1dbe54f151dcb39434d6fe28";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

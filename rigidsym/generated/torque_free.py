@@ -19,7 +19,7 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    475  20 %  follow facts of the ledger, each named on its line
+    482  20 %  follow facts of the ledger, each named on its line
     589  25 %  follow classical formulas, each with its reference
     102   4 %  are arithmetic: sums, products, quotients, roots, reductions
     530  22 %  are the runtime, printed from its one representation
@@ -77,7 +77,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.1e-15  5.0e-16
 
 rigidsym 0.1.0, emitter numpy/2
-digest ae9471c7a09aa70bfe8350e56799d87425f983806450813bab87a6a7346bbd74
+digest c750e918e0f23459a46a68cdc779b54c26abb862ef8d551b6ea47f918e2608dd
 """
 
 # ruff: noqa
@@ -364,13 +364,13 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
     """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
-    common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
-    common_2 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
-    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # fact: definition sorted_body.E_1
+    common_1 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
+    common_2 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
+    E_1 = c_13 * common_1 + common_2 * c_12 * c_2  # fact: definition sorted_body.E_1
     common_3 = Omega_1 * Omega_1  # fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle
-    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # fact: definition sorted_body.E_3
-    turning = common_3 + common_1 + common_2  # fact: definition sorted_body.turning
-    off_middle = common_3 + common_2  # fact: definition sorted_body.off_middle
+    E_3 = c_13 * common_3 * c_1 + c_23 * common_2 * c_2  # fact: definition sorted_body.E_3
+    turning = common_3 + common_2 + common_1  # fact: definition sorted_body.turning
+    off_middle = common_3 + common_1  # fact: definition sorted_body.off_middle
     rest = 0  # fact: rest.rates
     spherical = 0  # fact: spherical.moments
     prolate_equatorial = 0  # fact: prolate_equatorial.parallel
@@ -441,9 +441,9 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     root_kc = _sqrt(k_c)  # fact: landen.root_kc; DLMF 22.7.1
     kc_1 = 2 * root_kc / common_8  # fact: definition landen.kc_next; DLMF 22.7.1
     common_10 = 1 + dn  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
-    common_11 = (1 + k_1) * common_10  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_11 = common_10 * (1 + k_1)  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s = 2 * sn / common_11  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_11 * (dn + k_c))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_11 * (k_c + dn))  # fact: landen.v; DLMF 22.7.4
     c = 2 * cn / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
     d = v / common_10  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
     return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi
@@ -452,20 +452,20 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
 def _landen(k, kc, s, c, d, r, Y):
     """One step of Landen's descending transformation."""
     common_1 = 1 + kc  # fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1
-    common_2 = k / common_1  # fact: landen.k_next; DLMF 22.7.1
-    k_next = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    common_2 = common_1 * common_1  # fact: landen.k_next, landen.r_next; DLMF 22.7.1
+    k_next = k * k / common_2  # fact: landen.k_next; DLMF 22.7.1
     root_kc = _sqrt(kc)  # fact: landen.root_kc; DLMF 22.7.1
     kc_next = 2 * root_kc / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_3 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
-    common_4 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_3 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_4 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
     common_5 = common_3 * common_4  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s_next = 2 * s / common_5  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_5 * (d + kc))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_5 * (kc + d))  # fact: landen.v; DLMF 22.7.4
     c_next = 2 * c / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
-    d_next = v / common_4  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
-    r_next = r * k / (common_1 * common_1)  # fact: landen.r_next; DLMF 22.7.1
-    S = _sqrt(common_3 * common_3 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
-    Y_next = 2 * Y / (common_3 + S)  # fact: landen.Y_next; DLMF 22.7.2
+    d_next = v / common_3  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
+    r_next = k * r / common_2  # fact: landen.r_next; DLMF 22.7.1
+    S = _sqrt(common_4 * common_4 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
+    Y_next = 2 * Y / (common_4 + S)  # fact: landen.Y_next; DLMF 22.7.2
     return k_next, kc_next, s_next, c_next, d_next, r_next, Y_next
 
 
@@ -533,10 +533,10 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
     r = _root_ratio(k_1, kc_1)  # classical: DLMF 20.9.1
     root_r = _sqrt(r)  # fact: scaling.root_r; (27)
     Q = k_1 / r  # fact: scaling.Q; (27)
-    Y = B_d / ((K + B_a) * root_r)  # fact: definition scaling.Y; (28)
+    Y = B_d / (root_r * (K + B_a))  # fact: definition scaling.Y; (28)
     K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)  # classical: DLMF 19.8.12
-    root_h = _sqrt(Y_b * Y_b + Q)  # fact: scaling.root_h; (28)
-    h_plus = root_h + Y_b  # fact: scaling.h_plus; (28)
+    root_h = _sqrt(Q + Y_b * Y_b)  # fact: scaling.root_h; (28)
+    h_plus = Y_b + root_h  # fact: scaling.h_plus; (28)
     h_minus = root_h - Y_b  # fact: scaling.h_minus; (28)
     g = pi / (2 * K_1)  # fact: reading theta_form.g; (10)
     up1 = h_plus  # classical: DLMF 20.2.1, DLMF 20.2.4
@@ -1026,37 +1026,37 @@ def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_
 def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r, share, half_over_p, reach):
     """Derivatives of the rates where p and r grow equally, and where r alone grows."""
     common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
-    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
-    below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
+    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.turning, definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
+    below = common_1 + common_2 * kappa_d  # fact: definition varied_rates.below; (5)
     over = 1 / below  # fact: definition varied_rates.over; (5)
-    common_3 = common_2 * S_t  # fact: definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
-    S_k = (C_t * D_t * E_t - common_3) / 2  # fact: definition varied_rates.S_k; (5)
-    common_4 = S_t * C_t  # fact: definition varied_rates.C_k, definition varied_rates.turning; (5)
-    C_k = -S_t * (common_4 + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
-    D_k = -S_t * (S_t * D_t + r * C_t * E_t) / 2  # fact: definition varied_rates.D_k; (5)
-    below_k = -S_t * (S_t * below + k * C_t * D_t * E_t)  # fact: definition varied_rates.below_k; (5)
     leant = alpha_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.leant; (5)
-    common_5 = r * Omega_a0  # fact: definition varied_rates.turning, definition varied_rates.Omega_a_r; (5)
-    common_6 = C_t * C_t  # fact: definition varied_rates.turning, definition varied_rates.Omega_b_k; (5)
-    turning = over * (common_4 * (k * Omega_a * D_t - common_5 / 2) + leant * D_t * (common_6 - p * common_2) / 2)  # fact: definition varied_rates.turning; (5)
-    Omega_a_k = turning * E_t - over * leant * common_3 * C_t / 2  # fact: definition varied_rates.Omega_a_k; (5)
-    common_7 = alpha_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
+    common_3 = S_t * C_t  # fact: definition varied_rates.turning, definition varied_rates.C_k, definition varied_rates.below_r; (5)
+    common_4 = 2 * D_t  # fact: definition varied_rates.turning, definition varied_rates.D_r; (5)
+    common_5 = C_t * C_t  # fact: definition varied_rates.turning, definition varied_rates.Omega_b_k; (5)
+    turning = over * (common_3 * (-Omega_a0 * r + common_4 * k * Omega_a) / 2 + D_t * leant * (common_5 - common_2 * p) / 2)  # fact: definition varied_rates.turning; (5)
+    common_6 = C_t * D_t * E_t  # fact: definition varied_rates.S_k, definition varied_rates.below_k; (5)
+    common_7 = common_2 * S_t  # fact: definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
+    S_k = (common_6 - common_7) / 2  # fact: definition varied_rates.S_k; (5)
+    C_k = -S_t * (common_3 + D_t * E_t * p) / 2  # fact: definition varied_rates.C_k; (5)
+    D_k = -S_t * (S_t * D_t + C_t * E_t * r) / 2  # fact: definition varied_rates.D_k; (5)
+    below_k = -S_t * (S_t * below + common_6 * k)  # fact: definition varied_rates.below_k; (5)
+    Omega_a_k = E_t * turning - common_7 * C_t * over * leant / 2  # fact: definition varied_rates.Omega_a_k; (5)
     common_8 = over * kappa_a  # fact: definition varied_rates.Omega_b_k; (5)
     common_9 = over * kappa_d  # fact: definition varied_rates.Omega_b_k; (5)
-    common_10 = over * common_6  # fact: definition varied_rates.Omega_b_k; (5)
-    Omega_b_k = over * common_7 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * ((common_8 + common_9) * common_10 * common_1 + common_2 * (p * common_8 * (over * common_1) + r * common_9 * common_10)) / 2  # fact: definition varied_rates.Omega_b_k; (5)
+    common_10 = over * common_5  # fact: definition varied_rates.Omega_b_k; (5)
+    Omega_b_k = over * (alpha_b * Omega_d0 * Omega_a0) * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * ((common_8 + common_9) * common_10 * common_1 + common_2 * (p * common_8 * (over * common_1) + r * common_9 * common_10)) / 2  # fact: definition varied_rates.Omega_b_k; (5)
     common_11 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
-    Omega_d_k = over * (Omega_d0 * C_k + common_11 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
+    Omega_d_k = over * (-Omega_d * below_k + (Omega_d0 * C_k + common_11 * (S_t * D_k + D_t * S_k)))  # fact: definition varied_rates.Omega_d_k; (5)
     S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
-    C_r = p * S_t * f / 2  # fact: definition varied_rates.C_r; (5)
-    D_r = (r * S_t * C_t * f - common_2) / (2 * D_t)  # fact: definition varied_rates.D_r; (5)
-    below_r = k * S_t * C_t * f  # fact: definition varied_rates.below_r; (5)
-    any_Omega_a_r = over * common_3 * (leant * C_t - common_5 * S_t / D_t) / 2 - f * (turning / D_t)  # fact: definition varied_rates.Omega_a_r; (5)
-    any_Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_7 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
-    any_Omega_d_r = over * (Omega_d0 * C_r + common_11 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
+    C_r = S_t * p * f / 2  # fact: definition varied_rates.C_r; (5)
+    D_r = S_t * (-S_t + C_t * r * f) / common_4  # fact: definition varied_rates.D_r; (5)
+    below_r = common_3 * k * f  # fact: definition varied_rates.below_r; (5)
+    any_Omega_a_r = -f * (turning / D_t) + common_7 * over * (C_t * leant - Omega_a0 * S_t * r / D_t) / 2  # fact: definition varied_rates.Omega_a_r; (5)
+    any_Omega_b_r = over * (-Omega_b * below_r + (Omega_b0 * (C_t * D_r + D_t * C_r) + alpha_b * Omega_a0 * Omega_d0 * S_r))  # fact: definition varied_rates.Omega_b_r; (5)
+    any_Omega_d_r = over * (-Omega_d * below_r + (Omega_d0 * C_r + common_11 * (S_t * D_r + D_t * S_r)))  # fact: definition varied_rates.Omega_d_r; (5)
     Omega_a_there = _choose(abs(Omega_a), 0, 1, Omega_a)  # arithmetic
     since = (t + passed) * half_over_p  # fact: definition passing.since; (5)
-    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (k * (common_3 * S_t) * Omega_a_there + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
+    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (k * (common_7 * S_t) * Omega_a_there + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
     common_12 = over * S_t  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
     Omega_b_p = alpha_b * Omega_d * Omega_a_there * since + common_12 * (Omega_b * S_t + share * alpha_b * Omega_d0)  # fact: definition passing.Omega_b_p; (5)
     Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_12 * (Omega_d * S_t + share * alpha_d * Omega_b0 * D_t)  # fact: definition passing.Omega_d_p; (5)
@@ -1074,7 +1074,8 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
     alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
     alpha_d = epsilon * c_ab / c_d  # fact: definition coefficients.alpha_d; (5)
-    tilt = epsilon * E_b / (c_a * c_d)  # fact: definition coefficients.tilt; (5)
+    common_1 = c_a * c_d  # fact: definition coefficients.tilt, definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d; (5)
+    tilt = epsilon * E_b / common_1  # fact: definition coefficients.tilt; (5)
     alpha_a_by_c_a = -alpha_a / c_a  # fact: definition coefficients.alpha_a_by_c_a; (5)
     alpha_a_by_c_b = epsilon / c_a  # fact: definition coefficients.alpha_a_by_c_b; (5)
     alpha_a_by_c_d = -epsilon / c_a  # fact: definition coefficients.alpha_a_by_c_d; (5)
@@ -1084,45 +1085,45 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_d_by_c_d = -alpha_d / c_d  # fact: definition coefficients.alpha_d_by_c_d; (5)
     alpha_d_by_c_a = epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_a; (5)
     alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
-    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
-    tilt_by_c_a = epsilon * ((c_a + c_ab) * common_1) / c_a / c_d - tilt / c_a  # fact: definition coefficients.tilt_by_c_a; (5)
-    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5)
-    tilt_by_c_b = -epsilon * (c_a * common_1 + c_d * common_2) / c_a / c_d  # fact: definition coefficients.tilt_by_c_b; (5)
-    tilt_by_c_d = epsilon * ((c_d - c_bd) * common_2) / c_a / c_d - tilt / c_d  # fact: definition coefficients.tilt_by_c_d; (5)
-    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
-    g_a = alpha_a * common_3 - alpha_b * common_1  # fact: definition varied_rates.g_a; (5)
-    g_d = alpha_d * common_3 - alpha_b * common_2  # fact: definition varied_rates.g_d; (5)
-    k = alpha_a * alpha_d * common_3  # fact: definition varied_rates.k; (5)
-    kappa_a = -alpha_b * alpha_d * common_1  # fact: definition varied_rates.kappa_a; (5)
-    kappa_d = -alpha_a * alpha_b * common_2  # fact: definition varied_rates.kappa_d; (5)
+    common_2 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
+    tilt_by_c_a = -tilt / c_a + epsilon * common_2 * (c_a + c_ab) / common_1  # fact: definition coefficients.tilt_by_c_a; (5)
+    common_3 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5)
+    tilt_by_c_b = epsilon * (-c_a * common_2 - c_d * common_3) / common_1  # fact: definition coefficients.tilt_by_c_b; (5)
+    tilt_by_c_d = -tilt / c_d - epsilon * common_3 * (c_bd - c_d) / common_1  # fact: definition coefficients.tilt_by_c_d; (5)
+    common_4 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
+    g_a = alpha_a * common_4 - alpha_b * common_2  # fact: definition varied_rates.g_a; (5)
+    g_d = alpha_d * common_4 - alpha_b * common_3  # fact: definition varied_rates.g_d; (5)
+    k = alpha_a * alpha_d * common_4  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * common_2  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * common_3  # fact: definition varied_rates.kappa_d; (5)
     p = k + kappa_a  # fact: definition varied_rates.p; (5)
     apart = -alpha_b * tilt  # fact: definition varied_rates.apart; (5)
     p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
     p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
     r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
-    kappa_by_c_a = -(alpha_b_by_c_a * alpha_d + alpha_b * alpha_d_by_c_a) * common_1  # fact: definition varied_rates.kappa_by_c_a; (5)
-    common_4 = (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_3  # fact: definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a; (5)
-    p_by_c_a = kappa_by_c_a + common_4  # fact: definition varied_rates.p_by_c_a; (5)
+    kappa_by_c_a = -common_2 * (alpha_b * alpha_d_by_c_a + alpha_d * alpha_b_by_c_a)  # fact: definition varied_rates.kappa_by_c_a; (5)
+    common_5 = common_4 * (alpha_a * alpha_d_by_c_a + alpha_d * alpha_a_by_c_a)  # fact: definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a; (5)
+    p_by_c_a = kappa_by_c_a + common_5  # fact: definition varied_rates.p_by_c_a; (5)
     apart_by_c_a = -alpha_b * tilt_by_c_a - alpha_b_by_c_a * tilt  # fact: definition varied_rates.apart_by_c_a; (5)
-    leant_by_c_a = common_4 + (alpha_a_by_c_a * alpha_b + alpha_a * alpha_b_by_c_a) * common_2  # fact: definition varied_rates.leant_by_c_a; (5)
+    leant_by_c_a = common_5 + common_3 * (alpha_a * alpha_b_by_c_a + alpha_b * alpha_a_by_c_a)  # fact: definition varied_rates.leant_by_c_a; (5)
     a_by_c_a = alpha_a_by_c_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_a; (5)
-    b_by_c_a = alpha_b_by_c_a * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_a; (5)
+    b_by_c_a = alpha_b_by_c_a * Omega_a0 * Omega_d0  # fact: definition varied_rates.b_by_c_a; (5)
     d_by_c_a = alpha_d_by_c_a * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_a; (5)
-    kappa_by_c_b = -(alpha_b_by_c_b * alpha_d + alpha_b * alpha_d_by_c_b) * common_1  # fact: definition varied_rates.kappa_by_c_b; (5)
-    common_5 = (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_3  # fact: definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b; (5)
-    p_by_c_b = kappa_by_c_b + common_5  # fact: definition varied_rates.p_by_c_b; (5)
+    kappa_by_c_b = -common_2 * (alpha_b * alpha_d_by_c_b + alpha_d * alpha_b_by_c_b)  # fact: definition varied_rates.kappa_by_c_b; (5)
+    common_6 = common_4 * (alpha_a * alpha_d_by_c_b + alpha_d * alpha_a_by_c_b)  # fact: definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b; (5)
+    p_by_c_b = kappa_by_c_b + common_6  # fact: definition varied_rates.p_by_c_b; (5)
     apart_by_c_b = -alpha_b * tilt_by_c_b - alpha_b_by_c_b * tilt  # fact: definition varied_rates.apart_by_c_b; (5)
-    leant_by_c_b = common_5 + (alpha_a_by_c_b * alpha_b + alpha_a * alpha_b_by_c_b) * common_2  # fact: definition varied_rates.leant_by_c_b; (5)
+    leant_by_c_b = common_6 + common_3 * (alpha_a * alpha_b_by_c_b + alpha_b * alpha_a_by_c_b)  # fact: definition varied_rates.leant_by_c_b; (5)
     a_by_c_b = alpha_a_by_c_b * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_b; (5)
-    b_by_c_b = alpha_b_by_c_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_b; (5)
+    b_by_c_b = alpha_b_by_c_b * Omega_a0 * Omega_d0  # fact: definition varied_rates.b_by_c_b; (5)
     d_by_c_b = alpha_d_by_c_b * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_b; (5)
-    kappa_by_c_d = -(alpha_b_by_c_d * alpha_d + alpha_b * alpha_d_by_c_d) * common_1  # fact: definition varied_rates.kappa_by_c_d; (5)
-    common_6 = (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_3  # fact: definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
-    p_by_c_d = kappa_by_c_d + common_6  # fact: definition varied_rates.p_by_c_d; (5)
+    kappa_by_c_d = -common_2 * (alpha_b * alpha_d_by_c_d + alpha_d * alpha_b_by_c_d)  # fact: definition varied_rates.kappa_by_c_d; (5)
+    common_7 = common_4 * (alpha_a * alpha_d_by_c_d + alpha_d * alpha_a_by_c_d)  # fact: definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
+    p_by_c_d = kappa_by_c_d + common_7  # fact: definition varied_rates.p_by_c_d; (5)
     apart_by_c_d = -alpha_b * tilt_by_c_d - alpha_b_by_c_d * tilt  # fact: definition varied_rates.apart_by_c_d; (5)
-    leant_by_c_d = common_6 + (alpha_a_by_c_d * alpha_b + alpha_a * alpha_b_by_c_d) * common_2  # fact: definition varied_rates.leant_by_c_d; (5)
+    leant_by_c_d = common_7 + common_3 * (alpha_a * alpha_b_by_c_d + alpha_b * alpha_a_by_c_d)  # fact: definition varied_rates.leant_by_c_d; (5)
     a_by_c_d = alpha_a_by_c_d * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_d; (5)
-    b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
+    b_by_c_d = alpha_b_by_c_d * Omega_a0 * Omega_d0  # fact: definition varied_rates.b_by_c_d; (5)
     d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
     alpha_divisor = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
     return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(apart), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(leant_by_c_a), _rounded(leant_by_c_b), _rounded(leant_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
@@ -1132,50 +1133,56 @@ def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k,
     """Derivatives of the rates, and integrals of the squares of rates."""
     common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5)
     common_2 = common_1 * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5)
-    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_2 * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
+    Omega_a_by_Omega_a = p_by_Omega_a * (Omega_a_k - Omega_a_r) + (D_t * over - common_2 * S_t * k * Omega_a * (p_by_Omega_a * over))  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
     common_3 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_by_Omega_a, definition spun.swung, definition spun.excess_spun; (5)
-    any_Omega_b_by_Omega_a = over * (common_3 * S_t - Omega_b * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
-    Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
-    common_4 = Omega_a * common_1 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * (Omega_a_k + common_4)  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
-    Omega_b_by_Omega_b = over * (C_t * D_t) + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
-    Omega_d_by_Omega_b = over * (alpha_d * Omega_a0 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
-    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * (Omega_a_r - common_4)  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
-    any_Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
-    Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
-    common_5 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_c_a = over * (a_by_c_a * common_5) + common_4 * (leant_by_c_a - 2 * (over * kappa_by_c_a) * k * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
-    Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_1) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
-    common_6 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
-    Omega_d_by_c_a = over * (d_by_c_a * common_6 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
-    Omega_a_by_c_b = over * (a_by_c_b * common_5) + common_4 * (leant_by_c_b - 2 * (over * kappa_by_c_b) * k * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
-    Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_1) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
-    Omega_d_by_c_b = over * (d_by_c_b * common_6 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
-    Omega_a_by_c_d = over * (a_by_c_d * common_5) + common_4 * (leant_by_c_d - 2 * (over * kappa_by_c_d) * k * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_1) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
-    Omega_d_by_c_d = over * (d_by_c_d * common_6 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
-    any_excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * (S_t - t) + (Omega_b - Omega_b0) * t)  # fact: definition varied_rates.excess_b; (5)
+    common_4 = common_1 * p_by_Omega_a  # fact: definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a; (5)
+    any_Omega_b_by_Omega_a = p_by_Omega_a * (Omega_b_k - Omega_b_r) + over * (common_3 * S_t - common_4 * Omega_b)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    Omega_d_by_Omega_a = p_by_Omega_a * (Omega_d_k - Omega_d_r) + over * (alpha_d * Omega_b0 * S_t * D_t - common_4 * Omega_d)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
+    common_5 = common_1 * Omega_a  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    common_6 = common_5 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_a_by_Omega_b = p_by_Omega_b * (Omega_a_k + common_6) + alpha_a * Omega_d0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
+    Omega_b_by_Omega_b = p_by_Omega_b * Omega_b_k + C_t * D_t * over  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
+    Omega_d_by_Omega_b = p_by_Omega_b * Omega_d_k + alpha_d * Omega_a0 * S_t * D_t * over  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
+    Omega_a_by_Omega_d = r_by_Omega_d * (Omega_a_r - common_6) + alpha_a * Omega_b0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    any_Omega_b_by_Omega_d = r_by_Omega_d * Omega_b_r + alpha_b * Omega_a0 * S_t * over  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
+    Omega_d_by_Omega_d = C_t * over + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
+    common_7 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    common_8 = 2 * common_1 * k  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_c_a = p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r + (common_7 * a_by_c_a * over + common_5 * (leant_by_c_a - common_8 * (kappa_by_c_a * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    common_9 = common_1 * kappa_by_c_a  # fact: definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_b_by_c_a = p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r + over * (S_t * b_by_c_a - common_9 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_a; (5)
+    common_10 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_d_by_c_a = p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r + over * (common_10 * d_by_c_a - common_9 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_a_by_c_b = p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r + (common_7 * a_by_c_b * over + common_5 * (leant_by_c_b - common_8 * (kappa_by_c_b * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    common_11 = common_1 * kappa_by_c_b  # fact: definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_b_by_c_b = p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r + over * (S_t * b_by_c_b - common_11 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_b; (5)
+    Omega_d_by_c_b = p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r + over * (common_10 * d_by_c_b - common_11 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_a_by_c_d = p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r + (common_7 * a_by_c_d * over + common_5 * (leant_by_c_d - common_8 * (kappa_by_c_d * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    common_12 = common_1 * kappa_by_c_d  # fact: definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_b_by_c_d = p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r + over * (S_t * b_by_c_d - common_12 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_d; (5)
+    Omega_d_by_c_d = p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r + over * (common_10 * d_by_c_d - common_12 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_d; (5)
+    any_excess_b = Omega_b0 * (t * (Omega_b - Omega_b0) + Omega_b * (S_t - t)) + E_t * g_a * g_d  # fact: definition varied_rates.excess_b; (5)
     b_divisor = _choose(abs(Omega_b), 0, 1, Omega_b)  # arithmetic
     d_divisor = _choose(abs(alpha_d), 0, 1, alpha_d)  # arithmetic
-    middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a  # fact: definition middle_columns.middle_by_Omega_a; (5)
+    middle_by_Omega_a = alpha_b * Omega_d_by_Omega_a * (Omega_d / b_divisor) / d_divisor  # fact: definition middle_columns.middle_by_Omega_a; (5)
     d_size = abs(alpha_b * Omega_d)  # arithmetic
     Omega_b_by_Omega_a = _choose(d_size, abs(alpha_d * Omega_b), middle_by_Omega_a, any_Omega_b_by_Omega_a)  # arithmetic
     a_divisor = _choose(abs(alpha_a), 0, 1, alpha_a)  # arithmetic
-    middle_by_Omega_d = alpha_b / a_divisor * (Omega_a / b_divisor) * Omega_a_by_Omega_d  # fact: definition middle_columns.middle_by_Omega_d; (5)
+    middle_by_Omega_d = alpha_b * Omega_a_by_Omega_d * (Omega_a / b_divisor) / a_divisor  # fact: definition middle_columns.middle_by_Omega_d; (5)
     a_size = abs(alpha_b * Omega_a)  # arithmetic
     Omega_b_by_Omega_d = _choose(a_size, abs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d)  # arithmetic
     p_divisor = _choose(abs(p), 0, 1, p)  # arithmetic
     C_ahead = _choose(C_t, 0, 0, C_t)  # arithmetic
-    common_7 = common_3 * Omega_a0  # fact: definition spun.swung, definition spun.excess_spun; (5)
-    common_8 = D_t + C_ahead  # fact: definition spun.swung, definition spun.lag; (5)
-    swung = over * S_t * (common_7 - Omega_b0 * S_t * (kappa_a * D_t + kappa_d * C_ahead) / common_8)  # fact: definition spun.swung; (5)
-    lag = kappa_a / p_divisor * (S_t * C_ahead / D_t - t) + apart * (common_2 / common_8 - k / p_divisor * f) / D_t  # fact: definition spun.lag; (5)
-    common_9 = kappa_a + kappa_d  # fact: definition spun.excess_spun; (5)
-    excess_spun = Omega_b0 * Omega_b0 * (lag + common_9 * E_t) + common_7 * common_7 * E_t + Omega_b0 * swung * S_t  # fact: definition spun.excess_spun; (5)
+    common_13 = common_3 * Omega_a0  # fact: definition spun.swung, definition spun.excess_spun; (5)
+    common_14 = D_t + C_ahead  # fact: definition spun.swung, definition spun.lag; (5)
+    swung = over * S_t * (common_13 - Omega_b0 * S_t * (kappa_a * D_t + kappa_d * C_ahead) / common_14)  # fact: definition spun.swung; (5)
+    lag = kappa_a / p_divisor * (S_t * C_ahead / D_t - t) + apart * (common_2 / common_14 - k / p_divisor * f) / D_t  # fact: definition spun.lag; (5)
+    common_15 = kappa_a + kappa_d  # fact: definition spun.excess_spun; (5)
+    excess_spun = Omega_b0 * Omega_b0 * (lag + common_15 * E_t) + common_13 * common_13 * E_t + Omega_b0 * swung * S_t  # fact: definition spun.excess_spun; (5)
     spinning = _choose(C_t, 0, 0, k)  # arithmetic
-    excess_b = _choose(spinning, common_9, any_excess_b, excess_spun)  # arithmetic
-    excess_a = alpha_a / alpha_divisor * excess_b  # fact: definition excesses.excess_a; (5)
-    excess_d = alpha_d / alpha_divisor * excess_b  # fact: definition excesses.excess_d; (5)
+    excess_b = _choose(spinning, common_15, any_excess_b, excess_spun)  # arithmetic
+    excess_a = alpha_a * excess_b / alpha_divisor  # fact: definition excesses.excess_a; (5)
+    excess_d = alpha_d * excess_b / alpha_divisor  # fact: definition excesses.excess_d; (5)
     return Omega_a_by_Omega_a, Omega_a_by_Omega_b, Omega_a_by_Omega_d, Omega_a_by_c_a, Omega_a_by_c_b, Omega_a_by_c_d, Omega_b_by_Omega_a, Omega_b_by_Omega_b, Omega_b_by_Omega_d, Omega_b_by_c_a, Omega_b_by_c_b, Omega_b_by_c_d, Omega_d_by_Omega_a, Omega_d_by_Omega_b, Omega_d_by_Omega_d, Omega_d_by_c_a, Omega_d_by_c_b, Omega_d_by_c_d, excess_a, excess_b, excess_d
 
 
@@ -1528,19 +1535,19 @@ def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0,
     common_4 = p2 * p2  # fact: definition turned_columns_start.P11, definition turned_columns_start.P33; (3)
     common_5 = p3 * p3  # fact: definition turned_columns_start.P11, definition turned_columns_start.P22; (3)
     P11 = 1 - 2 * (common_4 + common_5)  # fact: definition turned_columns_start.P11; (3)
-    common_6 = p1 * p2  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
-    common_7 = p0 * p3  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
-    P12 = 2 * (common_6 - common_7)  # fact: definition turned_columns_start.P12; (3)
-    common_8 = p3 * p1  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
-    common_9 = p0 * p2  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
+    common_6 = p0 * p3  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
+    common_7 = p1 * p2  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
+    P12 = -2 * (common_6 - common_7)  # fact: definition turned_columns_start.P12; (3)
+    common_8 = p0 * p2  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
+    common_9 = p1 * p3  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
     P13 = 2 * (common_8 + common_9)  # fact: definition turned_columns_start.P13; (3)
     P21 = 2 * (common_6 + common_7)  # fact: definition turned_columns_start.P21; (3)
     common_10 = p1 * p1  # fact: definition turned_columns_start.P22, definition turned_columns_start.P33; (3)
-    P22 = 1 - 2 * (common_5 + common_10)  # fact: definition turned_columns_start.P22; (3)
-    common_11 = p2 * p3  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
-    common_12 = p0 * p1  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
-    P23 = 2 * (common_11 - common_12)  # fact: definition turned_columns_start.P23; (3)
-    P31 = 2 * (common_8 - common_9)  # fact: definition turned_columns_start.P31; (3)
+    P22 = 1 - 2 * (common_10 + common_5)  # fact: definition turned_columns_start.P22; (3)
+    common_11 = p0 * p1  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
+    common_12 = p2 * p3  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
+    P23 = -2 * (common_11 - common_12)  # fact: definition turned_columns_start.P23; (3)
+    P31 = -2 * (common_8 - common_9)  # fact: definition turned_columns_start.P31; (3)
     P32 = 2 * (common_11 + common_12)  # fact: definition turned_columns_start.P32; (3)
     P33 = 1 - 2 * (common_10 + common_4)  # fact: definition turned_columns_start.P33; (3)
     n1_0 = common_1 * per_K2  # fact: definition turned_columns_start.n1_0; (3)
@@ -1550,13 +1557,13 @@ def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0,
     l2 = P21 * n1_0 + P22 * n2_0 + P23 * n3_0  # fact: definition turned_columns_start.l2; (3)
     l3 = P31 * n1_0 + P32 * n2_0 + P33 * n3_0  # fact: definition turned_columns_start.l3; (3)
     B11 = P12 * n3_0 - P13 * n2_0  # fact: definition turned_columns_start.B11; (3)
-    B21 = P22 * n3_0 - P23 * n2_0  # fact: definition turned_columns_start.B21; (3)
-    B31 = P32 * n3_0 - P33 * n2_0  # fact: definition turned_columns_start.B31; (3)
     B12 = P13 * n1_0 - P11 * n3_0  # fact: definition turned_columns_start.B12; (3)
-    B22 = P23 * n1_0 - P21 * n3_0  # fact: definition turned_columns_start.B22; (3)
-    B32 = P33 * n1_0 - P31 * n3_0  # fact: definition turned_columns_start.B32; (3)
     B13 = P11 * n2_0 - P12 * n1_0  # fact: definition turned_columns_start.B13; (3)
+    B21 = P22 * n3_0 - P23 * n2_0  # fact: definition turned_columns_start.B21; (3)
+    B22 = P23 * n1_0 - P21 * n3_0  # fact: definition turned_columns_start.B22; (3)
     B23 = P21 * n2_0 - P22 * n1_0  # fact: definition turned_columns_start.B23; (3)
+    B31 = P32 * n3_0 - P33 * n2_0  # fact: definition turned_columns_start.B31; (3)
+    B32 = P33 * n1_0 - P31 * n3_0  # fact: definition turned_columns_start.B32; (3)
     B33 = P31 * n2_0 - P32 * n1_0  # fact: definition turned_columns_start.B33; (3)
     return c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
 
@@ -1566,32 +1573,32 @@ def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1
     common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
     common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
     R11 = 1 - 2 * (common_1 + common_2)  # fact: definition turned_columns.R11; (3)
-    common_3 = q1 * q2  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
-    common_4 = q0 * q3  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
-    R12 = 2 * (common_3 - common_4)  # fact: definition turned_columns.R12; (3)
-    common_5 = q3 * q1  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
-    common_6 = q0 * q2  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
+    common_3 = q0 * q3  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
+    common_4 = q1 * q2  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
+    R12 = -2 * (common_3 - common_4)  # fact: definition turned_columns.R12; (3)
+    common_5 = q0 * q2  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
+    common_6 = q1 * q3  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
     R13 = 2 * (common_5 + common_6)  # fact: definition turned_columns.R13; (3)
     R21 = 2 * (common_3 + common_4)  # fact: definition turned_columns.R21; (3)
     common_7 = q1 * q1  # fact: definition turned_columns.R22, definition turned_columns.R33; (3)
-    R22 = 1 - 2 * (common_2 + common_7)  # fact: definition turned_columns.R22; (3)
-    common_8 = q2 * q3  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
-    common_9 = q0 * q1  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
-    R23 = 2 * (common_8 - common_9)  # fact: definition turned_columns.R23; (3)
-    R31 = 2 * (common_5 - common_6)  # fact: definition turned_columns.R31; (3)
+    R22 = 1 - 2 * (common_7 + common_2)  # fact: definition turned_columns.R22; (3)
+    common_8 = q0 * q1  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
+    common_9 = q2 * q3  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
+    R23 = -2 * (common_8 - common_9)  # fact: definition turned_columns.R23; (3)
+    R31 = -2 * (common_5 - common_6)  # fact: definition turned_columns.R31; (3)
     R32 = 2 * (common_8 + common_9)  # fact: definition turned_columns.R32; (3)
     R33 = 1 - 2 * (common_7 + common_1)  # fact: definition turned_columns.R33; (3)
     n1 = c1 * Omega1 * per_K2  # fact: definition turned_columns.n1; (3)
     n2 = c2 * Omega2 * per_K2  # fact: definition turned_columns.n2; (3)
     n3 = c3 * Omega3 * per_K2  # fact: definition turned_columns.n3; (3)
     X11 = R12 * n3 - R13 * n2  # fact: definition turned_columns.X11; (3)
-    X21 = R22 * n3 - R23 * n2  # fact: definition turned_columns.X21; (3)
-    X31 = R32 * n3 - R33 * n2  # fact: definition turned_columns.X31; (3)
     X12 = R13 * n1 - R11 * n3  # fact: definition turned_columns.X12; (3)
-    X22 = R23 * n1 - R21 * n3  # fact: definition turned_columns.X22; (3)
-    X32 = R33 * n1 - R31 * n3  # fact: definition turned_columns.X32; (3)
     X13 = R11 * n2 - R12 * n1  # fact: definition turned_columns.X13; (3)
+    X21 = R22 * n3 - R23 * n2  # fact: definition turned_columns.X21; (3)
+    X22 = R23 * n1 - R21 * n3  # fact: definition turned_columns.X22; (3)
     X23 = R21 * n2 - R22 * n1  # fact: definition turned_columns.X23; (3)
+    X31 = R32 * n3 - R33 * n2  # fact: definition turned_columns.X31; (3)
+    X32 = R33 * n1 - R31 * n3  # fact: definition turned_columns.X32; (3)
     X33 = R31 * n2 - R32 * n1  # fact: definition turned_columns.X33; (3)
     Y11 = c1 * X11  # fact: definition turned_columns.Y11; (3)
     Y12 = c2 * X12  # fact: definition turned_columns.Y12; (3)
@@ -1602,33 +1609,33 @@ def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1
     Y31 = c1 * X31  # fact: definition turned_columns.Y31; (3)
     Y32 = c2 * X32  # fact: definition turned_columns.Y32; (3)
     Y33 = c3 * X33  # fact: definition turned_columns.Y33; (3)
-    common_10 = t * (c1 * Omega1_0)  # fact: definition turned_columns.eta1_by_Omega1, definition turned_columns.eta2_by_Omega1, definition turned_columns.eta3_by_Omega1; (3)
-    eta1_by_Omega1 = c1 * B11 - (Y11 * Omega1_by_Omega1 + Y12 * Omega2_by_Omega1 + Y13 * Omega3_by_Omega1) + common_10 * l1  # fact: definition turned_columns.eta1_by_Omega1; (3)
-    eta2_by_Omega1 = c1 * B21 - (Y21 * Omega1_by_Omega1 + Y22 * Omega2_by_Omega1 + Y23 * Omega3_by_Omega1) + common_10 * l2  # fact: definition turned_columns.eta2_by_Omega1; (3)
-    eta3_by_Omega1 = c1 * B31 - (Y31 * Omega1_by_Omega1 + Y32 * Omega2_by_Omega1 + Y33 * Omega3_by_Omega1) + common_10 * l3  # fact: definition turned_columns.eta3_by_Omega1; (3)
-    common_11 = t * (c2 * Omega2_0)  # fact: definition turned_columns.eta1_by_Omega2, definition turned_columns.eta2_by_Omega2, definition turned_columns.eta3_by_Omega2; (3)
-    eta1_by_Omega2 = c2 * B12 - (Y11 * Omega1_by_Omega2 + Y12 * Omega2_by_Omega2 + Y13 * Omega3_by_Omega2) + common_11 * l1  # fact: definition turned_columns.eta1_by_Omega2; (3)
-    eta2_by_Omega2 = c2 * B22 - (Y21 * Omega1_by_Omega2 + Y22 * Omega2_by_Omega2 + Y23 * Omega3_by_Omega2) + common_11 * l2  # fact: definition turned_columns.eta2_by_Omega2; (3)
-    eta3_by_Omega2 = c2 * B32 - (Y31 * Omega1_by_Omega2 + Y32 * Omega2_by_Omega2 + Y33 * Omega3_by_Omega2) + common_11 * l3  # fact: definition turned_columns.eta3_by_Omega2; (3)
-    common_12 = t * (c3 * Omega3_0)  # fact: definition turned_columns.eta1_by_Omega3, definition turned_columns.eta2_by_Omega3, definition turned_columns.eta3_by_Omega3; (3)
-    eta1_by_Omega3 = c3 * B13 - (Y11 * Omega1_by_Omega3 + Y12 * Omega2_by_Omega3 + Y13 * Omega3_by_Omega3) + common_12 * l1  # fact: definition turned_columns.eta1_by_Omega3; (3)
-    eta2_by_Omega3 = c3 * B23 - (Y21 * Omega1_by_Omega3 + Y22 * Omega2_by_Omega3 + Y23 * Omega3_by_Omega3) + common_12 * l2  # fact: definition turned_columns.eta2_by_Omega3; (3)
-    eta3_by_Omega3 = c3 * B33 - (Y31 * Omega1_by_Omega3 + Y32 * Omega2_by_Omega3 + Y33 * Omega3_by_Omega3) + common_12 * l3  # fact: definition turned_columns.eta3_by_Omega3; (3)
-    eta1_by_c1 = Omega1_0 * B11 - (Y11 * Omega1_by_c1 + Y12 * Omega2_by_c1 + Y13 * Omega3_by_c1 + Omega1 * X11) - excess1 * l1 / 2  # fact: definition turned_columns.eta1_by_c1; (3)
-    eta2_by_c1 = Omega1_0 * B21 - (Y21 * Omega1_by_c1 + Y22 * Omega2_by_c1 + Y23 * Omega3_by_c1 + Omega1 * X21) - excess1 * l2 / 2  # fact: definition turned_columns.eta2_by_c1; (3)
-    eta3_by_c1 = Omega1_0 * B31 - (Y31 * Omega1_by_c1 + Y32 * Omega2_by_c1 + Y33 * Omega3_by_c1 + Omega1 * X31) - excess1 * l3 / 2  # fact: definition turned_columns.eta3_by_c1; (3)
-    eta1_by_c2 = Omega2_0 * B12 - (Y11 * Omega1_by_c2 + Y12 * Omega2_by_c2 + Y13 * Omega3_by_c2 + Omega2 * X12) - excess2 * l1 / 2  # fact: definition turned_columns.eta1_by_c2; (3)
-    eta2_by_c2 = Omega2_0 * B22 - (Y21 * Omega1_by_c2 + Y22 * Omega2_by_c2 + Y23 * Omega3_by_c2 + Omega2 * X22) - excess2 * l2 / 2  # fact: definition turned_columns.eta2_by_c2; (3)
-    eta3_by_c2 = Omega2_0 * B32 - (Y31 * Omega1_by_c2 + Y32 * Omega2_by_c2 + Y33 * Omega3_by_c2 + Omega2 * X32) - excess2 * l3 / 2  # fact: definition turned_columns.eta3_by_c2; (3)
-    eta1_by_c3 = Omega3_0 * B13 - (Y11 * Omega1_by_c3 + Y12 * Omega2_by_c3 + Y13 * Omega3_by_c3 + Omega3 * X13) - excess3 * l1 / 2  # fact: definition turned_columns.eta1_by_c3; (3)
-    eta2_by_c3 = Omega3_0 * B23 - (Y21 * Omega1_by_c3 + Y22 * Omega2_by_c3 + Y23 * Omega3_by_c3 + Omega3 * X23) - excess3 * l2 / 2  # fact: definition turned_columns.eta2_by_c3; (3)
-    eta3_by_c3 = Omega3_0 * B33 - (Y31 * Omega1_by_c3 + Y32 * Omega2_by_c3 + Y33 * Omega3_by_c3 + Omega3 * X33) - excess3 * l3 / 2  # fact: definition turned_columns.eta3_by_c3; (3)
-    eta1_by_t = R11 * Omega1 + R12 * Omega2 + R13 * Omega3  # fact: definition turned_columns.eta1_by_t; (3)
-    eta2_by_t = R21 * Omega1 + R22 * Omega2 + R23 * Omega3  # fact: definition turned_columns.eta2_by_t; (3)
-    eta3_by_t = R31 * Omega1 + R32 * Omega2 + R33 * Omega3  # fact: definition turned_columns.eta3_by_t; (3)
-    Omega1_by_t = c23 / c1 * Omega2 * Omega3  # fact: definition turned_columns.Omega1_by_t; (3)
-    Omega2_by_t = -c13 / c2 * Omega3 * Omega1  # fact: definition turned_columns.Omega2_by_t; (3)
-    Omega3_by_t = c12 / c3 * Omega1 * Omega2  # fact: definition turned_columns.Omega3_by_t; (3)
+    common_10 = c1 * Omega1_0 * t  # fact: definition turned_columns.eta1_by_Omega1, definition turned_columns.eta2_by_Omega1, definition turned_columns.eta3_by_Omega1; (3)
+    eta1_by_Omega1 = c1 * B11 - (Omega1_by_Omega1 * Y11 + Omega2_by_Omega1 * Y12 + Omega3_by_Omega1 * Y13) + common_10 * l1  # fact: definition turned_columns.eta1_by_Omega1; (3)
+    eta2_by_Omega1 = c1 * B21 - (Omega1_by_Omega1 * Y21 + Omega2_by_Omega1 * Y22 + Omega3_by_Omega1 * Y23) + common_10 * l2  # fact: definition turned_columns.eta2_by_Omega1; (3)
+    eta3_by_Omega1 = c1 * B31 - (Omega1_by_Omega1 * Y31 + Omega2_by_Omega1 * Y32 + Omega3_by_Omega1 * Y33) + common_10 * l3  # fact: definition turned_columns.eta3_by_Omega1; (3)
+    common_11 = c2 * Omega2_0 * t  # fact: definition turned_columns.eta1_by_Omega2, definition turned_columns.eta2_by_Omega2, definition turned_columns.eta3_by_Omega2; (3)
+    eta1_by_Omega2 = c2 * B12 - (Omega1_by_Omega2 * Y11 + Omega2_by_Omega2 * Y12 + Omega3_by_Omega2 * Y13) + common_11 * l1  # fact: definition turned_columns.eta1_by_Omega2; (3)
+    eta2_by_Omega2 = c2 * B22 - (Omega1_by_Omega2 * Y21 + Omega2_by_Omega2 * Y22 + Omega3_by_Omega2 * Y23) + common_11 * l2  # fact: definition turned_columns.eta2_by_Omega2; (3)
+    eta3_by_Omega2 = c2 * B32 - (Omega1_by_Omega2 * Y31 + Omega2_by_Omega2 * Y32 + Omega3_by_Omega2 * Y33) + common_11 * l3  # fact: definition turned_columns.eta3_by_Omega2; (3)
+    common_12 = c3 * Omega3_0 * t  # fact: definition turned_columns.eta1_by_Omega3, definition turned_columns.eta2_by_Omega3, definition turned_columns.eta3_by_Omega3; (3)
+    eta1_by_Omega3 = c3 * B13 - (Omega1_by_Omega3 * Y11 + Omega2_by_Omega3 * Y12 + Omega3_by_Omega3 * Y13) + common_12 * l1  # fact: definition turned_columns.eta1_by_Omega3; (3)
+    eta2_by_Omega3 = c3 * B23 - (Omega1_by_Omega3 * Y21 + Omega2_by_Omega3 * Y22 + Omega3_by_Omega3 * Y23) + common_12 * l2  # fact: definition turned_columns.eta2_by_Omega3; (3)
+    eta3_by_Omega3 = c3 * B33 - (Omega1_by_Omega3 * Y31 + Omega2_by_Omega3 * Y32 + Omega3_by_Omega3 * Y33) + common_12 * l3  # fact: definition turned_columns.eta3_by_Omega3; (3)
+    eta1_by_c1 = Omega1_0 * B11 - (Omega1 * X11 + Omega1_by_c1 * Y11 + Omega2_by_c1 * Y12 + Omega3_by_c1 * Y13) - excess1 * l1 / 2  # fact: definition turned_columns.eta1_by_c1; (3)
+    eta2_by_c1 = Omega1_0 * B21 - (Omega1 * X21 + Omega1_by_c1 * Y21 + Omega2_by_c1 * Y22 + Omega3_by_c1 * Y23) - excess1 * l2 / 2  # fact: definition turned_columns.eta2_by_c1; (3)
+    eta3_by_c1 = Omega1_0 * B31 - (Omega1 * X31 + Omega1_by_c1 * Y31 + Omega2_by_c1 * Y32 + Omega3_by_c1 * Y33) - excess1 * l3 / 2  # fact: definition turned_columns.eta3_by_c1; (3)
+    eta1_by_c2 = Omega2_0 * B12 - (Omega2 * X12 + Omega1_by_c2 * Y11 + Omega2_by_c2 * Y12 + Omega3_by_c2 * Y13) - excess2 * l1 / 2  # fact: definition turned_columns.eta1_by_c2; (3)
+    eta2_by_c2 = Omega2_0 * B22 - (Omega2 * X22 + Omega1_by_c2 * Y21 + Omega2_by_c2 * Y22 + Omega3_by_c2 * Y23) - excess2 * l2 / 2  # fact: definition turned_columns.eta2_by_c2; (3)
+    eta3_by_c2 = Omega2_0 * B32 - (Omega2 * X32 + Omega1_by_c2 * Y31 + Omega2_by_c2 * Y32 + Omega3_by_c2 * Y33) - excess2 * l3 / 2  # fact: definition turned_columns.eta3_by_c2; (3)
+    eta1_by_c3 = Omega3_0 * B13 - (Omega3 * X13 + Omega1_by_c3 * Y11 + Omega2_by_c3 * Y12 + Omega3_by_c3 * Y13) - excess3 * l1 / 2  # fact: definition turned_columns.eta1_by_c3; (3)
+    eta2_by_c3 = Omega3_0 * B23 - (Omega3 * X23 + Omega1_by_c3 * Y21 + Omega2_by_c3 * Y22 + Omega3_by_c3 * Y23) - excess3 * l2 / 2  # fact: definition turned_columns.eta2_by_c3; (3)
+    eta3_by_c3 = Omega3_0 * B33 - (Omega3 * X33 + Omega1_by_c3 * Y31 + Omega2_by_c3 * Y32 + Omega3_by_c3 * Y33) - excess3 * l3 / 2  # fact: definition turned_columns.eta3_by_c3; (3)
+    eta1_by_t = Omega1 * R11 + Omega2 * R12 + Omega3 * R13  # fact: definition turned_columns.eta1_by_t; (3)
+    eta2_by_t = Omega1 * R21 + Omega2 * R22 + Omega3 * R23  # fact: definition turned_columns.eta2_by_t; (3)
+    eta3_by_t = Omega1 * R31 + Omega2 * R32 + Omega3 * R33  # fact: definition turned_columns.eta3_by_t; (3)
+    Omega1_by_t = Omega2 * Omega3 * c23 / c1  # fact: definition turned_columns.Omega1_by_t; (3)
+    Omega2_by_t = -Omega1 * Omega3 * c13 / c2  # fact: definition turned_columns.Omega2_by_t; (3)
+    Omega3_by_t = Omega1 * Omega2 * c12 / c3  # fact: definition turned_columns.Omega3_by_t; (3)
     return eta1_by_Omega1, eta1_by_Omega2, eta1_by_Omega3, eta1_by_c1, eta1_by_c2, eta1_by_c3, eta2_by_Omega1, eta2_by_Omega2, eta2_by_Omega3, eta2_by_c1, eta2_by_c2, eta2_by_c3, eta3_by_Omega1, eta3_by_Omega2, eta3_by_Omega3, eta3_by_c1, eta3_by_c2, eta3_by_c3, eta1_by_t, eta2_by_t, eta3_by_t, Omega1_by_t, Omega2_by_t, Omega3_by_t
 
 

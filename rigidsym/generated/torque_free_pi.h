@@ -19,7 +19,7 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  10 %  follow facts of the ledger, each named on its line
+    294  10 %  follow facts of the ledger, each named on its line
     317  10 %  follow classical formulas, each with its reference
      69   2 %  are arithmetic: sums, products, quotients, roots, reductions
    2233  73 %  are the runtime, printed from its one representation
@@ -79,7 +79,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.2e-15  9.1e-16
 
 rigidsym 0.1.0, emitter c/2
-digest 0530d3625df69949efb0b2aedbaff2b49f71fc4a0bb466e2d859bcbf472fbb8c
+digest 06f516f1c465f43dcf94dbf5fcc470badf892ad6f5666c64346cf851ce221e9d
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  15 %  follow facts of the ledger, each named on its line
+    294  15 %  follow facts of the ledger, each named on its line
     317  16 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1154  59 %  are the runtime, printed from its one representation
+   1154  60 %  are the runtime, printed from its one representation
     101   5 %  are written by hand
 
 Grades: facts are PROVED by normal form; that the integral grows equally in every half period, by
@@ -79,7 +79,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.2e-15  9.6e-16
 
 rigidsym 0.1.0, emitter javascript/2
-digest 17d5d556a8a06b60c040c86ce816d25ad9462e07d53fd51892ef7c16b1307622
+digest ea2bd86dbc985e487ef653756bbcd4ce5ae5f96eed8548773c1c9bbcedd6201c
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -523,13 +523,13 @@ function discriminant_exact(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d) {
 function circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2) {
     const c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     const c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    const common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const rest = 0.0; /* fact: rest.rates */
     const spherical = 0.0; /* fact: spherical.moments */
     const prolate_equatorial = 0.0; /* fact: prolate_equatorial.parallel */
@@ -649,7 +649,7 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
     const common_13 = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
     const n = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
     const psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
-    const kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
+    const kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(mu, common_13)); /* fact: descended.kappa; (34) */
     const sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
     const cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
     const dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
@@ -658,9 +658,9 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
     const root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
     const kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
     const common_14 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const common_15 = dd_mul_xx(dd_add_dx(1.0, k_1), common_14); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_15 = dd_mul_xx(common_14, dd_add_dx(1.0, k_1)); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const s = dd_div_xx(dd_mul_dx(2.0, sn), common_15); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const v = dd_sqrt(dd_mul_xx(common_15, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+    const v = dd_sqrt(dd_mul_xx(common_15, dd_add_xx(k_c, dn))); /* fact: landen.v; DLMF 22.7.4 */
     const c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
     const d = dd_div_xx(v, common_14); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
     return [K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, psi_0, n, kappa, H, s, c, d, epsilon, sigma, rho, chi];
@@ -669,20 +669,20 @@ function initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_
 /* One step of Landen's descending transformation. */
 function landen(k, kc, s, c, d, r, Y) {
     const common_1 = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
-    const common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const common_2 = dd_mul_xx(common_1, common_1); /* fact: landen.k_next, landen.r_next; DLMF 22.7.1 */
+    const k_next = dd_div_xx(dd_mul_xx(k, k), common_2); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_kc = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
     const kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_3 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
-    const common_4 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_3 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const common_4 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
     const common_5 = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    const v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(kc, d))); /* fact: landen.v; DLMF 22.7.4 */
     const c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const d_next = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    const r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
-    const S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
-    const Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
+    const d_next = dd_div_xx(v, common_3); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    const r_next = dd_div_xx(dd_mul_xx(k, r), common_2); /* fact: landen.r_next; DLMF 22.7.1 */
+    const S = dd_sqrt(dd_add_xx(dd_mul_xx(common_4, common_4), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    const Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_4, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     return [k_next, kc_next, s_next, c_next, d_next, r_next, Y_next];
 }
 
@@ -961,35 +961,33 @@ function dd_sub_dx(x, y) {
 /* The constants of a motion on the circular branch, from `_initial_state`. */
 function circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s, c, d, c_a,
     c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, motion) {
-    const common_1 = dd_add_dx(1.0, kc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_2 = dd_div_xx(k_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const common_1 = dd_mul_xx(k_1, k_1); /* fact: landen.k_next; DLMF 22.7.1, DLMF 19.36.1 */
+    const common_2 = dd_add_dx(1.0, kc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+    const k_2 = dd_div_xx(common_1, dd_mul_xx(common_2, common_2)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_1 = dd_sqrt(kc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const kc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const kc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_2); /* fact: definition landen.kc_next; DLMF 22.7.1 */
     const common_3 = dd_add_dx(1.0, kc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_4 = dd_div_xx(k_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
+    const k_3 = dd_div_xx(dd_mul_xx(k_2, k_2), dd_mul_xx(common_3, common_3)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_2 = dd_sqrt(kc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
     const kc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_5 = dd_add_dx(1.0, kc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_6 = dd_div_xx(k_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
+    const common_4 = dd_add_dx(1.0, kc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+    const k_4 = dd_div_xx(dd_mul_xx(k_3, k_3), dd_mul_xx(common_4, common_4)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_3 = dd_sqrt(kc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const kc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_7 = dd_div_xx(k_4, dd_add_dx(1.0, kc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
-    const k_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
+    const kc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_4); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const common_5 = dd_add_dx(1.0, kc_4); /* fact: landen.k_next; DLMF 22.7.1 */
+    const k_5 = dd_div_xx(dd_mul_xx(k_4, k_4), dd_mul_xx(common_5, common_5)); /* fact: landen.k_next; DLMF 22.7.1 */
     let [K_1, sin_v, cos_v, shift] = ladder(k_1, kc_1, s, c, d, k_1, dd_of(0.0)); /* classical: DLMF 19.8.12 */
     const v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
     const two_K = dd_mul_dx(2.0, K_1); /* classical: DLMF 22.4(i) */
     const v_rate = dd_div_xx(mu, two_K); /* arithmetic */
     const u_start = dd_mul_xx(two_K, v); /* arithmetic */
-    const common_8 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6, DLMF 19.36.1 */
-    let [quarter, total] = complete(kc_1, common_8); /* classical: DLMF 19.8.6 */
+    const common_6 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6, DLMF 19.36.1 */
+    let [quarter, total] = complete(kc_1, common_6); /* classical: DLMF 19.8.6 */
     const characteristic = n; /* arithmetic */
-    const j = dd_div_xx(total, dd_mul_dx(2.0, common_8)); /* classical: DLMF 19.8.6 */
+    const j = dd_div_xx(total, dd_mul_dx(2.0, common_6)); /* classical: DLMF 19.8.6 */
     const Lambda = dd_div_xd(dd_add_xx(psi_0, dd_mul_xx(dd_mul_xx(kappa, mu), j)), 2.0); /* fact: definition pi_form.Lambda; (33), (34) */
     const Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const spread = dd_mul_xx(dd_mul_xx(dd_neg(n), common_8), dd_sub_xx(dd_mul_xx(k_1, k_1), n)); /* classical: DLMF 19.36.1 */
+    const spread = dd_mul_xx(dd_mul_xx(dd_neg(n), common_6), dd_sub_xx(common_1, n)); /* classical: DLMF 19.36.1 */
     const path = dd_rounded(dd_sub_dx(1.0, dd_mul_xx(n, dd_mul_xx(s, s)))); /* classical: DLMF 19.25.14 */
     const J_0 = third_kind(dd_rounded(s), dd_rounded(c), dd_rounded(d), path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
     const rest_0 = dd_div_xd(dd_mul_xx(kappa, dd_sub_dx(J_0, dd_mul_xx(j, u_start))), 2.0); /* fact: definition pi_form.rest_0; (36) */
@@ -997,9 +995,9 @@ function circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kapp
     const M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
     const M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
     const tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const common_9 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
-    const nu = dd_sqrt(dd_mul_xx(common_9, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
-    const s_0 = dd_div_xx(nu, common_9); /* fact: definition attitude.s_0; (27) */
+    const common_7 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
+    const nu = dd_sqrt(dd_mul_xx(common_7, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
+    const s_0 = dd_div_xx(nu, common_7); /* fact: definition attitude.s_0; (27) */
     const s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
     const s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
     const qbar_0 = s_0; /* fact: definition attitude.qbar_0; (18), (25) */
@@ -1079,24 +1077,24 @@ function circular_angles(motion, t, t_lo) {
     const w_sign = alternating(half_periods); /* classical: DLMF 4.16 */
     const s_5 = w_sign * fused(w_rest, pi_hi, w_rest * fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
     const c_5 = w_sign * fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
-    const common_1 = k_5 * (s_5 * s_5); /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
+    const common_1 = s_5 * s_5 * k_5; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
     const common_2 = 1.0 + common_1; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
-    const s_4 = (1.0 + k_5) * s_5 / common_2; /* fact: definition landen.s; DLMF 22.7.2 */
+    const s_4 = s_5 * (1.0 + k_5) / common_2; /* fact: definition landen.s; DLMF 22.7.2 */
     const c_4 = c_5 / common_2; /* fact: definition landen.c; DLMF 22.7.2 */
     const d_4 = (1.0 - common_1) / common_2; /* fact: definition landen.d; DLMF 22.7.2 */
-    const common_3 = k_4 * (s_4 * s_4); /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
+    const common_3 = s_4 * s_4 * k_4; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
     const common_4 = 1.0 + common_3; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
-    const s_3 = (1.0 + k_4) * s_4 / common_4; /* fact: definition landen.s; DLMF 22.7.2 */
+    const s_3 = s_4 * (1.0 + k_4) / common_4; /* fact: definition landen.s; DLMF 22.7.2 */
     const c_3 = c_4 * d_4 / common_4; /* fact: definition landen.c; DLMF 22.7.2 */
     const d_3 = (1.0 - common_3) / common_4; /* fact: definition landen.d; DLMF 22.7.2 */
-    const common_5 = k_3 * (s_3 * s_3); /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
+    const common_5 = s_3 * s_3 * k_3; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
     const common_6 = 1.0 + common_5; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
-    const s_2 = (1.0 + k_3) * s_3 / common_6; /* fact: definition landen.s; DLMF 22.7.2 */
+    const s_2 = s_3 * (1.0 + k_3) / common_6; /* fact: definition landen.s; DLMF 22.7.2 */
     const c_2 = c_3 * d_3 / common_6; /* fact: definition landen.c; DLMF 22.7.2 */
     const d_2 = (1.0 - common_5) / common_6; /* fact: definition landen.d; DLMF 22.7.2 */
-    const common_7 = k_2 * (s_2 * s_2); /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
+    const common_7 = s_2 * s_2 * k_2; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
     const common_8 = 1.0 + common_7; /* fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2 */
-    const s = (1.0 + k_2) * s_2 / common_8; /* fact: definition landen.s; DLMF 22.7.2 */
+    const s = s_2 * (1.0 + k_2) / common_8; /* fact: definition landen.s; DLMF 22.7.2 */
     const c = c_2 * d_2 / common_8; /* fact: definition landen.c; DLMF 22.7.2 */
     const d = (1.0 - common_7) / common_8; /* fact: definition landen.d; DLMF 22.7.2 */
     const path = fused(-characteristic, s * s, 1.0); /* classical: DLMF 19.25.14 */
@@ -1139,10 +1137,10 @@ function circular_state(motion, s, c, X_im, X_re, d) {
     const p_d = motion.p_d;
     const unit = motion.unit;
     const common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    const sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     const cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    const dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    const dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     const inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     const inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     const inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -1186,57 +1184,54 @@ function hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, m
     const l_1 = kc_1; /* classical: DLMF 22.7.1 */
     const lc_1 = k_1; /* classical: DLMF 22.7.1 */
     const common_1 = dd_add_dx(1.0, lc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_2 = dd_div_xx(l_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const l_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const l_2 = dd_div_xx(dd_mul_xx(l_1, l_1), dd_mul_xx(common_1, common_1)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_1 = dd_sqrt(lc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
     const lc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_3 = dd_add_dx(1.0, lc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_4 = dd_div_xx(l_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
-    const l_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
+    const common_2 = dd_add_dx(1.0, lc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+    const l_3 = dd_div_xx(dd_mul_xx(l_2, l_2), dd_mul_xx(common_2, common_2)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_2 = dd_sqrt(lc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const lc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_5 = dd_add_dx(1.0, lc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const common_6 = dd_div_xx(l_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
-    const l_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
+    const lc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_2); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const common_3 = dd_add_dx(1.0, lc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+    const l_4 = dd_div_xx(dd_mul_xx(l_3, l_3), dd_mul_xx(common_3, common_3)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_3 = dd_sqrt(lc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const lc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const common_7 = dd_div_xx(l_4, dd_add_dx(1.0, lc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
-    const l_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
+    const lc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const common_4 = dd_add_dx(1.0, lc_4); /* fact: landen.k_next; DLMF 22.7.1 */
+    const l_5 = dd_div_xx(dd_mul_xx(l_4, l_4), dd_mul_xx(common_4, common_4)); /* fact: landen.k_next; DLMF 22.7.1 */
     const root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
     const x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
-    const common_8 = dd_mul_xx(x, x); /* fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36) */
-    const y = dd_sqrt(dd_add_dx(1.0, common_8)); /* fact: theta_form.y; DLMF 22.6.1 */
-    const common_9 = dd_mul_xx(k_1, x); /* fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36) */
-    const z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_9, common_9))); /* fact: theta_form.z; DLMF 22.6.1 */
+    const common_5 = dd_mul_xx(x, x); /* fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36) */
+    const y = dd_sqrt(dd_add_dx(1.0, common_5)); /* fact: theta_form.y; DLMF 22.6.1 */
+    const common_6 = dd_mul_xx(k_1, x); /* fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36) */
+    const z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_6, common_6))); /* fact: theta_form.z; DLMF 22.6.1 */
     const size_s = dd_size(s); /* classical: DLMF 22.4.3 */
-    const common_10 = dd_mul_xx(c, c); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
-    const near = dd_rounded(common_10); /* classical: DLMF 22.4.3 */
-    const common_11 = dd_mul_xx(s, s); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
-    const far = dd_rounded(dd_mul_xx(kc_1, common_11)); /* classical: DLMF 22.4.3 */
+    const common_7 = dd_mul_xx(c, c); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
+    const near = dd_rounded(common_7); /* classical: DLMF 22.4.3 */
+    const common_8 = dd_mul_xx(s, s); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
+    const far = dd_rounded(dd_mul_xx(kc_1, common_8)); /* classical: DLMF 22.4.3 */
     const above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
-    const common_12 = dd_mul_xx(kc_1, size_s); /* classical: DLMF 22.4.3, DLMF 22.4(iii) */
-    const below = dd_choose(far, near, c, common_12); /* classical: DLMF 22.4.3 */
+    const common_9 = dd_mul_xx(kc_1, size_s); /* classical: DLMF 22.4.3, DLMF 22.4(iii) */
+    const below = dd_choose(far, near, c, common_9); /* classical: DLMF 22.4.3 */
     const xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
     let [K_c, sin_b, cos_b, Y_b] = ladder(kc_1, k_1, dd_of(0.0), dd_of(1.0), dd_of(1.0), kc_1, xi); /* classical: DLMF 19.8.12 */
     const gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* arithmetic */
-    const common_13 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6 */
-    let [K_1, total] = complete(kc_1, common_13); /* classical: DLMF 19.8.6 */
+    const common_10 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6 */
+    let [K_1, total] = complete(kc_1, common_10); /* classical: DLMF 19.8.6 */
     const characteristic = n; /* arithmetic */
-    const j = dd_div_xx(total, dd_mul_dx(2.0, common_13)); /* classical: DLMF 19.8.6 */
-    const common_14 = dd_mul_xx(z, z); /* fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36) */
-    const delta = dd_div_xx(m_c, common_14); /* fact: definition pi_near.delta; (36) */
+    const j = dd_div_xx(total, dd_mul_dx(2.0, common_10)); /* classical: DLMF 19.8.6 */
+    const common_11 = dd_mul_xx(z, z); /* fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36) */
+    const delta = dd_div_xx(m_c, common_11); /* fact: definition pi_near.delta; (36) */
     const n_2 = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
     const Lambda = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
-    const g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_9, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_8))); /* fact: definition pi_near.g; (36) */
-    const g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_14)); /* fact: definition pi_near.g_1; (36) */
-    const common_15 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
-    const g_2 = dd_div_xx(dd_mul_xx(common_15, m_c), dd_mul_xx(common_14, z)); /* fact: definition pi_near.g_2; (36) */
+    const g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_6, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_5))); /* fact: definition pi_near.g; (36) */
+    const g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(common_11, dd_add_dx(1.0, k_1))); /* fact: definition pi_near.g_1; (36) */
+    const common_12 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
+    const g_2 = dd_div_xx(dd_mul_xx(common_12, m_c), dd_mul_xx(common_11, z)); /* fact: definition pi_near.g_2; (36) */
     const h_2 = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
-    const slope = common_15; /* fact: definition pi_near.slope; (36) */
-    const alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
+    const slope = common_12; /* fact: definition pi_near.slope; (36) */
+    const alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(j, dd_sub_xx(k_1, n)))); /* fact: definition pi_near.alpha; (36) */
     const Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const common_16 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
-    const spread = dd_mul_xx(n_2, dd_mul_xx(common_16, common_16)); /* classical: DLMF 19.36.1 */
+    const common_13 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
+    const spread = dd_mul_xx(n_2, dd_mul_xx(common_13, common_13)); /* classical: DLMF 19.36.1 */
     const kc_d = dd_rounded(kc_1); /* classical: DLMF 22.4(i) */
     const period = dd_choose(kc_d, 0.0, dd_of(0.0), dd_mul_xx(dd_mul_dx(2.0, K_1), gc)); /* classical: DLMF 22.4(i) */
     const period_far = choose(kc_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 22.4(i) */
@@ -1250,18 +1245,18 @@ function hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, m
     const y_rate = dd_mul_xx(mu, gc); /* arithmetic */
     const jump = dd_div_xx(dd_mul_dx(-2.0 * rho, alpha), pi); /* classical: DLMF 19.2.7 */
     const near_s = dd_rounded(dd_choose(far, near, size_s, dd_div_xx(c, d))); /* classical: DLMF 22.4(iii) */
-    const near_c = dd_rounded(dd_choose(far, near, c, dd_div_xx(common_12, d))); /* classical: DLMF 22.4(iii) */
+    const near_c = dd_rounded(dd_choose(far, near, c, dd_div_xx(common_9, d))); /* classical: DLMF 22.4(iii) */
     const near_d = dd_rounded(dd_choose(far, near, d, dd_div_xx(kc_1, d))); /* classical: DLMF 22.4(iii) */
     const cosine = choose(near_c, least_c, least_c, near_c); /* classical: DLMF 22.4(iii) */
     const path = fused(cosine, cosine, dd_rounded(delta) * (near_s * near_s)); /* classical: DLMF 19.25.14 */
     const third = third_kind(near_s, cosine, near_d, path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
     const w = dd_div_xx(y_b, gc); /* arithmetic */
-    const common_17 = dd_mul_xx(g_1, w); /* arithmetic */
-    const from_crossing = dd_add_xx(common_17, dd_mul_xd(g_2, third)); /* arithmetic */
-    const from_saddle = dd_sub_xx(alpha, dd_add_xx(common_17, dd_mul_xd(h_2, third))); /* arithmetic */
+    const common_14 = dd_mul_xx(g_1, w); /* arithmetic */
+    const from_crossing = dd_add_xx(common_14, dd_mul_xd(g_2, third)); /* arithmetic */
+    const from_saddle = dd_sub_xx(alpha, dd_add_xx(common_14, dd_mul_xd(h_2, third))); /* arithmetic */
     const rest = dd_choose(far, near, from_crossing, from_saddle); /* arithmetic */
     const start_rest = dd_mul_dx(side, rest); /* arithmetic */
-    const T_size = dd_sqrt(dd_mul_xx(dd_mul_xx(common_14, dd_sub_dx(1.0, dd_mul_xx(n, common_11))), dd_add_xx(common_10, dd_mul_xx(delta, common_11)))); /* fact: pi_near.T_size; (36) */
+    const T_size = dd_sqrt(dd_mul_xx(dd_mul_xx(common_11, dd_sub_dx(1.0, dd_mul_xx(n, common_8))), dd_add_xx(common_7, dd_mul_xx(delta, common_8)))); /* fact: pi_near.T_size; (36) */
     const T_re = dd_div_xx(dd_mul_xx(z, d), T_size); /* fact: definition arctangent.T_re; (36) */
     const T_im = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(-rho, slope), s), c), T_size); /* fact: definition arctangent.T_im; (36) */
     const start_re = dd_choose(far, near, T_re, dd_of(1.0)); /* arithmetic */
@@ -1270,16 +1265,16 @@ function hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, m
     const M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
     const M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
     const tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const common_18 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
-    const nu = dd_sqrt(dd_mul_xx(common_18, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
-    const s_0 = dd_div_xx(nu, common_18); /* fact: definition attitude.s_0; (27) */
+    const common_15 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
+    const nu = dd_sqrt(dd_mul_xx(common_15, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
+    const s_0 = dd_div_xx(nu, common_15); /* fact: definition attitude.s_0; (27) */
     const s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
     const s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
     const qbar_0 = dd_mul_xx(start_re, s_0); /* fact: definition attitude.qbar_0; (18), (25) */
     const qbar_a = dd_mul_xx(dd_mul_dx(sigma, start_im), s_0); /* fact: definition attitude.qbar_a; (18), (25) */
-    const common_19 = dd_mul_dx(epsilon * sigma, start_im); /* fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25) */
-    const qbar_b = dd_sub_xx(dd_mul_xx(start_re, s_b), dd_mul_xx(common_19, s_d)); /* fact: definition attitude.qbar_b; (18), (25) */
-    const qbar_d = dd_add_xx(dd_mul_xx(start_re, s_d), dd_mul_xx(common_19, s_b)); /* fact: definition attitude.qbar_d; (18), (25) */
+    const common_16 = dd_mul_dx(epsilon * sigma, start_im); /* fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25) */
+    const qbar_b = dd_sub_xx(dd_mul_xx(start_re, s_b), dd_mul_xx(common_16, s_d)); /* fact: definition attitude.qbar_b; (18), (25) */
+    const qbar_d = dd_add_xx(dd_mul_xx(start_re, s_d), dd_mul_xx(common_16, s_b)); /* fact: definition attitude.qbar_d; (18), (25) */
     const p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
     const p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
     const p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
@@ -1386,14 +1381,14 @@ function hyperbolic_angles(motion, t, t_lo) {
     const bounded = choose(nearer, deepest, nearer, deepest); /* classical: DLMF 4.28 */
     const falling = exponential(-bounded); /* classical: DLMF 4.28.1 */
     const x_5 = fused(-falling, falling, 1.0) / (2.0 * falling); /* classical: DLMF 4.28.1 */
-    const inside_4 = fused(-l_5, x_5 * x_5, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
-    const x_4 = (1.0 + l_5) * x_5 / inside_4; /* fact: definition landen.x; DLMF 22.7.2 */
-    const inside_3 = fused(-l_4, x_4 * x_4, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
-    const x_3 = (1.0 + l_4) * x_4 / inside_3; /* fact: definition landen.x; DLMF 22.7.2 */
-    const inside_2 = fused(-l_3, x_3 * x_3, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
-    const x_2 = (1.0 + l_3) * x_3 / inside_2; /* fact: definition landen.x; DLMF 22.7.2 */
-    const inside = fused(-l_2, x_2 * x_2, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
-    const x = (1.0 + l_2) * x_2 / inside; /* fact: definition landen.x; DLMF 22.7.2 */
+    const inside_4 = fused(-(x_5 * x_5), l_5, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
+    const x_4 = x_5 * (1.0 + l_5) / inside_4; /* fact: definition landen.x; DLMF 22.7.2 */
+    const inside_3 = fused(-(x_4 * x_4), l_4, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
+    const x_3 = x_4 * (1.0 + l_4) / inside_3; /* fact: definition landen.x; DLMF 22.7.2 */
+    const inside_2 = fused(-(x_3 * x_3), l_3, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
+    const x_2 = x_3 * (1.0 + l_3) / inside_2; /* fact: definition landen.x; DLMF 22.7.2 */
+    const inside = fused(-(x_2 * x_2), l_2, 1.0); /* fact: definition landen.inside; DLMF 22.7.2 */
+    const x = x_2 * (1.0 + l_2) / inside; /* fact: definition landen.x; DLMF 22.7.2 */
     const common_1 = x * x; /* classical: DLMF 22.6.1 */
     const size_x = Math.sqrt(1.0 + common_1); /* classical: DLMF 22.6.1 */
     const near_c = 1.0 / size_x; /* classical: DLMF 22.6.1 */
@@ -1469,10 +1464,10 @@ function hyperbolic_state(motion, s, c, X_im, X_re, d) {
     const p_d = motion.p_d;
     const unit = motion.unit;
     const common_1 = s * s; /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4 */
-    const sn = (1.0 + k_1) * s / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
+    const common_2 = fused(k_1, common_1, 1.0); /* fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3 */
+    const sn = s * (1.0 + k_1) / common_2; /* fact: definition descended.sn; DLMF 22.7.2 */
     const cn = c * d / common_2; /* fact: definition descended.cn; DLMF 22.7.3 */
-    const dn = fused(c, c, 2.0 * k_c / (1.0 + k_c) * common_1) / common_2; /* fact: descended.dn; DLMF 22.7.4 */
+    const dn = fused(c, c, common_1 * (2.0 * k_c / (1.0 + k_c))) / fused(common_1, k_1, 1.0); /* fact: descended.dn; DLMF 22.7.4 */
     const inner_a = sigma * A_a * dn; /* fact: definition regular.Omega_a; (10) */
     const inner_b = chi * A_b * sn; /* fact: definition regular.Omega_b; (10) */
     const inner_d = chi * tau * A_d * cn; /* fact: definition regular.Omega_d; (10) */
@@ -2262,7 +2257,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "17d5d556a8a06b60c040c86ce816d25ad9462e07d53fd51892ef7c16b1307622";
+    return "ea2bd86dbc985e487ef653756bbcd4ce5ae5f96eed8548773c1c9bbcedd6201c";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

@@ -19,8 +19,8 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    298  19 %  follow facts of the ledger, each named on its line
-    311  19 %  follow classical formulas, each with its reference
+    293  18 %  follow facts of the ledger, each named on its line
+    311  20 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
     439  28 %  are the runtime, printed from its one representation
     479  30 %  are written by hand
@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.2e-15  9.6e-16
 
 rigidsym 0.1.0, emitter numpy/2
-digest eee5496dab6595efa7632a7f5332645a0431cf14c2bbf08c57aeca2efc82733d
+digest 6fdd3d8407d742bcff8bdcf96ecb10147a8a418fb40c61aa106d1b6f520a7fdf
 """
 
 # ruff: noqa
@@ -367,13 +367,13 @@ def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
     """1 or -1 where a is the axis of largest or smallest moment, 0 for constant rates."""
     c_1 = 1 + c_13  # fact: definition sorted_body.c_1
     c_2 = 1 + c_23  # fact: definition sorted_body.c_2
-    common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
-    common_2 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
-    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # fact: definition sorted_body.E_1
+    common_1 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
+    common_2 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
+    E_1 = c_13 * common_1 + common_2 * c_12 * c_2  # fact: definition sorted_body.E_1
     common_3 = Omega_1 * Omega_1  # fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle
-    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # fact: definition sorted_body.E_3
-    turning = common_3 + common_1 + common_2  # fact: definition sorted_body.turning
-    off_middle = common_3 + common_2  # fact: definition sorted_body.off_middle
+    E_3 = c_13 * common_3 * c_1 + c_23 * common_2 * c_2  # fact: definition sorted_body.E_3
+    turning = common_3 + common_2 + common_1  # fact: definition sorted_body.turning
+    off_middle = common_3 + common_1  # fact: definition sorted_body.off_middle
     rest = 0  # fact: rest.rates
     spherical = 0  # fact: spherical.moments
     prolate_equatorial = 0  # fact: prolate_equatorial.parallel
@@ -442,7 +442,7 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     common_13 = common_12 * common_12  # fact: descended.n, descended.kappa; (34)
     n = -k_1 * (common_10 * common_10) / common_13  # fact: descended.n; (34)
     psi_0 = (2 * H + K * A_a) / common_12  # fact: descended.psi_0; (33), (34)
-    kappa = 2 * E_a * A_a * k_1 / (common_13 * mu)  # fact: descended.kappa; (34)
+    kappa = 2 * E_a * A_a * k_1 / (mu * common_13)  # fact: descended.kappa; (34)
     sn = chi * Omega_b / A_b  # fact: regular.sn; (12)
     cn = chi * tau * Omega_d / A_d  # fact: regular.cn; (12)
     dn = sigma * Omega_a / A_a  # fact: regular.dn; (12)
@@ -451,9 +451,9 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     root_kc = _sqrt(k_c)  # fact: landen.root_kc; DLMF 22.7.1
     kc_1 = 2 * root_kc / common_8  # fact: definition landen.kc_next; DLMF 22.7.1
     common_14 = 1 + dn  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
-    common_15 = (1 + k_1) * common_14  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_15 = common_14 * (1 + k_1)  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s = 2 * sn / common_15  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_15 * (dn + k_c))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_15 * (k_c + dn))  # fact: landen.v; DLMF 22.7.4
     c = 2 * cn / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
     d = v / common_14  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
     return K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, psi_0, n, kappa, H, s, c, d, epsilon, sigma, rho, chi
@@ -462,20 +462,20 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
 def _landen(k, kc, s, c, d, r, Y):
     """One step of Landen's descending transformation."""
     common_1 = 1 + kc  # fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1
-    common_2 = k / common_1  # fact: landen.k_next; DLMF 22.7.1
-    k_next = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    common_2 = common_1 * common_1  # fact: landen.k_next, landen.r_next; DLMF 22.7.1
+    k_next = k * k / common_2  # fact: landen.k_next; DLMF 22.7.1
     root_kc = _sqrt(kc)  # fact: landen.root_kc; DLMF 22.7.1
     kc_next = 2 * root_kc / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_3 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
-    common_4 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_3 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_4 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
     common_5 = common_3 * common_4  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
     s_next = 2 * s / common_5  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
-    v = _sqrt(common_5 * (d + kc))  # fact: landen.v; DLMF 22.7.4
+    v = _sqrt(common_5 * (kc + d))  # fact: landen.v; DLMF 22.7.4
     c_next = 2 * c / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
-    d_next = v / common_4  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
-    r_next = r * k / (common_1 * common_1)  # fact: landen.r_next; DLMF 22.7.1
-    S = _sqrt(common_3 * common_3 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
-    Y_next = 2 * Y / (common_3 + S)  # fact: landen.Y_next; DLMF 22.7.2
+    d_next = v / common_3  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
+    r_next = k * r / common_2  # fact: landen.r_next; DLMF 22.7.1
+    S = _sqrt(common_4 * common_4 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
+    Y_next = 2 * Y / (common_4 + S)  # fact: landen.Y_next; DLMF 22.7.2
     return k_next, kc_next, s_next, c_next, d_next, r_next, Y_next
 
 
@@ -723,35 +723,33 @@ def _third_kind(s, c, d, p_0, spread):
 
 def _circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s, c, d, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the circular branch, from `_initial_state`."""
-    common_1 = 1 + kc_1  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_2 = k_1 / common_1  # fact: landen.k_next; DLMF 22.7.1
-    k_2 = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    common_1 = k_1 * k_1  # fact: landen.k_next; DLMF 22.7.1, DLMF 19.36.1
+    common_2 = 1 + kc_1  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
+    k_2 = common_1 / (common_2 * common_2)  # fact: landen.k_next; DLMF 22.7.1
     root_1 = _sqrt(kc_1)  # fact: landen.root_kc; DLMF 22.7.1
-    kc_2 = 2 * root_1 / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
+    kc_2 = 2 * root_1 / common_2  # fact: definition landen.kc_next; DLMF 22.7.1
     common_3 = 1 + kc_2  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_4 = k_2 / common_3  # fact: landen.k_next; DLMF 22.7.1
-    k_3 = common_4 * common_4  # fact: landen.k_next; DLMF 22.7.1
+    k_3 = k_2 * k_2 / (common_3 * common_3)  # fact: landen.k_next; DLMF 22.7.1
     root_2 = _sqrt(kc_2)  # fact: landen.root_kc; DLMF 22.7.1
     kc_3 = 2 * root_2 / common_3  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_5 = 1 + kc_3  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_6 = k_3 / common_5  # fact: landen.k_next; DLMF 22.7.1
-    k_4 = common_6 * common_6  # fact: landen.k_next; DLMF 22.7.1
+    common_4 = 1 + kc_3  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
+    k_4 = k_3 * k_3 / (common_4 * common_4)  # fact: landen.k_next; DLMF 22.7.1
     root_3 = _sqrt(kc_3)  # fact: landen.root_kc; DLMF 22.7.1
-    kc_4 = 2 * root_3 / common_5  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_7 = k_4 / (1 + kc_4)  # fact: landen.k_next; DLMF 22.7.1
-    k_5 = common_7 * common_7  # fact: landen.k_next; DLMF 22.7.1
+    kc_4 = 2 * root_3 / common_4  # fact: definition landen.kc_next; DLMF 22.7.1
+    common_5 = 1 + kc_4  # fact: landen.k_next; DLMF 22.7.1
+    k_5 = k_4 * k_4 / (common_5 * common_5)  # fact: landen.k_next; DLMF 22.7.1
     K_1, sin_v, cos_v, shift = _ladder(k_1, kc_1, s, c, d, k_1, 0)  # classical: DLMF 19.8.12
     v = _half_turns(sin_v, cos_v)  # classical: DLMF 4.24.3
     two_K = 2 * K_1  # classical: DLMF 22.4(i)
     v_rate = mu / two_K  # arithmetic
     u_start = two_K * v  # arithmetic
-    common_8 = 1 - n  # classical: DLMF 19.8.6, DLMF 19.36.1
-    quarter, total = _complete(kc_1, common_8)  # classical: DLMF 19.8.6
+    common_6 = 1 - n  # classical: DLMF 19.8.6, DLMF 19.36.1
+    quarter, total = _complete(kc_1, common_6)  # classical: DLMF 19.8.6
     characteristic = n  # arithmetic
-    j = total / (2 * common_8)  # classical: DLMF 19.8.6
+    j = total / (2 * common_6)  # classical: DLMF 19.8.6
     Lambda = (psi_0 + kappa * mu * j) / 2  # fact: definition pi_form.Lambda; (33), (34)
     Lambda_rate = Lambda / pi  # arithmetic
-    spread = -n * common_8 * (k_1 * k_1 - n)  # classical: DLMF 19.36.1
+    spread = -n * common_6 * (common_1 - n)  # classical: DLMF 19.36.1
     path = _rounded(1 - n * (s * s))  # classical: DLMF 19.25.14
     J_0 = _third_kind(_rounded(s), _rounded(c), _rounded(d), path, _rounded(spread))  # classical: DLMF 19.25.14
     rest_0 = kappa * (J_0 - j * u_start) / 2  # fact: definition pi_form.rest_0; (36)
@@ -759,9 +757,9 @@ def _circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s
     M_b = c_b * Omega_b  # fact: definition attitude.M_b; (8)
     M_d = c_d * Omega_d  # fact: definition attitude.M_d; (8)
     tau = -rho * epsilon * sigma  # fact: definition regular.tau; (16), (17)
-    common_9 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
-    nu = _sqrt(common_9 * (K + sigma * M_a))  # fact: attitude.nu; (27)
-    s_0 = nu / common_9  # fact: definition attitude.s_0; (27)
+    common_7 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
+    nu = _sqrt(common_7 * (K + sigma * M_a))  # fact: attitude.nu; (27)
+    s_0 = nu / common_7  # fact: definition attitude.s_0; (27)
     s_b = sigma * epsilon * M_d / nu  # fact: definition attitude.s_b; (28)
     s_d = -sigma * epsilon * M_b / nu  # fact: definition attitude.s_d; (28)
     qbar_0 = s_0  # fact: definition attitude.qbar_0; (18), (25)
@@ -792,24 +790,24 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
     w_sign = _alternating(half_periods)  # classical: DLMF 4.16
     s_5 = w_sign * (w_rest * pi_hi + w_rest * _horner(w_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
     c_5 = w_sign * _horner(w_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
-    common_1 = k_5 * (s_5 * s_5)  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
+    common_1 = s_5 * s_5 * k_5  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
     common_2 = 1 + common_1  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
-    s_4 = (1 + k_5) * s_5 / common_2  # fact: definition landen.s; DLMF 22.7.2
+    s_4 = s_5 * (1 + k_5) / common_2  # fact: definition landen.s; DLMF 22.7.2
     c_4 = c_5 / common_2  # fact: definition landen.c; DLMF 22.7.2
     d_4 = (1 - common_1) / common_2  # fact: definition landen.d; DLMF 22.7.2
-    common_3 = k_4 * (s_4 * s_4)  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
+    common_3 = s_4 * s_4 * k_4  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
     common_4 = 1 + common_3  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
-    s_3 = (1 + k_4) * s_4 / common_4  # fact: definition landen.s; DLMF 22.7.2
+    s_3 = s_4 * (1 + k_4) / common_4  # fact: definition landen.s; DLMF 22.7.2
     c_3 = c_4 * d_4 / common_4  # fact: definition landen.c; DLMF 22.7.2
     d_3 = (1 - common_3) / common_4  # fact: definition landen.d; DLMF 22.7.2
-    common_5 = k_3 * (s_3 * s_3)  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
+    common_5 = s_3 * s_3 * k_3  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
     common_6 = 1 + common_5  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
-    s_2 = (1 + k_3) * s_3 / common_6  # fact: definition landen.s; DLMF 22.7.2
+    s_2 = s_3 * (1 + k_3) / common_6  # fact: definition landen.s; DLMF 22.7.2
     c_2 = c_3 * d_3 / common_6  # fact: definition landen.c; DLMF 22.7.2
     d_2 = (1 - common_5) / common_6  # fact: definition landen.d; DLMF 22.7.2
-    common_7 = k_2 * (s_2 * s_2)  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
+    common_7 = s_2 * s_2 * k_2  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
     common_8 = 1 + common_7  # fact: definition landen.s, definition landen.c, definition landen.d; DLMF 22.7.2
-    s = (1 + k_2) * s_2 / common_8  # fact: definition landen.s; DLMF 22.7.2
+    s = s_2 * (1 + k_2) / common_8  # fact: definition landen.s; DLMF 22.7.2
     c = c_2 * d_2 / common_8  # fact: definition landen.c; DLMF 22.7.2
     d = (1 - common_7) / common_8  # fact: definition landen.d; DLMF 22.7.2
     path = 1 - characteristic * (s * s)  # classical: DLMF 19.25.14
@@ -834,10 +832,10 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
 def _circular_state(s, c, X_im, X_re, d, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit):
     """The state on the circular branch, from `_circular_angles`."""
     common_1 = s * s  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    sn = (1 + k_1) * s / common_2  # fact: definition descended.sn; DLMF 22.7.2
+    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3
+    sn = s * (1 + k_1) / common_2  # fact: definition descended.sn; DLMF 22.7.2
     cn = c * d / common_2  # fact: definition descended.cn; DLMF 22.7.3
-    dn = (c * c + 2 * k_c / (1 + k_c) * common_1) / common_2  # fact: descended.dn; DLMF 22.7.4
+    dn = (c * c + common_1 * (2 * k_c / (1 + k_c))) / (1 + common_1 * k_1)  # fact: descended.dn; DLMF 22.7.4
     inner_a = sigma * A_a * dn  # fact: definition regular.Omega_a; (10)
     inner_b = chi * A_b * sn  # fact: definition regular.Omega_b; (10)
     inner_d = chi * tau * A_d * cn  # fact: definition regular.Omega_d; (10)
@@ -869,57 +867,54 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
     l_1 = kc_1  # classical: DLMF 22.7.1
     lc_1 = k_1  # classical: DLMF 22.7.1
     common_1 = 1 + lc_1  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_2 = l_1 / common_1  # fact: landen.k_next; DLMF 22.7.1
-    l_2 = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    l_2 = l_1 * l_1 / (common_1 * common_1)  # fact: landen.k_next; DLMF 22.7.1
     root_1 = _sqrt(lc_1)  # fact: landen.root_kc; DLMF 22.7.1
     lc_2 = 2 * root_1 / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_3 = 1 + lc_2  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_4 = l_2 / common_3  # fact: landen.k_next; DLMF 22.7.1
-    l_3 = common_4 * common_4  # fact: landen.k_next; DLMF 22.7.1
+    common_2 = 1 + lc_2  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
+    l_3 = l_2 * l_2 / (common_2 * common_2)  # fact: landen.k_next; DLMF 22.7.1
     root_2 = _sqrt(lc_2)  # fact: landen.root_kc; DLMF 22.7.1
-    lc_3 = 2 * root_2 / common_3  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_5 = 1 + lc_3  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
-    common_6 = l_3 / common_5  # fact: landen.k_next; DLMF 22.7.1
-    l_4 = common_6 * common_6  # fact: landen.k_next; DLMF 22.7.1
+    lc_3 = 2 * root_2 / common_2  # fact: definition landen.kc_next; DLMF 22.7.1
+    common_3 = 1 + lc_3  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1
+    l_4 = l_3 * l_3 / (common_3 * common_3)  # fact: landen.k_next; DLMF 22.7.1
     root_3 = _sqrt(lc_3)  # fact: landen.root_kc; DLMF 22.7.1
-    lc_4 = 2 * root_3 / common_5  # fact: definition landen.kc_next; DLMF 22.7.1
-    common_7 = l_4 / (1 + lc_4)  # fact: landen.k_next; DLMF 22.7.1
-    l_5 = common_7 * common_7  # fact: landen.k_next; DLMF 22.7.1
+    lc_4 = 2 * root_3 / common_3  # fact: definition landen.kc_next; DLMF 22.7.1
+    common_4 = 1 + lc_4  # fact: landen.k_next; DLMF 22.7.1
+    l_5 = l_4 * l_4 / (common_4 * common_4)  # fact: landen.k_next; DLMF 22.7.1
     root_k = _sqrt(k_1)  # fact: theta_form.root_k; (27)
     x = B_d / (root_k * (K + B_a))  # fact: definition theta_form.x; (28)
-    common_8 = x * x  # fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36)
-    y = _sqrt(1 + common_8)  # fact: theta_form.y; DLMF 22.6.1
-    common_9 = k_1 * x  # fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36)
-    z = _sqrt(1 + common_9 * common_9)  # fact: theta_form.z; DLMF 22.6.1
+    common_5 = x * x  # fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36)
+    y = _sqrt(1 + common_5)  # fact: theta_form.y; DLMF 22.6.1
+    common_6 = k_1 * x  # fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36)
+    z = _sqrt(1 + common_6 * common_6)  # fact: theta_form.z; DLMF 22.6.1
     size_s = abs(s)  # classical: DLMF 22.4.3
-    common_10 = c * c  # fact: pi_near.T_size; DLMF 22.4.3, (36)
-    near = _rounded(common_10)  # classical: DLMF 22.4.3
-    common_11 = s * s  # fact: pi_near.T_size; DLMF 22.4.3, (36)
-    far = _rounded(kc_1 * common_11)  # classical: DLMF 22.4.3
+    common_7 = c * c  # fact: pi_near.T_size; DLMF 22.4.3, (36)
+    near = _rounded(common_7)  # classical: DLMF 22.4.3
+    common_8 = s * s  # fact: pi_near.T_size; DLMF 22.4.3, (36)
+    far = _rounded(kc_1 * common_8)  # classical: DLMF 22.4.3
     above = _choose(far, near, size_s, c)  # classical: DLMF 22.4.3
-    common_12 = kc_1 * size_s  # classical: DLMF 22.4.3, DLMF 22.4(iii)
-    below = _choose(far, near, c, common_12)  # classical: DLMF 22.4.3
+    common_9 = kc_1 * size_s  # classical: DLMF 22.4.3, DLMF 22.4(iii)
+    below = _choose(far, near, c, common_9)  # classical: DLMF 22.4.3
     xi = above / below  # classical: DLMF 22.6.7
     K_c, sin_b, cos_b, Y_b = _ladder(kc_1, k_1, 0, 1, 1, kc_1, xi)  # classical: DLMF 19.8.12
     gc = pi / (2 * K_c)  # arithmetic
-    common_13 = 1 - n  # classical: DLMF 19.8.6
-    K_1, total = _complete(kc_1, common_13)  # classical: DLMF 19.8.6
+    common_10 = 1 - n  # classical: DLMF 19.8.6
+    K_1, total = _complete(kc_1, common_10)  # classical: DLMF 19.8.6
     characteristic = n  # arithmetic
-    j = total / (2 * common_13)  # classical: DLMF 19.8.6
-    common_14 = z * z  # fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36)
-    delta = m_c / common_14  # fact: definition pi_near.delta; (36)
+    j = total / (2 * common_10)  # classical: DLMF 19.8.6
+    common_11 = z * z  # fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36)
+    delta = m_c / common_11  # fact: definition pi_near.delta; (36)
     n_2 = 1 - delta  # fact: definition pi_near.n_2; (36)
     Lambda = H / K  # fact: definition pi_near.Lambda; (36)
-    g = common_9 * y * z / (1 + k_1 * common_8)  # fact: definition pi_near.g; (36)
-    g_1 = g * m_c / ((1 + k_1) * common_14)  # fact: definition pi_near.g_1; (36)
-    common_15 = k_1 * k_1 * x * y  # fact: definition pi_near.g_2, definition pi_near.slope; (36)
-    g_2 = common_15 * m_c / (common_14 * z)  # fact: definition pi_near.g_2; (36)
+    g = common_6 * y * z / (1 + k_1 * common_5)  # fact: definition pi_near.g; (36)
+    g_1 = g * m_c / (common_11 * (1 + k_1))  # fact: definition pi_near.g_1; (36)
+    common_12 = k_1 * k_1 * x * y  # fact: definition pi_near.g_2, definition pi_near.slope; (36)
+    g_2 = common_12 * m_c / (common_11 * z)  # fact: definition pi_near.g_2; (36)
     h_2 = g_1 * (k_1 + n_2)  # fact: definition pi_near.h_2; (36)
-    slope = common_15  # fact: definition pi_near.slope; (36)
-    alpha = g * K_1 * (1 - (k_1 - n) * j)  # fact: definition pi_near.alpha; (36)
+    slope = common_12  # fact: definition pi_near.slope; (36)
+    alpha = g * K_1 * (1 - j * (k_1 - n))  # fact: definition pi_near.alpha; (36)
     Lambda_rate = Lambda / pi  # arithmetic
-    common_16 = delta * k_1 * x  # classical: DLMF 19.36.1
-    spread = n_2 * (common_16 * common_16)  # classical: DLMF 19.36.1
+    common_13 = delta * k_1 * x  # classical: DLMF 19.36.1
+    spread = n_2 * (common_13 * common_13)  # classical: DLMF 19.36.1
     kc_d = _rounded(kc_1)  # classical: DLMF 22.4(i)
     period = _choose(kc_d, 0, 0, 2 * K_1 * gc)  # classical: DLMF 22.4(i)
     period_far = _choose(kc_d, 0, never, _rounded(period))  # classical: DLMF 22.4(i)
@@ -933,18 +928,18 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
     y_rate = mu * gc  # arithmetic
     jump = -2 * rho * alpha / pi  # classical: DLMF 19.2.7
     near_s = _rounded(_choose(far, near, size_s, c / d))  # classical: DLMF 22.4(iii)
-    near_c = _rounded(_choose(far, near, c, common_12 / d))  # classical: DLMF 22.4(iii)
+    near_c = _rounded(_choose(far, near, c, common_9 / d))  # classical: DLMF 22.4(iii)
     near_d = _rounded(_choose(far, near, d, kc_1 / d))  # classical: DLMF 22.4(iii)
     cosine = _choose(near_c, least_c, least_c, near_c)  # classical: DLMF 22.4(iii)
     path = cosine * cosine + _rounded(delta) * (near_s * near_s)  # classical: DLMF 19.25.14
     third = _third_kind(near_s, cosine, near_d, path, _rounded(spread))  # classical: DLMF 19.25.14
     w = y_b / gc  # arithmetic
-    common_17 = g_1 * w  # arithmetic
-    from_crossing = common_17 + g_2 * third  # arithmetic
-    from_saddle = alpha - (common_17 + h_2 * third)  # arithmetic
+    common_14 = g_1 * w  # arithmetic
+    from_crossing = common_14 + g_2 * third  # arithmetic
+    from_saddle = alpha - (common_14 + h_2 * third)  # arithmetic
     rest = _choose(far, near, from_crossing, from_saddle)  # arithmetic
     start_rest = side * rest  # arithmetic
-    T_size = _sqrt(common_14 * (1 - n * common_11) * (common_10 + delta * common_11))  # fact: pi_near.T_size; (36)
+    T_size = _sqrt(common_11 * (1 - n * common_8) * (common_7 + delta * common_8))  # fact: pi_near.T_size; (36)
     T_re = z * d / T_size  # fact: definition arctangent.T_re; (36)
     T_im = -rho * slope * s * c / T_size  # fact: definition arctangent.T_im; (36)
     start_re = _choose(far, near, T_re, 1)  # arithmetic
@@ -953,16 +948,16 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
     M_b = c_b * Omega_b  # fact: definition attitude.M_b; (8)
     M_d = c_d * Omega_d  # fact: definition attitude.M_d; (8)
     tau = -rho * epsilon * sigma  # fact: definition regular.tau; (16), (17)
-    common_18 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
-    nu = _sqrt(common_18 * (K + sigma * M_a))  # fact: attitude.nu; (27)
-    s_0 = nu / common_18  # fact: definition attitude.s_0; (27)
+    common_15 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
+    nu = _sqrt(common_15 * (K + sigma * M_a))  # fact: attitude.nu; (27)
+    s_0 = nu / common_15  # fact: definition attitude.s_0; (27)
     s_b = sigma * epsilon * M_d / nu  # fact: definition attitude.s_b; (28)
     s_d = -sigma * epsilon * M_b / nu  # fact: definition attitude.s_d; (28)
     qbar_0 = start_re * s_0  # fact: definition attitude.qbar_0; (18), (25)
     qbar_a = sigma * start_im * s_0  # fact: definition attitude.qbar_a; (18), (25)
-    common_19 = epsilon * sigma * start_im  # fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25)
-    qbar_b = start_re * s_b - common_19 * s_d  # fact: definition attitude.qbar_b; (18), (25)
-    qbar_d = start_re * s_d + common_19 * s_b  # fact: definition attitude.qbar_d; (18), (25)
+    common_16 = epsilon * sigma * start_im  # fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25)
+    qbar_b = start_re * s_b - common_16 * s_d  # fact: definition attitude.qbar_b; (18), (25)
+    qbar_d = start_re * s_d + common_16 * s_b  # fact: definition attitude.qbar_d; (18), (25)
     p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # fact: attitude.p_0; (37)
     p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # fact: attitude.p_a; (37)
     p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # fact: attitude.p_b; (37)
@@ -992,14 +987,14 @@ def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_
     bounded = _choose(nearer, deepest, nearer, deepest)  # classical: DLMF 4.28
     falling = _exp(-bounded)  # classical: DLMF 4.28.1
     x_5 = (1 - falling * falling) / (2 * falling)  # classical: DLMF 4.28.1
-    inside_4 = 1 - l_5 * (x_5 * x_5)  # fact: definition landen.inside; DLMF 22.7.2
-    x_4 = (1 + l_5) * x_5 / inside_4  # fact: definition landen.x; DLMF 22.7.2
-    inside_3 = 1 - l_4 * (x_4 * x_4)  # fact: definition landen.inside; DLMF 22.7.2
-    x_3 = (1 + l_4) * x_4 / inside_3  # fact: definition landen.x; DLMF 22.7.2
-    inside_2 = 1 - l_3 * (x_3 * x_3)  # fact: definition landen.inside; DLMF 22.7.2
-    x_2 = (1 + l_3) * x_3 / inside_2  # fact: definition landen.x; DLMF 22.7.2
-    inside = 1 - l_2 * (x_2 * x_2)  # fact: definition landen.inside; DLMF 22.7.2
-    x = (1 + l_2) * x_2 / inside  # fact: definition landen.x; DLMF 22.7.2
+    inside_4 = 1 - x_5 * x_5 * l_5  # fact: definition landen.inside; DLMF 22.7.2
+    x_4 = x_5 * (1 + l_5) / inside_4  # fact: definition landen.x; DLMF 22.7.2
+    inside_3 = 1 - x_4 * x_4 * l_4  # fact: definition landen.inside; DLMF 22.7.2
+    x_3 = x_4 * (1 + l_4) / inside_3  # fact: definition landen.x; DLMF 22.7.2
+    inside_2 = 1 - x_3 * x_3 * l_3  # fact: definition landen.inside; DLMF 22.7.2
+    x_2 = x_3 * (1 + l_3) / inside_2  # fact: definition landen.x; DLMF 22.7.2
+    inside = 1 - x_2 * x_2 * l_2  # fact: definition landen.inside; DLMF 22.7.2
+    x = x_2 * (1 + l_2) / inside  # fact: definition landen.x; DLMF 22.7.2
     common_1 = x * x  # classical: DLMF 22.6.1
     size_x = _sqrt(1 + common_1)  # classical: DLMF 22.6.1
     near_c = 1 / size_x  # classical: DLMF 22.6.1
@@ -1057,10 +1052,10 @@ def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_
 def _hyperbolic_state(s, c, X_im, X_re, d, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit):
     """The state on the hyperbolic branch, from `_hyperbolic_angles`."""
     common_1 = s * s  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn, descended.dn; DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4
-    sn = (1 + k_1) * s / common_2  # fact: definition descended.sn; DLMF 22.7.2
+    common_2 = 1 + k_1 * common_1  # fact: definition descended.sn, definition descended.cn; DLMF 22.7.2, DLMF 22.7.3
+    sn = s * (1 + k_1) / common_2  # fact: definition descended.sn; DLMF 22.7.2
     cn = c * d / common_2  # fact: definition descended.cn; DLMF 22.7.3
-    dn = (c * c + 2 * k_c / (1 + k_c) * common_1) / common_2  # fact: descended.dn; DLMF 22.7.4
+    dn = (c * c + common_1 * (2 * k_c / (1 + k_c))) / (1 + common_1 * k_1)  # fact: descended.dn; DLMF 22.7.4
     inner_a = sigma * A_a * dn  # fact: definition regular.Omega_a; (10)
     inner_b = chi * A_b * sn  # fact: definition regular.Omega_b; (10)
     inner_d = chi * tau * A_d * cn  # fact: definition regular.Omega_d; (10)

@@ -293,13 +293,13 @@ static float circulation(float c_12, float c_13, float c_23, float Omega_1,
 {
     const float c_1 = 1.0f + c_13; /* fact: definition sorted_body.c_1 */
     const float c_2 = 1.0f + c_23; /* fact: definition sorted_body.c_2 */
-    const float common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    const float common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    const float E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const float common_1 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const float common_2 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const float E_1 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     const float common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    const float E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    const float turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    const float off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const float E_3 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    const float turning = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    const float off_middle = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     const float rest = 0.0f; /* fact: rest.rates */
     const float spherical = 0.0f; /* fact: spherical.moments */
     const float prolate_equatorial = 0.0f; /* fact: prolate_equatorial.parallel */
@@ -436,9 +436,9 @@ static void initial_state(torque_free_pair c_a, torque_free_pair c_b, torque_fre
     const torque_free_pair root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
     const torque_free_pair kc_1 = dd_div_xx(dd_mul_dx(2.0f, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
     const torque_free_pair common_10 = dd_add_dx(1.0f, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const torque_free_pair common_11 = dd_mul_xx(dd_add_dx(1.0f, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const torque_free_pair common_11 = dd_mul_xx(common_10, dd_add_dx(1.0f, k_1)); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const torque_free_pair s = dd_div_xx(dd_mul_dx(2.0f, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const torque_free_pair v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+    const torque_free_pair v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(k_c, dn))); /* fact: landen.v; DLMF 22.7.4 */
     const torque_free_pair c = dd_div_xx(dd_mul_dx(2.0f, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
     const torque_free_pair d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
     *K_out = K;
@@ -467,20 +467,20 @@ static void landen(torque_free_pair k, torque_free_pair kc, torque_free_pair s, 
     torque_free_pair *d_next_out, torque_free_pair *r_next_out, torque_free_pair *Y_next_out)
 {
     const torque_free_pair common_1 = dd_add_dx(1.0f, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
-    const torque_free_pair common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const torque_free_pair k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const torque_free_pair common_2 = dd_mul_xx(common_1, common_1); /* fact: landen.k_next, landen.r_next; DLMF 22.7.1 */
+    const torque_free_pair k_next = dd_div_xx(dd_mul_xx(k, k), common_2); /* fact: landen.k_next; DLMF 22.7.1 */
     const torque_free_pair root_kc = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
     const torque_free_pair kc_next = dd_div_xx(dd_mul_dx(2.0f, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const torque_free_pair common_3 = dd_add_dx(1.0f, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
-    const torque_free_pair common_4 = dd_add_dx(1.0f, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const torque_free_pair common_3 = dd_add_dx(1.0f, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const torque_free_pair common_4 = dd_add_dx(1.0f, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
     const torque_free_pair common_5 = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     const torque_free_pair s_next = dd_div_xx(dd_mul_dx(2.0f, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const torque_free_pair v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    const torque_free_pair v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(kc, d))); /* fact: landen.v; DLMF 22.7.4 */
     const torque_free_pair c_next = dd_div_xx(dd_mul_dx(2.0f, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const torque_free_pair d_next = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    const torque_free_pair r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
-    const torque_free_pair S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0f, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
-    const torque_free_pair Y_next = dd_div_xx(dd_mul_dx(2.0f, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
+    const torque_free_pair d_next = dd_div_xx(v, common_3); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    const torque_free_pair r_next = dd_div_xx(dd_mul_xx(k, r), common_2); /* fact: landen.r_next; DLMF 22.7.1 */
+    const torque_free_pair S = dd_sqrt(dd_add_xx(dd_mul_xx(common_4, common_4), dd_mul_xx(dd_mul_dx(4.0f, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    const torque_free_pair Y_next = dd_div_xx(dd_mul_dx(2.0f, Y), dd_add_xx(common_4, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     *k_next_out = k_next;
     *kc_next_out = kc_next;
     *s_next_out = s_next;
@@ -624,14 +624,14 @@ static void circular_constants(torque_free_pair K, torque_free_pair A_a, torque_
     const torque_free_pair r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
     const torque_free_pair root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
     const torque_free_pair Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
-    const torque_free_pair Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
+    const torque_free_pair Y = dd_div_xx(B_d, dd_mul_xx(root_r, dd_add_xx(K, B_a))); /* fact: definition scaling.Y; (28) */
     torque_free_pair K_1;
     torque_free_pair sin_v;
     torque_free_pair cos_v;
     torque_free_pair Y_b;
     ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
-    const torque_free_pair root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
-    const torque_free_pair h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+    const torque_free_pair root_h = dd_sqrt(dd_add_xx(Q, dd_mul_xx(Y_b, Y_b))); /* fact: scaling.root_h; (28) */
+    const torque_free_pair h_plus = dd_add_xx(Y_b, root_h); /* fact: scaling.h_plus; (28) */
     const torque_free_pair h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
     const torque_free_pair g = dd_div_xx(pi, dd_mul_dx(2.0f, K_1)); /* fact: reading theta_form.g; (10) */
     const torque_free_pair up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
@@ -2057,6 +2057,6 @@ float torque_free_single_last_time(const torque_free_single_motion *motion)
 
 const char *torque_free_single_digest(void)
 {
-    return "80634a38ea20a4dd49dc67099181c0ad257370e9ab1ce1eae63c577846d33ede";
+    return "cf7e54c9024b4d0f6cae1783f2032969469bd293fac4613b0ec8fc2206505dfd";
 }
 

@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        3.7e-07  1.9e-07
 
 rigidsym 0.1.0, emitter c_single/2
-digest 80634a38ea20a4dd49dc67099181c0ad257370e9ab1ce1eae63c577846d33ede
+digest cf7e54c9024b4d0f6cae1783f2032969469bd293fac4613b0ec8fc2206505dfd
 
 Errors of the attitude stay below 1e-6 rad, as `rigidsym validate c_single` measures.  Angles that
 grow with time are computed with pairs of floats, all else with floats.  Re-entrant, without

@@ -253,29 +253,30 @@ static void step_start(torque_free_pair c_a, torque_free_pair c_b, torque_free_p
     const torque_free_pair M_d0 = dd_mul_xx(c_d, Omega_d0); /* fact: step.M_d0; (8) */
     const torque_free_pair K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a0, M_a0), dd_mul_xx(M_b0, M_b0)), dd_mul_xx(M_d0, M_d0))); /* fact: step.K; (6), (15) */
     const torque_free_pair common_1 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    const torque_free_pair common_2 = dd_mul_xx(l_b, common_1); /* fact: step.h, step.e_1; (10) */
+    const torque_free_pair common_2 = dd_mul_xx(common_1, l_b); /* fact: step.h, step.e_1; (10) */
     const torque_free_pair common_3 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    const torque_free_pair common_4 = dd_mul_xx(l_d, common_3); /* fact: step.h, step.e_1; (10) */
+    const torque_free_pair common_4 = dd_mul_xx(common_3, l_d); /* fact: step.h, step.e_1; (10) */
     const torque_free_pair h = dd_div_xd(dd_add_xx(common_2, common_4), 4.0f); /* fact: step.h; (10) */
     const torque_free_pair common_5 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: step.e_1, definition step.H_0; (10), (6) */
-    const torque_free_pair e_1 = dd_add_xx(dd_mul_xx(l_a, common_5), dd_div_xd(dd_sub_xx(common_2, common_4), 2.0f)); /* fact: step.e_1; (10) */
+    const torque_free_pair e_1 = dd_sub_xx(dd_add_xx(dd_mul_xx(common_5, l_a), dd_div_xd(common_2, 2.0f)), dd_div_xd(common_4, 2.0f)); /* fact: step.e_1; (10) */
     const torque_free_pair e_2 = dd_mul_xx(h, h); /* fact: definition step.e_2; (10) */
     const torque_free_pair H_0 = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_5), dd_mul_xx(c_b, common_1)), dd_mul_xx(c_d, common_3)), 2.0f); /* fact: definition step.H_0; (6) */
     const torque_free_pair common_6 = dd_add_xx(K, dd_mul_dx(sigma, M_a0)); /* fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27) */
     const torque_free_pair psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0f, H_0), dd_mul_xx(dd_mul_xd(K, sigma), Omega_a0)), common_6); /* fact: definition step.psi_0; (33), (34) */
     const torque_free_pair z_re = dd_div_xx(M_d0, common_6); /* fact: definition step.z_re; (27) */
-    const torque_free_pair z_im = dd_div_xx(dd_mul_dx(sigma * epsilon, M_b0), common_6); /* fact: definition step.z_im; (27) */
-    const torque_free_pair zr_re = dd_div_xx(dd_mul_xx(dd_mul_dx(epsilon, Omega_b0), dd_sub_xx(dd_mul_xx(c_ab, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, c_bd), Omega_d0), z_re))), common_6); /* fact: step.zr_re; (27) */
-    const torque_free_pair zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(c_ad, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(epsilon, c_bd), Omega_b0), z_im))), common_6); /* fact: step.zr_im; (27) */
+    const torque_free_pair z_im = dd_div_xx(dd_mul_dx(epsilon * sigma, M_b0), common_6); /* fact: definition step.z_im; (27) */
+    const torque_free_pair common_7 = dd_mul_dx(epsilon, Omega_b0); /* fact: step.zr_re, step.zr_im; (27) */
+    const torque_free_pair zr_re = dd_div_xx(dd_mul_xx(common_7, dd_sub_xx(dd_mul_xx(Omega_a0, c_ab), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, Omega_d0), c_bd), z_re))), common_6); /* fact: step.zr_re; (27) */
+    const torque_free_pair zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(Omega_a0, c_ad), dd_mul_xx(dd_mul_xx(common_7, c_bd), z_im))), common_6); /* fact: step.zr_im; (27) */
     const torque_free_pair Lambda_rate = dd_div_xx(psi_0, dd_mul_dx(2.0f, pi)); /* arithmetic */
     const float first_t = t * (1.0f / 128.0f); /* arithmetic */
-    const float common_7 = first_t * first_t; /* classical: DLMF 22.10.1 */
-    const float a_1 = dd_rounded(e_1) * common_7; /* classical: DLMF 22.10.1 */
-    const float a_2 = dd_rounded(e_2) * (common_7 * common_7); /* classical: DLMF 22.10.1 */
-    const float common_8 = a_1 * -1.0f; /* classical: DLMF 22.10.1 */
-    const float common_9 = a_1 * -11.0f; /* classical: DLMF 22.10.1 */
-    const float more_X = fused(a_2, 1.0f / 10.0f + common_9 / 420.0f, fused(a_1, fused(a_1, 1.0f / 120.0f + common_8 / 5040.0f, -1.0f / 6.0f), 0.0f)); /* classical: DLMF 22.10.1 */
-    const float more_Y = fused(a_2, 1.0f / 2.0f + common_9 / 60.0f, fused(a_1, fused(a_1, 1.0f / 24.0f + common_8 / 720.0f, -1.0f / 2.0f), 0.0f)); /* classical: DLMF 22.10.1 */
+    const float common_8 = first_t * first_t; /* classical: DLMF 22.10.1 */
+    const float a_1 = dd_rounded(e_1) * common_8; /* classical: DLMF 22.10.1 */
+    const float a_2 = dd_rounded(e_2) * (common_8 * common_8); /* classical: DLMF 22.10.1 */
+    const float common_9 = a_1 * -1.0f; /* classical: DLMF 22.10.1 */
+    const float common_10 = a_1 * -11.0f; /* classical: DLMF 22.10.1 */
+    const float more_X = fused(a_2, 1.0f / 10.0f + common_10 / 420.0f, fused(a_1, fused(a_1, 1.0f / 120.0f + common_9 / 5040.0f, -1.0f / 6.0f), 0.0f)); /* classical: DLMF 22.10.1 */
+    const float more_Y = fused(a_2, 1.0f / 2.0f + common_10 / 60.0f, fused(a_1, fused(a_1, 1.0f / 24.0f + common_9 / 720.0f, -1.0f / 2.0f), 0.0f)); /* classical: DLMF 22.10.1 */
     const torque_free_pair X = dd_mul_dx(first_t, dd_add_xd(unity, more_X)); /* classical: DLMF 22.10.1 */
     const torque_free_pair Y = dd_add_xd(unity, more_Y); /* classical: DLMF 22.10.1 */
     *h_out = h;
@@ -298,10 +299,10 @@ static void step_first(float h, float e_1, float e_2, float X, float z_re, float
     const float nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     const float nu_im = -2.0f * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     const float rate_re = h * fused(z_im, zr_im, -(z_re * zr_re)); /* fact: definition turn.rate_re; (27), (36) */
-    const float rate_im = -h * fused(z_re, zr_im, z_im * zr_re); /* fact: definition turn.rate_im; (27), (36) */
+    const float rate_im = h * fused(-z_re, zr_im, -(z_im * zr_re)); /* fact: definition turn.rate_im; (27), (36) */
     const float common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11 */
-    const float G_re = fused(-nu_re, common_1, 1.0f); /* fact: definition turn.G_re; (27), (36) */
-    const float G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const float G_re = fused(-common_1, nu_re, 1.0f); /* fact: definition turn.G_re; (27), (36) */
+    const float G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const float square_X = common_1; /* classical: DLMF 18.12.11 */
     const float d_0 = 1.0f; /* classical: DLMF 18.12.11 */
     const float d_1 = e_1 / 2.0f; /* classical: DLMF 18.12.11 */
@@ -323,14 +324,13 @@ static void step_first(float h, float e_1, float e_2, float X, float z_re, float
     const float E_re = fused(-(common_6 / 2.0f), 1.0f - common_6 / 12.0f, 1.0f); /* classical: DLMF 4.19.2 */
     const float E_im = chi * fused(-(common_6 / 6.0f), 1.0f - common_6 / 20.0f, 1.0f); /* classical: DLMF 4.19.1 */
     const float R = sqrtf(fused(G_re, G_re, G_im * G_im)); /* fact: thirds.R; (36) */
-    const float common_7 = R + G_re; /* fact: thirds.N, definition thirds.U_re; (36), (33), (34) */
-    const float N = sqrtf(2.0f * R * common_7); /* fact: thirds.N; (36) */
-    const float U_re = common_7 / N; /* fact: definition thirds.U_re; (33), (34) */
+    const float N = sqrtf(2.0f * R * (R + G_re)); /* fact: thirds.N; (36) */
+    const float U_re = (G_re + R) / N; /* fact: definition thirds.U_re; (33), (34) */
     const float U_im = -G_im / N; /* fact: definition thirds.U_im; (33), (34) */
     const float P_re = E_re; /* fact: definition thirds.P_re; (33), (34) */
     const float P_im = E_im; /* fact: definition thirds.P_im; (33), (34) */
-    const float W_re = fused(P_re, U_re, -(P_im * U_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
-    const float W_im = fused(P_re, U_im, P_im * U_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
+    const float W_re = fused(U_re, P_re, -(U_im * P_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
+    const float W_im = fused(U_re, P_im, U_im * P_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
     *W_re_out = W_re;
     *W_im_out = W_im;
 }
@@ -355,7 +355,7 @@ static void step_doubled(torque_free_pair X, torque_free_pair Y, torque_free_pai
     const torque_free_pair common_2 = dd_mul_xx(e_2, dd_mul_xx(dd_mul_xx(common_1, X), X)); /* fact: definition doubling.inside, definition doubling.Y_next; (10) */
     const torque_free_pair inside = dd_sub_dx(1.0f, common_2); /* fact: definition doubling.inside; (10) */
     const torque_free_pair X_next = dd_div_xx(dd_mul_xx(dd_mul_dx(2.0f, X), Y), inside); /* fact: definition doubling.X_next; (10) */
-    const torque_free_pair Y_next = dd_sub_dx(1.0f, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0f, common_1), dd_sub_xx(dd_mul_xx(e_1, dd_add_dx(1.0f, common_2)), dd_mul_xx(dd_mul_dx(4.0f, e_2), common_1))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
+    const torque_free_pair Y_next = dd_sub_dx(1.0f, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0f, common_1), dd_add_xx(dd_mul_xx(dd_mul_dx(-4.0f, e_2), common_1), dd_mul_xx(e_1, dd_add_dx(1.0f, common_2)))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
     *X_next_out = X_next;
     *Y_next_out = Y_next;
 }
@@ -367,13 +367,13 @@ static void step_projected(float h, float z_re, float z_im, float zr_re, float z
     const float nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     const float nu_im = -2.0f * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     const float common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const float G_re = fused(-nu_re, common_1, 1.0f); /* fact: definition turn.G_re; (27), (36) */
-    const float G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const float G_re = fused(-common_1, nu_re, 1.0f); /* fact: definition turn.G_re; (27), (36) */
+    const float G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const float square = fused(G_re, G_re, G_im * G_im); /* fact: definition turn.square; (27), (36) */
-    const float F_re = fused(z_re, Y, zr_re * X); /* fact: definition turn.F_re; (27), (36) */
-    const float F_im = fused(z_im, Y, zr_im * X); /* fact: definition turn.F_im; (27), (36) */
-    const float w_re = fused(F_re, G_re, F_im * G_im) / square; /* fact: definition turn.w_re; (27), (36) */
-    const float w_im = fused(F_im, G_re, -(F_re * G_im)) / square; /* fact: definition turn.w_im; (27), (36) */
+    const float F_re = fused(X, zr_re, Y * z_re); /* fact: definition turn.F_re; (27), (36) */
+    const float F_im = fused(X, zr_im, Y * z_im); /* fact: definition turn.F_im; (27), (36) */
+    const float w_re = fused(G_re, F_re, G_im * F_im) / square; /* fact: definition turn.w_re; (27), (36) */
+    const float w_im = fused(G_re, F_im, -(G_im * F_re)) / square; /* fact: definition turn.w_im; (27), (36) */
     *w_re_out = w_re;
     *w_im_out = w_im;
 }
@@ -385,11 +385,11 @@ static void step_second_half(float h, float X, float w_re, float w_im, float W_r
     const float nu_re = h * fused(w_im, w_im, -(w_re * w_re)); /* fact: definition turn.nu_re; (27), (36) */
     const float nu_im = -2.0f * h * w_re * w_im; /* fact: definition turn.nu_im; (27), (36) */
     const float common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const float G_re = fused(-nu_re, common_1, 1.0f); /* fact: definition turn.G_re; (27), (36) */
-    const float G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const float G_re = fused(-common_1, nu_re, 1.0f); /* fact: definition turn.G_re; (27), (36) */
+    const float G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const float R = sqrtf(fused(G_re, G_re, G_im * G_im)); /* fact: second_half.R; (36) */
-    const float V_re = fused(W_re, G_re, W_im * G_im) / R; /* fact: definition second_half.V_re; (33), (34) */
-    const float V_im = fused(W_im, G_re, -(W_re * G_im)) / R; /* fact: definition second_half.V_im; (33), (34) */
+    const float V_re = fused(G_re, W_re, G_im * W_im) / R; /* fact: definition second_half.V_re; (33), (34) */
+    const float V_im = fused(G_re, W_im, -(G_im * W_re)) / R; /* fact: definition second_half.V_im; (33), (34) */
     const float W_next_re = fused(W_re, V_re, -(W_im * V_im)); /* fact: definition thirds.P_re; (33), (34) */
     const float W_next_im = fused(W_re, V_im, W_im * V_re); /* fact: definition thirds.P_im; (33), (34) */
     *W_next_re_out = W_next_re;
@@ -404,13 +404,13 @@ static void step_last_projected(torque_free_pair h, torque_free_pair z_re, torqu
     const torque_free_pair nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(z_im, z_im), dd_mul_xx(z_re, z_re))); /* fact: definition turn.nu_re; (27), (36) */
     const torque_free_pair nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0f, h), z_re), z_im); /* fact: definition turn.nu_im; (27), (36) */
     const torque_free_pair common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const torque_free_pair G_re = dd_sub_dx(1.0f, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    const torque_free_pair G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    const torque_free_pair G_re = dd_sub_dx(1.0f, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    const torque_free_pair G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     const torque_free_pair square = dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im)); /* fact: definition turn.square; (27), (36) */
-    const torque_free_pair F_re = dd_add_xx(dd_mul_xx(z_re, Y), dd_mul_xx(zr_re, X)); /* fact: definition turn.F_re; (27), (36) */
-    const torque_free_pair F_im = dd_add_xx(dd_mul_xx(z_im, Y), dd_mul_xx(zr_im, X)); /* fact: definition turn.F_im; (27), (36) */
-    const torque_free_pair v_re = dd_div_xx(dd_add_xx(dd_mul_xx(F_re, G_re), dd_mul_xx(F_im, G_im)), square); /* fact: definition turn.w_re; (27), (36) */
-    const torque_free_pair v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(F_im, G_re), dd_mul_xx(F_re, G_im)), square); /* fact: definition turn.w_im; (27), (36) */
+    const torque_free_pair F_re = dd_add_xx(dd_mul_xx(X, zr_re), dd_mul_xx(Y, z_re)); /* fact: definition turn.F_re; (27), (36) */
+    const torque_free_pair F_im = dd_add_xx(dd_mul_xx(X, zr_im), dd_mul_xx(Y, z_im)); /* fact: definition turn.F_im; (27), (36) */
+    const torque_free_pair v_re = dd_div_xx(dd_add_xx(dd_mul_xx(G_re, F_re), dd_mul_xx(G_im, F_im)), square); /* fact: definition turn.w_re; (27), (36) */
+    const torque_free_pair v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(G_re, F_im), dd_mul_xx(G_im, F_re)), square); /* fact: definition turn.w_im; (27), (36) */
     *v_re_out = v_re;
     *v_im_out = v_im;
 }
@@ -422,11 +422,11 @@ static void step_last_second_half(torque_free_pair h, torque_free_pair X, torque
     const torque_free_pair nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(v_im, v_im), dd_mul_xx(v_re, v_re))); /* fact: definition turn.nu_re; (27), (36) */
     const torque_free_pair nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0f, h), v_re), v_im); /* fact: definition turn.nu_im; (27), (36) */
     const torque_free_pair common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const torque_free_pair G_re = dd_sub_dx(1.0f, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    const torque_free_pair G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    const torque_free_pair G_re = dd_sub_dx(1.0f, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    const torque_free_pair G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     const torque_free_pair R = dd_sqrt(dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im))); /* fact: second_half.R; (36) */
-    const torque_free_pair V_re = dd_div_xx(dd_add_xx(dd_mul_dx(W_re, G_re), dd_mul_dx(W_im, G_im)), R); /* fact: definition second_half.V_re; (33), (34) */
-    const torque_free_pair V_im = dd_div_xx(dd_sub_xx(dd_mul_dx(W_im, G_re), dd_mul_dx(W_re, G_im)), R); /* fact: definition second_half.V_im; (33), (34) */
+    const torque_free_pair V_re = dd_div_xx(dd_add_xx(dd_mul_xd(G_re, W_re), dd_mul_xd(G_im, W_im)), R); /* fact: definition second_half.V_re; (33), (34) */
+    const torque_free_pair V_im = dd_div_xx(dd_sub_xx(dd_mul_xd(G_re, W_im), dd_mul_xd(G_im, W_re)), R); /* fact: definition second_half.V_im; (33), (34) */
     const torque_free_pair W_next_re = dd_sub_xx(dd_mul_dx(W_re, V_re), dd_mul_dx(W_im, V_im)); /* fact: definition thirds.P_re; (33), (34) */
     const torque_free_pair W_next_im = dd_add_xx(dd_mul_dx(W_re, V_im), dd_mul_dx(W_im, V_re)); /* fact: definition thirds.P_im; (33), (34) */
     *W_next_re_out = dd_rounded(W_next_re);
@@ -440,12 +440,12 @@ static void step_rates(torque_free_pair X, torque_free_pair Y, torque_free_pair 
     torque_free_pair *Omega_b_out, torque_free_pair *Omega_d_out)
 {
     const torque_free_pair common_1 = dd_mul_xx(X, X); /* fact: definition step.f, definition step.g, step.room; (10) */
-    const torque_free_pair common_2 = dd_mul_xx(h, common_1); /* fact: definition step.f, definition step.g; (10) */
+    const torque_free_pair common_2 = dd_mul_xx(common_1, h); /* fact: definition step.f, definition step.g; (10) */
     const torque_free_pair f = dd_add_dx(1.0f, common_2); /* fact: definition step.f; (10) */
     const torque_free_pair g = dd_sub_dx(1.0f, common_2); /* fact: definition step.g; (10) */
     const torque_free_pair room = dd_add_xx(dd_mul_xx(g, g), dd_mul_xx(dd_mul_xx(l_d, dd_mul_xx(Omega_d0, Omega_d0)), common_1)); /* fact: step.room; (10) */
     const torque_free_pair Omega_a = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_a0, f), g), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_a, Omega_b0), Omega_d0), X), Y)), room); /* fact: step.Omega_a; (5), (10) */
-    const torque_free_pair Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_d0), Omega_a0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
+    const torque_free_pair Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_a0), Omega_d0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
     const torque_free_pair Omega_d = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_d0, f), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_d, Omega_a0), Omega_b0), g), X)), room); /* fact: step.Omega_d; (5), (10) */
     *Omega_a_out = Omega_a;
     *Omega_b_out = Omega_b;
@@ -961,6 +961,6 @@ int torque_free_single_step(const torque_free_single_body *body, float q[4], flo
 
 const char *torque_free_single_step_digest(void)
 {
-    return "0565e6b039eec590312f27ec3073b53917ec5a83b90f8e30da2bc5f5456a30ed";
+    return "2cd8d91b9c80a605b058dbfe0173b4a2fcab6b571eb74316655b1e78a40ff56e";
 }
 

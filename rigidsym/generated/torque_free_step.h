@@ -57,7 +57,7 @@ rotation angle in rad, |domega|/|omega|
   near spin, smallest    5.6e-16  1.8e-16
   rest                   1.6e-16  3.0e-53
   flat                   6.7e-16  1.9e-16
-  rod                    7.9e-16  1.9e-16
+  rod                    6.9e-16  1.9e-16
   needle                 6.6e-16  2.0e-16
   special values         7.4e-16  1.8e-16
   special attitudes      6.7e-16  2.0e-16
@@ -74,7 +74,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        6.5e-16  2.0e-16
 
 rigidsym 0.1.0, emitter c/2
-digest f57adcd792b684c026b57aab9ae7513d76838116226a525961ecb014327bfd8c
+digest ce9f500576af1f0b7f38e09ae2bfdfd3ebaa7758b8f7540cdde7effe0ebb6ccd
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

@@ -74,7 +74,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        6.8e-16  1.9e-16
 
 rigidsym 0.1.0, emitter javascript/2
-digest bab2ba443f2a4b5bd5080962785270c44b62d3d6aac7018f0feb5bf9bdbe2f18
+digest c3ba7357f4ba9a443d2c83dfaf796008037107100586576b268fa2b77f687251
 
 A class computes a motion's states, or a body's steps, and throws a RefusedError for input that is
 refused.  The functions behind it return codes and are exported, too.  States have the same bits in
@@ -347,32 +347,33 @@ function step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, 
     const M_d0 = dd_mul_xx(c_d, Omega_d0); /* fact: step.M_d0; (8) */
     const K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a0, M_a0), dd_mul_xx(M_b0, M_b0)), dd_mul_xx(M_d0, M_d0))); /* fact: step.K; (6), (15) */
     const common_1 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    const common_2 = dd_mul_xx(l_b, common_1); /* fact: step.h, step.e_1; (10) */
+    const common_2 = dd_mul_xx(common_1, l_b); /* fact: step.h, step.e_1; (10) */
     const common_3 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    const common_4 = dd_mul_xx(l_d, common_3); /* fact: step.h, step.e_1; (10) */
+    const common_4 = dd_mul_xx(common_3, l_d); /* fact: step.h, step.e_1; (10) */
     const h = dd_div_xd(dd_add_xx(common_2, common_4), 4.0); /* fact: step.h; (10) */
     const common_5 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: step.e_1, definition step.H_0; (10), (6) */
-    const e_1 = dd_add_xx(dd_mul_xx(l_a, common_5), dd_div_xd(dd_sub_xx(common_2, common_4), 2.0)); /* fact: step.e_1; (10) */
+    const e_1 = dd_sub_xx(dd_add_xx(dd_mul_xx(common_5, l_a), dd_div_xd(common_2, 2.0)), dd_div_xd(common_4, 2.0)); /* fact: step.e_1; (10) */
     const e_2 = dd_mul_xx(h, h); /* fact: definition step.e_2; (10) */
     const H_0 = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_5), dd_mul_xx(c_b, common_1)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: definition step.H_0; (6) */
     const common_6 = dd_add_xx(K, dd_mul_dx(sigma, M_a0)); /* fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27) */
     const psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H_0), dd_mul_xx(dd_mul_xd(K, sigma), Omega_a0)), common_6); /* fact: definition step.psi_0; (33), (34) */
     const z_re = dd_div_xx(M_d0, common_6); /* fact: definition step.z_re; (27) */
-    const z_im = dd_div_xx(dd_mul_dx(sigma * epsilon, M_b0), common_6); /* fact: definition step.z_im; (27) */
-    const zr_re = dd_div_xx(dd_mul_xx(dd_mul_dx(epsilon, Omega_b0), dd_sub_xx(dd_mul_xx(c_ab, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, c_bd), Omega_d0), z_re))), common_6); /* fact: step.zr_re; (27) */
-    const zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(c_ad, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(epsilon, c_bd), Omega_b0), z_im))), common_6); /* fact: step.zr_im; (27) */
+    const z_im = dd_div_xx(dd_mul_dx(epsilon * sigma, M_b0), common_6); /* fact: definition step.z_im; (27) */
+    const common_7 = dd_mul_dx(epsilon, Omega_b0); /* fact: step.zr_re, step.zr_im; (27) */
+    const zr_re = dd_div_xx(dd_mul_xx(common_7, dd_sub_xx(dd_mul_xx(Omega_a0, c_ab), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, Omega_d0), c_bd), z_re))), common_6); /* fact: step.zr_re; (27) */
+    const zr_im = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(Omega_a0, c_ad), dd_mul_xx(dd_mul_xx(common_7, c_bd), z_im))), common_6); /* fact: step.zr_im; (27) */
     const Lambda_rate = dd_div_xx(psi_0, dd_mul_dx(2.0, pi)); /* arithmetic */
     const first_t = t * (1.0 / 32.0); /* arithmetic */
-    const common_7 = first_t * first_t; /* classical: DLMF 22.10.1 */
-    const a_1 = dd_rounded(e_1) * common_7; /* classical: DLMF 22.10.1 */
-    const a_2 = dd_rounded(e_2) * (common_7 * common_7); /* classical: DLMF 22.10.1 */
-    const common_8 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
-    const common_9 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
-    const common_10 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
-    const common_11 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
-    const common_12 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
-    const more_X = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_12 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_11 / 3027024000.0, -307.0 / 92400.0), common_8)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_10 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_9 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_8), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
-    const more_Y = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_12 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_11 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_10 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_9 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
+    const common_8 = first_t * first_t; /* classical: DLMF 22.10.1 */
+    const a_1 = dd_rounded(e_1) * common_8; /* classical: DLMF 22.10.1 */
+    const a_2 = dd_rounded(e_2) * (common_8 * common_8); /* classical: DLMF 22.10.1 */
+    const common_9 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
+    const common_10 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
+    const common_11 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
+    const common_12 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
+    const common_13 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
+    const more_X = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_13 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_12 / 3027024000.0, -307.0 / 92400.0), common_9)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_11 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_10 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_9), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
+    const more_Y = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_13 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_12 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_11 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_10 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
     const X = dd_mul_dx(first_t, dd_add_xd(unity, more_X)); /* classical: DLMF 22.10.1 */
     const Y = dd_add_xd(unity, more_Y); /* classical: DLMF 22.10.1 */
     return [h, e_1, e_2, K, Lambda_rate, X, Y, z_re, z_im, zr_re, zr_im];
@@ -383,10 +384,10 @@ function step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im) {
     const nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     const nu_im = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     const rate_re = h * fused(z_im, zr_im, -(z_re * zr_re)); /* fact: definition turn.rate_re; (27), (36) */
-    const rate_im = -h * fused(z_re, zr_im, z_im * zr_re); /* fact: definition turn.rate_im; (27), (36) */
+    const rate_im = h * fused(-z_re, zr_im, -(z_im * zr_re)); /* fact: definition turn.rate_im; (27), (36) */
     const common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11 */
-    const G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    const G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    const G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const square_X = common_1; /* classical: DLMF 18.12.11 */
     const d_0 = 1.0; /* classical: DLMF 18.12.11 */
     const d_1 = e_1 / 2.0; /* classical: DLMF 18.12.11 */
@@ -448,14 +449,13 @@ function step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im) {
     const E_re = fused(-(common_19 / 2.0), 1.0 - common_19 / 12.0, 1.0); /* classical: DLMF 4.19.2 */
     const E_im = chi * fused(-(common_19 / 6.0), 1.0 - common_19 / 20.0, 1.0); /* classical: DLMF 4.19.1 */
     const R = Math.sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: thirds.R; (36) */
-    const common_20 = R + G_re; /* fact: thirds.N, definition thirds.U_re; (36), (33), (34) */
-    const N = Math.sqrt(2.0 * R * common_20); /* fact: thirds.N; (36) */
-    const U_re = common_20 / N; /* fact: definition thirds.U_re; (33), (34) */
+    const N = Math.sqrt(2.0 * R * (R + G_re)); /* fact: thirds.N; (36) */
+    const U_re = (G_re + R) / N; /* fact: definition thirds.U_re; (33), (34) */
     const U_im = -G_im / N; /* fact: definition thirds.U_im; (33), (34) */
     const P_re = E_re; /* fact: definition thirds.P_re; (33), (34) */
     const P_im = E_im; /* fact: definition thirds.P_im; (33), (34) */
-    const W_re = fused(P_re, U_re, -(P_im * U_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
-    const W_im = fused(P_re, U_im, P_im * U_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
+    const W_re = fused(U_re, P_re, -(U_im * P_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
+    const W_im = fused(U_re, P_im, U_im * P_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
     return [W_re, W_im];
 }
 
@@ -475,7 +475,7 @@ function step_doubled(X, Y, e_1, e_2) {
     const common_2 = dd_mul_xx(e_2, dd_mul_xx(dd_mul_xx(common_1, X), X)); /* fact: definition doubling.inside, definition doubling.Y_next; (10) */
     const inside = dd_sub_dx(1.0, common_2); /* fact: definition doubling.inside; (10) */
     const X_next = dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, X), Y), inside); /* fact: definition doubling.X_next; (10) */
-    const Y_next = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_sub_xx(dd_mul_xx(e_1, dd_add_dx(1.0, common_2)), dd_mul_xx(dd_mul_dx(4.0, e_2), common_1))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
+    const Y_next = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_add_xx(dd_mul_xx(dd_mul_dx(-4.0, e_2), common_1), dd_mul_xx(e_1, dd_add_dx(1.0, common_2)))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
     return [X_next, Y_next];
 }
 
@@ -484,13 +484,13 @@ function step_projected(h, z_re, z_im, zr_re, zr_im, X, Y) {
     const nu_re = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     const nu_im = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     const common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    const G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    const G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const square = fused(G_re, G_re, G_im * G_im); /* fact: definition turn.square; (27), (36) */
-    const F_re = fused(z_re, Y, zr_re * X); /* fact: definition turn.F_re; (27), (36) */
-    const F_im = fused(z_im, Y, zr_im * X); /* fact: definition turn.F_im; (27), (36) */
-    const w_re = fused(F_re, G_re, F_im * G_im) / square; /* fact: definition turn.w_re; (27), (36) */
-    const w_im = fused(F_im, G_re, -(F_re * G_im)) / square; /* fact: definition turn.w_im; (27), (36) */
+    const F_re = fused(X, zr_re, Y * z_re); /* fact: definition turn.F_re; (27), (36) */
+    const F_im = fused(X, zr_im, Y * z_im); /* fact: definition turn.F_im; (27), (36) */
+    const w_re = fused(G_re, F_re, G_im * F_im) / square; /* fact: definition turn.w_re; (27), (36) */
+    const w_im = fused(G_re, F_im, -(G_im * F_re)) / square; /* fact: definition turn.w_im; (27), (36) */
     return [w_re, w_im];
 }
 
@@ -499,11 +499,11 @@ function step_second_half(h, X, w_re, w_im, W_re, W_im) {
     const nu_re = h * fused(w_im, w_im, -(w_re * w_re)); /* fact: definition turn.nu_re; (27), (36) */
     const nu_im = -2.0 * h * w_re * w_im; /* fact: definition turn.nu_im; (27), (36) */
     const common_1 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const G_re = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    const G_im = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    const G_re = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    const G_im = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     const R = Math.sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: second_half.R; (36) */
-    const V_re = fused(W_re, G_re, W_im * G_im) / R; /* fact: definition second_half.V_re; (33), (34) */
-    const V_im = fused(W_im, G_re, -(W_re * G_im)) / R; /* fact: definition second_half.V_im; (33), (34) */
+    const V_re = fused(G_re, W_re, G_im * W_im) / R; /* fact: definition second_half.V_re; (33), (34) */
+    const V_im = fused(G_re, W_im, -(G_im * W_re)) / R; /* fact: definition second_half.V_im; (33), (34) */
     const W_next_re = fused(W_re, V_re, -(W_im * V_im)); /* fact: definition thirds.P_re; (33), (34) */
     const W_next_im = fused(W_re, V_im, W_im * V_re); /* fact: definition thirds.P_im; (33), (34) */
     return [W_next_re, W_next_im];
@@ -514,13 +514,13 @@ function step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y) {
     const nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(z_im, z_im), dd_mul_xx(z_re, z_re))); /* fact: definition turn.nu_re; (27), (36) */
     const nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), z_re), z_im); /* fact: definition turn.nu_im; (27), (36) */
     const common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const G_re = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    const G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    const G_re = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    const G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     const square = dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im)); /* fact: definition turn.square; (27), (36) */
-    const F_re = dd_add_xx(dd_mul_xx(z_re, Y), dd_mul_xx(zr_re, X)); /* fact: definition turn.F_re; (27), (36) */
-    const F_im = dd_add_xx(dd_mul_xx(z_im, Y), dd_mul_xx(zr_im, X)); /* fact: definition turn.F_im; (27), (36) */
-    const v_re = dd_div_xx(dd_add_xx(dd_mul_xx(F_re, G_re), dd_mul_xx(F_im, G_im)), square); /* fact: definition turn.w_re; (27), (36) */
-    const v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(F_im, G_re), dd_mul_xx(F_re, G_im)), square); /* fact: definition turn.w_im; (27), (36) */
+    const F_re = dd_add_xx(dd_mul_xx(X, zr_re), dd_mul_xx(Y, z_re)); /* fact: definition turn.F_re; (27), (36) */
+    const F_im = dd_add_xx(dd_mul_xx(X, zr_im), dd_mul_xx(Y, z_im)); /* fact: definition turn.F_im; (27), (36) */
+    const v_re = dd_div_xx(dd_add_xx(dd_mul_xx(G_re, F_re), dd_mul_xx(G_im, F_im)), square); /* fact: definition turn.w_re; (27), (36) */
+    const v_im = dd_div_xx(dd_sub_xx(dd_mul_xx(G_re, F_im), dd_mul_xx(G_im, F_re)), square); /* fact: definition turn.w_im; (27), (36) */
     return [v_re, v_im];
 }
 
@@ -529,11 +529,11 @@ function step_last_second_half(h, X, v_re, v_im, W_re, W_im) {
     const nu_re = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(v_im, v_im), dd_mul_xx(v_re, v_re))); /* fact: definition turn.nu_re; (27), (36) */
     const nu_im = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), v_re), v_im); /* fact: definition turn.nu_im; (27), (36) */
     const common_1 = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    const G_re = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    const G_im = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    const G_re = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    const G_im = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     const R = dd_sqrt(dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im))); /* fact: second_half.R; (36) */
-    const V_re = dd_div_xx(dd_add_xx(dd_mul_dx(W_re, G_re), dd_mul_dx(W_im, G_im)), R); /* fact: definition second_half.V_re; (33), (34) */
-    const V_im = dd_div_xx(dd_sub_xx(dd_mul_dx(W_im, G_re), dd_mul_dx(W_re, G_im)), R); /* fact: definition second_half.V_im; (33), (34) */
+    const V_re = dd_div_xx(dd_add_xx(dd_mul_xd(G_re, W_re), dd_mul_xd(G_im, W_im)), R); /* fact: definition second_half.V_re; (33), (34) */
+    const V_im = dd_div_xx(dd_sub_xx(dd_mul_xd(G_re, W_im), dd_mul_xd(G_im, W_re)), R); /* fact: definition second_half.V_im; (33), (34) */
     const W_next_re = dd_sub_xx(dd_mul_dx(W_re, V_re), dd_mul_dx(W_im, V_im)); /* fact: definition thirds.P_re; (33), (34) */
     const W_next_im = dd_add_xx(dd_mul_dx(W_re, V_im), dd_mul_dx(W_im, V_re)); /* fact: definition thirds.P_im; (33), (34) */
     return [dd_rounded(W_next_re), dd_rounded(W_next_im)];
@@ -542,12 +542,12 @@ function step_last_second_half(h, X, v_re, v_im, W_re, W_im) {
 /* The rates after the step. */
 function step_rates(X, Y, h, alpha_a, alpha_b, alpha_d, l_d, Omega_a0, Omega_b0, Omega_d0) {
     const common_1 = dd_mul_xx(X, X); /* fact: definition step.f, definition step.g, step.room; (10) */
-    const common_2 = dd_mul_xx(h, common_1); /* fact: definition step.f, definition step.g; (10) */
+    const common_2 = dd_mul_xx(common_1, h); /* fact: definition step.f, definition step.g; (10) */
     const f = dd_add_dx(1.0, common_2); /* fact: definition step.f; (10) */
     const g = dd_sub_dx(1.0, common_2); /* fact: definition step.g; (10) */
     const room = dd_add_xx(dd_mul_xx(g, g), dd_mul_xx(dd_mul_xx(l_d, dd_mul_xx(Omega_d0, Omega_d0)), common_1)); /* fact: step.room; (10) */
     const Omega_a = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_a0, f), g), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_a, Omega_b0), Omega_d0), X), Y)), room); /* fact: step.Omega_a; (5), (10) */
-    const Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_d0), Omega_a0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
+    const Omega_b = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_a0), Omega_d0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
     const Omega_d = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_d0, f), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_d, Omega_a0), Omega_b0), g), X)), room); /* fact: step.Omega_d; (5), (10) */
     return [Omega_a, Omega_b, Omega_d];
 }
@@ -987,7 +987,7 @@ export function rule(code) {
  * The digest of the header and the source, for callers of a shared library.
  */
 export function digest() {
-    return "bab2ba443f2a4b5bd5080962785270c44b62d3d6aac7018f0feb5bf9bdbe2f18";
+    return "c3ba7357f4ba9a443d2c83dfaf796008037107100586576b268fa2b77f687251";
 }
 
 /** A refused input: `code`, the `field` that it is about, and the `rule` that it breaks. */

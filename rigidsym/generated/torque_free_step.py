@@ -74,7 +74,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        6.8e-16  1.9e-16
 
 rigidsym 0.1.0, emitter numpy/2
-digest ed02d236a2cf694ca2bb066ae6905a52732ed154677cc9bf0564dfa14683a36d
+digest e8372331819f39bf95a86d4348455bc7baeb8275ac7930f6aa3dbcd0e2f27167
 """
 
 # ruff: noqa
@@ -355,32 +355,33 @@ def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, e
     M_d0 = c_d * Omega_d0  # fact: step.M_d0; (8)
     K = _sqrt(M_a0 * M_a0 + M_b0 * M_b0 + M_d0 * M_d0)  # fact: step.K; (6), (15)
     common_1 = Omega_b0 * Omega_b0  # fact: step.h, step.e_1, definition step.H_0; (10), (6)
-    common_2 = l_b * common_1  # fact: step.h, step.e_1; (10)
+    common_2 = common_1 * l_b  # fact: step.h, step.e_1; (10)
     common_3 = Omega_d0 * Omega_d0  # fact: step.h, step.e_1, definition step.H_0; (10), (6)
-    common_4 = l_d * common_3  # fact: step.h, step.e_1; (10)
+    common_4 = common_3 * l_d  # fact: step.h, step.e_1; (10)
     h = (common_2 + common_4) / 4  # fact: step.h; (10)
     common_5 = Omega_a0 * Omega_a0  # fact: step.e_1, definition step.H_0; (10), (6)
-    e_1 = l_a * common_5 + (common_2 - common_4) / 2  # fact: step.e_1; (10)
+    e_1 = common_5 * l_a + common_2 / 2 - common_4 / 2  # fact: step.e_1; (10)
     e_2 = h * h  # fact: definition step.e_2; (10)
     H_0 = (c_a * common_5 + c_b * common_1 + c_d * common_3) / 2  # fact: definition step.H_0; (6)
     common_6 = K + sigma * M_a0  # fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27)
     psi_0 = (2 * H_0 + K * sigma * Omega_a0) / common_6  # fact: definition step.psi_0; (33), (34)
     z_re = M_d0 / common_6  # fact: definition step.z_re; (27)
-    z_im = sigma * epsilon * M_b0 / common_6  # fact: definition step.z_im; (27)
-    zr_re = epsilon * Omega_b0 * (c_ab * Omega_a0 - sigma * c_bd * Omega_d0 * z_re) / common_6  # fact: step.zr_re; (27)
-    zr_im = -sigma * Omega_d0 * (c_ad * Omega_a0 + epsilon * c_bd * Omega_b0 * z_im) / common_6  # fact: step.zr_im; (27)
+    z_im = epsilon * sigma * M_b0 / common_6  # fact: definition step.z_im; (27)
+    common_7 = epsilon * Omega_b0  # fact: step.zr_re, step.zr_im; (27)
+    zr_re = common_7 * (Omega_a0 * c_ab - sigma * Omega_d0 * c_bd * z_re) / common_6  # fact: step.zr_re; (27)
+    zr_im = -sigma * Omega_d0 * (Omega_a0 * c_ad + common_7 * c_bd * z_im) / common_6  # fact: step.zr_im; (27)
     Lambda_rate = psi_0 / (2 * pi)  # arithmetic
     first_t = t * (1 / 32)  # arithmetic
-    common_7 = first_t * first_t  # classical: DLMF 22.10.1
-    a_1 = _rounded(e_1) * common_7  # classical: DLMF 22.10.1
-    a_2 = _rounded(e_2) * (common_7 * common_7)  # classical: DLMF 22.10.1
-    common_8 = 1 / 120  # classical: DLMF 22.10.1
-    common_9 = a_1 * -1  # classical: DLMF 22.10.1
-    common_10 = a_1 * -24911  # classical: DLMF 22.10.1
-    common_11 = a_1 * -258821  # classical: DLMF 22.10.1
-    common_12 = a_1 * -13511  # classical: DLMF 22.10.1
-    more_X = _horner(a_2, _horner(a_1, 0, -1 / 6, common_8, -1 / 5040, 1 / 362880, -1 / 39916800, 1 / 6227020800 + common_9 / 1307674368000), _horner(a_1, 1 / 10, -11 / 420, 17 / 5040, -461 / 1663200, 8303 / 518918400 + common_10 / 36324288000), _horner(a_1, common_8, -307 / 92400, 9481 / 14414400 + common_11 / 3027024000), 11 / 15600 + common_12 / 36036000)  # classical: DLMF 22.10.1
-    more_Y = _horner(a_2, _horner(a_1, 0, -1 / 2, 1 / 24, -1 / 720, 1 / 40320, -1 / 3628800, 1 / 479001600 + common_9 / 87178291200), _horner(a_1, 1 / 2, -11 / 60, 17 / 560, -461 / 151200, 8303 / 39916800 + common_10 / 2421619200), _horner(a_1, 3 / 40, -307 / 8400, 9481 / 1108800 + common_11 / 201801600), 11 / 1200 + common_12 / 2402400)  # classical: DLMF 22.10.1
+    common_8 = first_t * first_t  # classical: DLMF 22.10.1
+    a_1 = _rounded(e_1) * common_8  # classical: DLMF 22.10.1
+    a_2 = _rounded(e_2) * (common_8 * common_8)  # classical: DLMF 22.10.1
+    common_9 = 1 / 120  # classical: DLMF 22.10.1
+    common_10 = a_1 * -1  # classical: DLMF 22.10.1
+    common_11 = a_1 * -24911  # classical: DLMF 22.10.1
+    common_12 = a_1 * -258821  # classical: DLMF 22.10.1
+    common_13 = a_1 * -13511  # classical: DLMF 22.10.1
+    more_X = _horner(a_2, _horner(a_1, 0, -1 / 6, common_9, -1 / 5040, 1 / 362880, -1 / 39916800, 1 / 6227020800 + common_10 / 1307674368000), _horner(a_1, 1 / 10, -11 / 420, 17 / 5040, -461 / 1663200, 8303 / 518918400 + common_11 / 36324288000), _horner(a_1, common_9, -307 / 92400, 9481 / 14414400 + common_12 / 3027024000), 11 / 15600 + common_13 / 36036000)  # classical: DLMF 22.10.1
+    more_Y = _horner(a_2, _horner(a_1, 0, -1 / 2, 1 / 24, -1 / 720, 1 / 40320, -1 / 3628800, 1 / 479001600 + common_10 / 87178291200), _horner(a_1, 1 / 2, -11 / 60, 17 / 560, -461 / 151200, 8303 / 39916800 + common_11 / 2421619200), _horner(a_1, 3 / 40, -307 / 8400, 9481 / 1108800 + common_12 / 201801600), 11 / 1200 + common_13 / 2402400)  # classical: DLMF 22.10.1
     X = first_t * (unity + more_X)  # classical: DLMF 22.10.1
     Y = unity + more_Y  # classical: DLMF 22.10.1
     return h.hi, h.lo, e_1.hi, e_1.lo, e_2.hi, e_2.lo, K.hi, K.lo, Lambda_rate.hi, Lambda_rate.lo, X.hi, X.lo, Y.hi, Y.lo, z_re.hi, z_re.lo, z_im.hi, z_im.lo, zr_re.hi, zr_re.lo, zr_im.hi, zr_im.lo
@@ -391,10 +392,10 @@ def _step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im):
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     rate_re = h * (z_im * zr_im - z_re * zr_re)  # fact: definition turn.rate_re; (27), (36)
-    rate_im = -h * (z_re * zr_im + z_im * zr_re)  # fact: definition turn.rate_im; (27), (36)
+    rate_im = h * (-z_re * zr_im - z_im * zr_re)  # fact: definition turn.rate_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11
-    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    G_re = 1 - common_1 * nu_re  # fact: definition turn.G_re; (27), (36)
+    G_im = -common_1 * nu_im  # fact: definition turn.G_im; (27), (36)
     square_X = common_1  # classical: DLMF 18.12.11
     d_0 = 1  # classical: DLMF 18.12.11
     d_1 = e_1 / 2  # classical: DLMF 18.12.11
@@ -456,14 +457,13 @@ def _step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im):
     E_re = 1 - common_19 / 2 * (1 - common_19 / 12)  # classical: DLMF 4.19.2
     E_im = chi * (1 - common_19 / 6 * (1 - common_19 / 20))  # classical: DLMF 4.19.1
     R = _sqrt(G_re * G_re + G_im * G_im)  # fact: thirds.R; (36)
-    common_20 = R + G_re  # fact: thirds.N, definition thirds.U_re; (36), (33), (34)
-    N = _sqrt(2 * R * common_20)  # fact: thirds.N; (36)
-    U_re = common_20 / N  # fact: definition thirds.U_re; (33), (34)
+    N = _sqrt(2 * R * (R + G_re))  # fact: thirds.N; (36)
+    U_re = (G_re + R) / N  # fact: definition thirds.U_re; (33), (34)
     U_im = -G_im / N  # fact: definition thirds.U_im; (33), (34)
     P_re = E_re  # fact: definition thirds.P_re; (33), (34)
     P_im = E_im  # fact: definition thirds.P_im; (33), (34)
-    W_re = P_re * U_re - P_im * U_im  # fact: definition thirds.cos_half_psi; (33), (34)
-    W_im = P_re * U_im + P_im * U_re  # fact: definition thirds.sin_half_psi; (33), (34)
+    W_re = U_re * P_re - U_im * P_im  # fact: definition thirds.cos_half_psi; (33), (34)
+    W_im = U_re * P_im + U_im * P_re  # fact: definition thirds.sin_half_psi; (33), (34)
     return W_re, W_im
 
 
@@ -473,7 +473,7 @@ def _step_doubled(X, Y, e_1, e_2):
     common_2 = e_2 * (common_1 * X * X)  # fact: definition doubling.inside, definition doubling.Y_next; (10)
     inside = 1 - common_2  # fact: definition doubling.inside; (10)
     X_next = 2 * X * Y / inside  # fact: definition doubling.X_next; (10)
-    Y_next = 1 - 2 * common_1 * (e_1 * (1 + common_2) - 4 * e_2 * common_1) / (inside * inside)  # fact: definition doubling.Y_next; (10)
+    Y_next = 1 - 2 * common_1 * (-4 * e_2 * common_1 + e_1 * (1 + common_2)) / (inside * inside)  # fact: definition doubling.Y_next; (10)
     return X_next.hi, X_next.lo, Y_next.hi, Y_next.lo
 
 
@@ -482,13 +482,13 @@ def _step_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
-    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    G_re = 1 - common_1 * nu_re  # fact: definition turn.G_re; (27), (36)
+    G_im = -common_1 * nu_im  # fact: definition turn.G_im; (27), (36)
     square = G_re * G_re + G_im * G_im  # fact: definition turn.square; (27), (36)
-    F_re = z_re * Y + zr_re * X  # fact: definition turn.F_re; (27), (36)
-    F_im = z_im * Y + zr_im * X  # fact: definition turn.F_im; (27), (36)
-    w_re = (F_re * G_re + F_im * G_im) / square  # fact: definition turn.w_re; (27), (36)
-    w_im = (F_im * G_re - F_re * G_im) / square  # fact: definition turn.w_im; (27), (36)
+    F_re = X * zr_re + Y * z_re  # fact: definition turn.F_re; (27), (36)
+    F_im = X * zr_im + Y * z_im  # fact: definition turn.F_im; (27), (36)
+    w_re = (G_re * F_re + G_im * F_im) / square  # fact: definition turn.w_re; (27), (36)
+    w_im = (G_re * F_im - G_im * F_re) / square  # fact: definition turn.w_im; (27), (36)
     return w_re, w_im
 
 
@@ -497,11 +497,11 @@ def _step_second_half(h, X, w_re, w_im, W_re, W_im):
     nu_re = h * (w_im * w_im - w_re * w_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * w_re * w_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
-    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    G_re = 1 - common_1 * nu_re  # fact: definition turn.G_re; (27), (36)
+    G_im = -common_1 * nu_im  # fact: definition turn.G_im; (27), (36)
     R = _sqrt(G_re * G_re + G_im * G_im)  # fact: second_half.R; (36)
-    V_re = (W_re * G_re + W_im * G_im) / R  # fact: definition second_half.V_re; (33), (34)
-    V_im = (W_im * G_re - W_re * G_im) / R  # fact: definition second_half.V_im; (33), (34)
+    V_re = (G_re * W_re + G_im * W_im) / R  # fact: definition second_half.V_re; (33), (34)
+    V_im = (G_re * W_im - G_im * W_re) / R  # fact: definition second_half.V_im; (33), (34)
     W_next_re = W_re * V_re - W_im * V_im  # fact: definition thirds.P_re; (33), (34)
     W_next_im = W_re * V_im + W_im * V_re  # fact: definition thirds.P_im; (33), (34)
     return W_next_re, W_next_im
@@ -512,13 +512,13 @@ def _step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
-    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    G_re = 1 - common_1 * nu_re  # fact: definition turn.G_re; (27), (36)
+    G_im = -common_1 * nu_im  # fact: definition turn.G_im; (27), (36)
     square = G_re * G_re + G_im * G_im  # fact: definition turn.square; (27), (36)
-    F_re = z_re * Y + zr_re * X  # fact: definition turn.F_re; (27), (36)
-    F_im = z_im * Y + zr_im * X  # fact: definition turn.F_im; (27), (36)
-    v_re = (F_re * G_re + F_im * G_im) / square  # fact: definition turn.w_re; (27), (36)
-    v_im = (F_im * G_re - F_re * G_im) / square  # fact: definition turn.w_im; (27), (36)
+    F_re = X * zr_re + Y * z_re  # fact: definition turn.F_re; (27), (36)
+    F_im = X * zr_im + Y * z_im  # fact: definition turn.F_im; (27), (36)
+    v_re = (G_re * F_re + G_im * F_im) / square  # fact: definition turn.w_re; (27), (36)
+    v_im = (G_re * F_im - G_im * F_re) / square  # fact: definition turn.w_im; (27), (36)
     return v_re.hi, v_re.lo, v_im.hi, v_im.lo
 
 
@@ -527,11 +527,11 @@ def _step_last_second_half(h, X, v_re, v_im, W_re, W_im):
     nu_re = h * (v_im * v_im - v_re * v_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * v_re * v_im  # fact: definition turn.nu_im; (27), (36)
     common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
-    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    G_re = 1 - common_1 * nu_re  # fact: definition turn.G_re; (27), (36)
+    G_im = -common_1 * nu_im  # fact: definition turn.G_im; (27), (36)
     R = _sqrt(G_re * G_re + G_im * G_im)  # fact: second_half.R; (36)
-    V_re = (W_re * G_re + W_im * G_im) / R  # fact: definition second_half.V_re; (33), (34)
-    V_im = (W_im * G_re - W_re * G_im) / R  # fact: definition second_half.V_im; (33), (34)
+    V_re = (G_re * W_re + G_im * W_im) / R  # fact: definition second_half.V_re; (33), (34)
+    V_im = (G_re * W_im - G_im * W_re) / R  # fact: definition second_half.V_im; (33), (34)
     W_next_re = W_re * V_re - W_im * V_im  # fact: definition thirds.P_re; (33), (34)
     W_next_im = W_re * V_im + W_im * V_re  # fact: definition thirds.P_im; (33), (34)
     return _rounded(W_next_re), _rounded(W_next_im)
@@ -540,12 +540,12 @@ def _step_last_second_half(h, X, v_re, v_im, W_re, W_im):
 def _step_rates(X, Y, h, alpha_a, alpha_b, alpha_d, l_d, Omega_a0, Omega_b0, Omega_d0):
     """The rates after the step."""
     common_1 = X * X  # fact: definition step.f, definition step.g, step.room; (10)
-    common_2 = h * common_1  # fact: definition step.f, definition step.g; (10)
+    common_2 = common_1 * h  # fact: definition step.f, definition step.g; (10)
     f = 1 + common_2  # fact: definition step.f; (10)
     g = 1 - common_2  # fact: definition step.g; (10)
     room = g * g + l_d * (Omega_d0 * Omega_d0) * common_1  # fact: step.room; (10)
     Omega_a = (Omega_a0 * f * g + alpha_a * Omega_b0 * Omega_d0 * X * Y) / room  # fact: step.Omega_a; (5), (10)
-    Omega_b = (Omega_b0 * g * Y + alpha_b * Omega_d0 * Omega_a0 * f * X) / room  # fact: step.Omega_b; (5), (10)
+    Omega_b = (Omega_b0 * g * Y + alpha_b * Omega_a0 * Omega_d0 * f * X) / room  # fact: step.Omega_b; (5), (10)
     Omega_d = (Omega_d0 * f * Y + alpha_d * Omega_a0 * Omega_b0 * g * X) / room  # fact: step.Omega_d; (5), (10)
     return Omega_a.hi, Omega_a.lo, Omega_b.hi, Omega_b.lo, Omega_d.hi, Omega_d.lo
 
@@ -616,18 +616,18 @@ def _step_attitude(t, Lambda_rate_hi, Lambda_rate_lo, W_re, W_im, s_0, s_b, s_d,
 
 def _step_kick(q0, q1, q2, q3, u1, u2, u3, b1, b2, b3, k, m1, m2, m3, Q11, Q22, Q33, Q23, Q13, Q12):
     """The torque that a vector in space exerts, and a torque fixed in the body."""
-    w1 = 2 * (u2 * q3 - u3 * q2)  # fact: definition kick.w1; (3)
-    w2 = 2 * (u3 * q1 - u1 * q3)  # fact: definition kick.w2; (3)
-    w3 = 2 * (u1 * q2 - u2 * q1)  # fact: definition kick.w3; (3)
-    v1 = u1 + q0 * w1 + (w2 * q3 - w3 * q2)  # fact: definition kick.v1; (3)
-    v2 = u2 + q0 * w2 + (w3 * q1 - w1 * q3)  # fact: definition kick.v2; (3)
-    v3 = u3 + q0 * w3 + (w1 * q2 - w2 * q1)  # fact: definition kick.v3; (3)
-    g1 = Q11 * v1 + Q12 * v2 + Q13 * v3 - m1  # fact: definition kick.g1; (3)
-    g2 = Q12 * v1 + Q22 * v2 + Q23 * v3 - m2  # fact: definition kick.g2; (3)
-    g3 = Q13 * v1 + Q23 * v2 + Q33 * v3 - m3  # fact: definition kick.g3; (3)
-    T1 = b1 + k * v1 + (v2 * g3 - v3 * g2)  # fact: definition kick.T1; (3)
-    T2 = b2 + k * v2 + (v3 * g1 - v1 * g3)  # fact: definition kick.T2; (3)
-    T3 = b3 + k * v3 + (v1 * g2 - v2 * g1)  # fact: definition kick.T3; (3)
+    w1 = 2 * (q3 * u2 - q2 * u3)  # fact: definition kick.w1; (3)
+    w2 = 2 * (q1 * u3 - q3 * u1)  # fact: definition kick.w2; (3)
+    w3 = 2 * (q2 * u1 - q1 * u2)  # fact: definition kick.w3; (3)
+    v1 = u1 + q0 * w1 + q3 * w2 - q2 * w3  # fact: definition kick.v1; (3)
+    v2 = u2 + q0 * w2 + q1 * w3 - q3 * w1  # fact: definition kick.v2; (3)
+    v3 = u3 + q0 * w3 + q2 * w1 - q1 * w2  # fact: definition kick.v3; (3)
+    g1 = -m1 + v1 * Q11 + v2 * Q12 + v3 * Q13  # fact: definition kick.g1; (3)
+    g2 = -m2 + v1 * Q12 + v2 * Q22 + v3 * Q23  # fact: definition kick.g2; (3)
+    g3 = -m3 + v1 * Q13 + v2 * Q23 + v3 * Q33  # fact: definition kick.g3; (3)
+    T1 = b1 + k * v1 + v2 * g3 - v3 * g2  # fact: definition kick.T1; (3)
+    T2 = b2 + k * v2 + v3 * g1 - v1 * g3  # fact: definition kick.T2; (3)
+    T3 = b3 + k * v3 + v1 * g2 - v2 * g1  # fact: definition kick.T3; (3)
     return T1, T2, T3
 
 

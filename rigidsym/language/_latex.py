@@ -21,6 +21,17 @@ VARIANTS = {"epsilon": r"\varepsilon"}
 MARKS = {"plus": "+", "minus": "-", "star": r"\star", "squared": "2"}
 FUNCTIONS = {"cos": r"\cos", "sin": r"\sin"}
 JACOBI = {f"jacobi_{name}": rf"\operatorname{{{name}}}" for name in ("sn", "cn", "dn", "am")}
+# Functions that formulas of the ledger are read as, besides Jacobi's.
+HEADS = {
+    "jacobi_argument": r"\operatorname{arg}",
+    "elliptic_k": r"\operatorname{K}",
+    "elliptic_pi": r"\Pi",
+    "elliptic_j": r"\operatorname{J}",
+    **{name: rf"\operatorname{{{name}}}" for name in ("arcsc", "arcsn", "nome")},
+    **{f"dtheta{k}": rf"\theta_{{{k}}}'" for k in (1, 2, 3, 4)},
+    "re": r"\operatorname{Re}",
+    "im": r"\operatorname{Im}",
+}
 PARTS = {"re": r"\operatorname{Re}", "im": r"\operatorname{Im}"}
 _UPRIGHT = (r"\mathrm", r"\op")
 MOST_TERMS = 9
@@ -198,7 +209,8 @@ class Printer:
             return FUNCTIONS[function], f" {{{self._within(arguments[0], _PRODUCT)}}}"
         between = r" \mid " if function in JACOBI else ", "
         inside = rf"\left({between.join(map(self.of, arguments))}\right)"
-        return JACOBI.get(function) or symbol(function).latex, inside
+        head = JACOBI.get(function) or HEADS.get(function) or symbol(function).latex
+        return head, inside
 
     @staticmethod
     def _rate(whole: Symbol) -> str:

@@ -9,6 +9,7 @@ for its real and imaginary part, and a matrix for its three rows.  Operations ar
     z*w, z/w, i   of complex numbers; i is the imaginary unit
     R*v           of a matrix and a vector
     dot(u, v), cross(u, v), conj(z)
+    cis(psi)      cos psi + i sin psi, whose parts are called cos_psi and sin_psi
     d(x), d_x(y)  a small change of x, and the derivative of y by each input x
 
 Axes may be left-handed.  The sign of their handedness is a factor of the cross products in products
@@ -18,6 +19,8 @@ of quaternions; in `cross` it is not.
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import product
 from typing import Any, TypeAlias
 
 from rigidsym.language._expression import Call, Expression, Name, Number, Operation, to_text
@@ -135,6 +138,8 @@ def derivative(expression: Expression, by: Callable[[str], Expression]) -> Expre
                 return times(times(Number(n), power), of(a))
             case Number():
                 return ZERO
+            case Call("D", (a,)):
+                return Call("D", (of(a),))
         raise ValueError(f"{part}: no derivative is known")
 
     return of(expression)
@@ -148,9 +153,15 @@ class Notation:
     gap: str = ""
     hand: Expression = ONE
     named: dict[str, Value] = field(default_factory=lambda: {"i": (ZERO, ONE)})
-    # Which names change where `d` is a small change, and with which inputs where it is `d_x`.
-    changing: set[str] = field(default_factory=set)
-    columns: list[tuple[set[str], list[str]]] = field(default_factory=list)
+    # What a name changes by with each input; "" is the input of small changes d.
+    columns: dict[tuple[str, str], Expression] = field(default_factory=dict)
+
+    def include(self, other: "Notation") -> None:
+        """Add the names of another block, and its axes if it declares any."""
+        self.named |= other.named
+        self.columns |= other.columns
+        if other.gap:
+            self.axes, self.gap, self.hand = other.axes, other.gap, other.hand
 
     def declare(self, kind: str, content: str) -> None:
         """Read a clause that declares names: `vectors c Omega along a b d epsilon`, for example."""
@@ -161,7 +172,7 @@ class Notation:
             self.hand = Name(axes.split()[3]) if len(axes.split()) > 3 else ONE
         for name in names.split():
             if kind == "complex":
-                self.parts(name)
+                self.named[name] = Name(f"{name}_re"), Name(f"{name}_im")
             elif kind == "vectors":
                 self.named[name] = tuple(Name(self._component(name, x)) for x in self.axes)
             elif kind == "quaternions":
@@ -170,27 +181,23 @@ class Notation:
                 rows = (self._component(name, x) for x in self.axes)
                 self.named[name] = tuple(tuple(Name(f"{x}{y}") for y in self.axes) for x in rows)
 
-    def parts(self, name: str) -> tuple[str, str]:
-        """Declare a complex number, and return the names of its two parts."""
-        half = name.startswith("half_")
-        parts = (f"cos_{name}", f"sin_{name}") if half else (f"{name}_re", f"{name}_im")
-        self.named[name] = tuple(map(Name, parts))
-        return parts
-
     def _component(self, name: str, axis: str) -> str:
         """Return a component: of Omega0 that along a is Omega_a0, of n_0 that along 1 is n1_0."""
         stem = re.split(r"[^A-Za-z]", name)[0]
         return f"{stem}{self.gap}{axis}{name.removeprefix(stem)}"
 
     def derive(self, content: str) -> None:
-        """Read a clause on derivatives: `d: c Omega`, or `d_x: Omega by Omega_0 c; alpha by c`."""
-        kind, _, rest = content.partition(":")
+        """Read a clause on derivatives: `d: c Omega`, or `d_x: Omega by Omega_0 c; p by k = 1`.
+
+        That of y by the input Omega_a0 is y_by_Omega_a, and that of y_t is y_Omega_a.
+        """
+        _, _, rest = content.partition(":")
         for item in rest.split(";"):
-            names, _, inputs = item.partition(" by ")
-            if kind == "d":
-                self.changing.update(self.all_of(names))
-            else:
-                self.columns.append(({*self.all_of(names)}, [*self.all_of(inputs)]))
+            names, _, inputs = item.partition("=")[0].partition(" by ")
+            for y, x in product(self.all_of(names), [*self.all_of(inputs)] or [""]):
+                by = re.sub("_?0$", "", x)
+                called = f"{y[:-1]}{by}" if y.endswith("_t") else f"{y}_by_{by}"
+                self.columns[y, x] = ONE if "=" in item else Name(called if x else f"d{y}")
 
     def all_of(self, names: str) -> Iterator[str]:
         """Yield names, and the components of those that have any."""
@@ -200,7 +207,7 @@ class Notation:
     @property
     def inputs(self) -> list[str]:
         """The inputs of all columns."""
-        return [*dict.fromkeys(x for _, inputs in self.columns for x in inputs)]
+        return [*dict.fromkeys(x for _, x in self.columns if x)]
 
     def value(self, tree: Expression, x: str = "") -> Value:
         """Return an expression by its components; `x` is the input that `d_x` is about."""
@@ -225,24 +232,17 @@ class Notation:
                 return Operation(symbol, a, b)
             case Call("dot" | "cross" | "conj" as function, arguments):
                 return _FUNCTIONS[function](*(self.value(part, x) for part in arguments))
+            case Call("cis", (Name(angle),)):
+                return Name(f"cos_{angle}"), Name(f"sin_{angle}")
             case Call("d" | "d_x" as function, (argument,)):
-                by = self._change if function == "d" else lambda name: self._column(name, x)
+                by = partial(self._column, x if function == "d_x" else "")
                 return _each(lambda part: derivative(part, by), self.value(argument, x))
             case Call(function, (argument,)):
                 return _each(lambda part: Call(function, (part,)), self.value(argument, x))
         return tree
 
-    def _change(self, name: str) -> Expression:
-        return Name(f"d{name}") if name in self.changing else ZERO
-
-    def _column(self, name: str, x: str) -> Expression:
-        """Return the derivative of a name by an input.
-
-        Omega_a0 is called Omega_a where it is an input, and Omega1_0 is called Omega1.
-        """
-        if any(name in changing and x in inputs for changing, inputs in self.columns):
-            return Name(f"{name}_by_{re.sub('_?0$', '', x)}")
-        return ONE if name == x else ZERO
+    def _column(self, x: str, name: str) -> Expression:
+        return self.columns.get((name, x), ONE if name == x else ZERO)
 
 
 _FUNCTIONS: dict[str, Callable[..., Value]] = {"dot": dot, "cross": cross, "conj": conj}

@@ -7,22 +7,24 @@ indented further than their clause.
     hypotheses name                      assumptions of several theorems; `under` includes them
     theorem name: its statement in words
 
-    under A B                            the hypotheses of other blocks
+    under A B                            the hypotheses, names and conclusions of other blocks
     vectors v w along a b d epsilon      v is v_a, v_b, v_d; epsilon is the handedness of these axes
     vectors v w along 1 2 3              v is v1, v2, v3; these axes are those of the block if it
                                          names no others
     quaternions q                        q is q_0, q_a, q_b, q_d, or q0, q1, q2, q3
-    complex z half_psi                   z is z_re, z_im; half_psi is cos_half_psi, sin_half_psi
+    complex z                            z is z_re, z_im
     matrices R                           R is R11, R12 and so on
     derivatives d: x y                   d(x) and d(y), small changes, are dx and dy
-    derivatives d_x: y by z0             d_x(y), for each input x of z0, is y_by_z
+    derivatives d_x: y by z0; p by z0 = 1  d_x(y), for each input x of z0, is y_by_z
+    write x = a                          x stands for a
     zero a; b                            a = 0, b = 0
     nonzero a; b                         a != 0, b != 0
     nonnegative a; b                     a >= 0, b >= 0
     positive a                           a >= 0 and a != 0
+    roots R = a                          R**2 = a and R >= 0; R moves as the square root of a does
     moving x' = a; y' = ?                time derivatives, known or not; other names are constant
-    turning z at a; half_psi at b        complex z and half_psi, of modulus 1, turn at rates a and b
-    thetas x = re(theta1(v, q))          x is part of a theta function, or of a derivative of one
+    turning z at a; cis(psi) at b        numbers of modulus 1 that turn at rates a and b
+    thetas x = theta1(v, q)              x is a theta function, a derivative of one, or part of it
     start a; b                           a = 0, b = 0 at one instant of the motion
     let x = a                            definitions of names
     with x = a                           definitions of names that would be free otherwise
@@ -30,12 +32,18 @@ indented further than their clause.
     formulas s t                         the published sequences s and t hold: names mean that, too
     formulas s: x y                      of the sequence s the formulas for x and y hold
     then a = b; a = sqrt(b); a >= 0      the conclusions
+    varied a = b                         the conclusion a = b and its derivatives by all inputs
     enclosed a = b                       a conclusion that balls confirm at points, by a reference
     cases A, B, C                        the conclusion that exactly one of these theorems applies
+    applies A B                          the conclusion that these theorems apply
+
+Any clause may be one for several values of what stands in braces, and so may a whole block:
+
+    then for x j = s 1, c 2: v_{x} = e_{j}     v_s = e_1; v_c = e_2
 
 Names that nothing defines are any real numbers, and constant where nothing moves them.  A theorem
-without `moving` is about one instant.  `_notation` defines vectors and derivatives by components;
-they are names of the block that declares them.  Items with `d_x` hold for each input x.
+without `moving` is about one instant.  `_notation` defines vectors and derivatives by components.
+Items with `d_x` hold for each input x.
 
 Expressions are compared as rational functions of the names that a context does not define: by their
 values modulo a prime, at a point that is drawn from a hash of the ledger.  Two expressions of
@@ -103,6 +111,7 @@ class Theorem:
     title: str = ""
     is_theorem: bool = False
     zero: set[str] = field(default_factory=set)
+    roots: dict[str, str] = field(default_factory=dict)
     nonzero: set[str] = field(default_factory=set)
     nonnegative: set[str] = field(default_factory=set)
     moving: dict[str, str] | None = None
@@ -113,6 +122,7 @@ class Theorem:
     then: list[Statement] = field(default_factory=list)
     enclosed: list[Statement] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    applies: list[str] = field(default_factory=list)
     notation: Notation = field(default_factory=Notation)
 
     def include(self, other: "Theorem") -> None:
@@ -120,10 +130,13 @@ class Theorem:
         for clause in ("zero", "nonzero", "nonnegative"):
             getattr(self, clause).update(getattr(other, clause))
         self.let |= other.let
+        self.roots |= other.roots
+        self.notation.include(other.notation)
         if other.moving is not None:
             self.moving = (self.moving or {}) | other.moving
         self.formulas += other.formulas
         self.then += other.then
+        self.applies += other.applies
 
     def fill(self, clause: str, content: str) -> None:
         """Add one clause.
@@ -131,30 +144,41 @@ class Theorem:
         Raises ValueError if there is no such clause.
         """
         match clause:
-            case "names":
-                pass
             case "vectors" | "quaternions" | "complex" | "matrices":
                 self.notation.declare(clause, content)
             case "derivatives":
                 self.notation.derive(content)
             case "zero" | "nonzero" | "nonnegative" | "start":
                 getattr(self, clause).update(self._expressions(content))
+            case "write":
+                for item in content.split(";"):
+                    name, _, text = item.partition("=")
+                    self.notation.named[name.strip()] = self.notation.value(parse(text.strip()))
             case "thetas":
-                items = (item.partition("=") for item in content.split(";"))
-                self.thetas |= {name.strip(): text.strip() for name, _, text in items}
+                for item in content.split(";"):
+                    name, text = item.strip().split(" = ")
+                    parts = {f"{name}_re": f"re({text})", f"{name}_im": f"im({text})"}
+                    self.thetas |= parts if name in self.notation.named else {name: text}
             case "positive":
                 self.nonzero.update(self._expressions(content))
                 self.nonnegative.update(self._expressions(content))
             case "moving":
                 self.moving = (self.moving or {}) | dict(self._equations(content, "' ="))
+            case "roots":
+                roots = dict(self._equations(content, " ="))
+                self.roots |= roots
+                self.zero |= {_square(name, text) for name, text in roots.items()}
+                self.nonnegative |= {*roots}
             case "turning":
                 for item in content.split(";"):
                     name, _, rate = item.strip().partition(" at ")
-                    x, y = self.notation.parts(name)
+                    x, y = map(to_text, self.notation.value(parse(name)))
                     self.fill("zero", f"{y}**2 + {x}**2 - 1")
                     self.fill("moving", f"{x}' = -({rate})*{y}; {y}' = ({rate})*{x}")
             case "let" | "with":
                 self.let |= dict(self._equations(content, " ="))
+                for name in self.roots.keys() & self.let.keys():  # A root that is defined.
+                    self.zero.discard(_square(name, self.roots.pop(name)))
                 if self.moving is not None:  # Defined names do not move by themselves.
                     self.moving = {k: x for k, x in self.moving.items() if k not in self.let}
             case "without":
@@ -165,12 +189,28 @@ class Theorem:
                 self.formulas += [(name, every) for name in sequences.split()]
             case "then":
                 self.then += self._statements(content)
+            case "varied":
+                self.then += self._statements(content)
+                equations = (item.partition(" =") for item in content.split(";"))
+                columns = (f"d_x({left}) = d_x({right})" for left, _, right in equations)
+                self.then += self._statements("; ".join(columns))
             case "enclosed":
                 self.enclosed += self._statements(content)
             case "cases":
                 self.cases += [name.strip() for name in content.split(",")]
+            case "applies":
+                self.applies += content.split()
             case _:
                 raise ValueError(f"specification: {clause!r} is no clause")
+
+    def rates(self, values: "Values") -> dict[str, str]:
+        """Return the rates, those of roots included, where they are not constant."""
+        moving = {**(self.moving or {})}
+        for root in self.roots.keys() - moving.keys() if self.moving is not None else ():
+            rate = f"D({self.roots[root]})/(2*{root})"
+            if values.of(parse(rate)):
+                moving[root] = rate
+        return moving
 
     def _components(self, content: str, sign: str) -> Iterator[tuple[Expression, Expression]]:
         """Yield both sides of each item by components, for each input if it has `d_x`."""
@@ -200,6 +240,10 @@ class Theorem:
                         yield relation, to_text(left), to_text(right)
 
 
+def _square(root: str, text: str) -> str:
+    return to_text(parse(f"{root}**2 - ({text})"))
+
+
 def read(text: str) -> dict[str, Theorem]:
     """Parse the blocks of a specification.
 
@@ -207,15 +251,16 @@ def read(text: str) -> dict[str, Theorem]:
     """
     blocks: dict[str, Theorem] = {}
     lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
-    for lines_of_block in filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip())):
+    texts = filter(None, re.split(r"\n+(?=\S)", "\n".join(lines).strip()))
+    for lines_of_block in (one for each in texts for one in _repeated(each)):
         head, *clauses = re.split(r" \| |\n {4}(?=\S)", lines_of_block)
         kind, _, rest = head.strip().partition(" ")
         name, _, title = (part.strip() for part in rest.partition(":"))
         if kind not in ("hypotheses", "theorem") or not _NAME.fullmatch(name) or name in blocks:
             raise ValueError(f"specification: {head!r}: no block, or one of this name is there")
         block = Theorem(name, title, kind == "theorem")
-        for clause in clauses:
-            word, _, content = " ".join(clause.split()).partition(" ")
+        for clause in (one for each in clauses for one in _repeated(" ".join(each.split()))):
+            word, _, content = clause.partition(" ")
             if word == "under":
                 for other in content.split():
                     block.include(blocks[other])
@@ -226,6 +271,20 @@ def read(text: str) -> dict[str, Theorem]:
                 raise ValueError(f"specification: {name}: {word}: {error}") from None
         blocks[name] = block
     return blocks
+
+
+def _repeated(text: str) -> Iterator[str]:
+    """Yield a block or a clause once for each of the values that its ``for`` gives to names."""
+    repeated = re.fullmatch(r"(\w+) for ([\w ]+) = ([^:]+): (.*)", text, re.DOTALL)
+    if not repeated:
+        yield text
+        return
+    word, letters, rows, rest = repeated.groups()
+    for row in rows.split(","):
+        filled = rest
+        for letter, value in zip(letters.split(), row.split(), strict=True):
+            filled = filled.replace(f"{{{letter}}}", value)
+        yield f"{word} {filled}"
 
 
 def written(statement: Statement) -> str:
@@ -257,7 +316,11 @@ def require(specification: str, ledger: "Mapping[str, Any] | Proved") -> None:
     try:
         proved = ledger if isinstance(ledger, Proved) else Proved(ledger)
         for theorem in theorems(specification).values():
-            if lack := next(proved.lacks(theorem), ""):
+            try:
+                lack = next(proved.lacks(theorem), "")
+            except Unproved as error:
+                lack = str(error)
+            if lack:
                 raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
         if name := next(proved.undetermined(theorems(specification).values()), ""):
             raise Unproved(f"the published formula {name} is determined by no theorem")
@@ -437,6 +500,9 @@ class Proved:
         for statement in theorem.enclosed:
             if not _holds(statement, enclosed, values):
                 yield f"{written(statement)} is not enclosed under its hypotheses"
+        for other in theorem.applies:
+            if other not in self.modelled(theorem.name):
+                yield f"theorem {other} is not proved to apply"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
@@ -559,9 +625,9 @@ class Proved:
         here, there = (
             {
                 f"{name} {text if text == '?' else values.of(parse(text))}": f"{name}' = {text}"
-                for name, text in (rates or {}).items()
+                for name, text in rates.items()
             }
-            for rates in (theorem.moving, context["rates"])
+            for rates in (theorem.rates(values), context["rates"] or {})
         )
         yield from _differences("moving", here, there)
         here, there = (

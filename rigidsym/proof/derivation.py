@@ -2,11 +2,14 @@
 
 import json
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from importlib import import_module, resources
+from itertools import chain
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 from sympy.core import random
 
@@ -16,8 +19,9 @@ from rigidsym.errors import InputError, LedgerError
 from rigidsym.io.ledger import sealed_text, specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra import LedgerBuilder
+from rigidsym.proof.algebra._computation import Computed, Standing, reasons, standing
 from rigidsym.proof.claims import Claim, Claims
-from rigidsym.proof.kernel import Fact, KernelError
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
 from rigidsym.proof.steps import Step, StepError
 from rigidsym.view._proofs import chapter_html, derivation_html
 
@@ -31,7 +35,10 @@ class DerivationError(RuntimeError):
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
-    """Result of one chapter: its facts, its derivation steps and its run time in seconds."""
+    """Result of one chapter: its facts, its derivation steps and its run time in seconds.
+
+    `contexts` are those that its facts are about, and `matrices` the matrices that these name.
+    """
 
     name: str
     title: str
@@ -39,15 +46,13 @@ class Chapter:
     seconds: float
     steps: tuple[Step, ...] = ()
     opening: str = ""
+    contexts: Mapping[str, Context] = field(default_factory=dict)
+    matrices: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
     @property
-    def computed(self) -> int:
-        """The number of facts whose statements were computed by a derivation step.
-
-        The statements of the others were typed.
-        """
-        found = {step.fact.id for step in self.steps}
-        return sum(fact.id in found for fact in self.facts)
+    def standings(self) -> Counter[Standing]:
+        """The numbers of facts whose statements were computed, chosen, printed and guessed."""
+        return Counter(map(standing, self.facts))
 
     def __repr__(self) -> str:
         return f"<Chapter {self.name}: {self.title}, {len(self.facts)} facts>"
@@ -59,11 +64,15 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """Result of a derivation: its chapters and the ledger as text."""
+    """Result of a derivation: its chapters and the ledger as text.
+
+    `published` has the numbers of published facts and definitions of each standing.
+    """
 
     chapters: tuple[Chapter, ...]
     ledger: str
     recounted: int = 0
+    published: Mapping[str, Counter[Standing]] = field(default_factory=dict)
 
     @property
     def mutants(self) -> Mapping[str, Mapping[str, int]]:
@@ -76,22 +85,18 @@ class Derivation:
     def to_json(self) -> str:
         """Return all facts with their grades and sources as JSON text.
 
-        The schema is rigidsym.derive/2.
+        The schema is rigidsym.derive/3.
         """
         chapters = [
             {
                 "chapter": chapter.name,
                 "title": chapter.title,
-                "computed": chapter.computed,
-                "guessed": len(chapter.facts) - chapter.computed,
-                "facts": [
-                    {"id": f.id, "statement": statement(f), "grade": f.grade, "source": f.source}
-                    for f in chapter.facts
-                ],
+                **{kind: chapter.standings[kind] for kind in Standing},
+                "facts": [*map(_entry, chapter.facts)],
             }
             for chapter in self.chapters
         ]
-        return json.dumps({"schema": "rigidsym.derive/2", "chapters": chapters}, indent=1) + "\n"
+        return json.dumps({"schema": "rigidsym.derive/3", "chapters": chapters}, indent=1) + "\n"
 
     def __repr__(self) -> str:
         facts = sum(len(chapter.facts) for chapter in self.chapters)
@@ -99,6 +104,34 @@ class Derivation:
 
     def _repr_html_(self) -> str:
         return derivation_html(self)
+
+
+def _entry(fact: Fact) -> Mapping[str, object]:
+    """Return a fact as an entry of JSON."""
+    said = {"id": fact.id, "statement": statement(fact), "grade": fact.grade, "source": fact.source}
+    return {**said, "standing": standing(fact), "reasons": reasons(fact)}
+
+
+def _published(ledger: Ledger) -> Mapping[str, Counter[Standing]]:
+    """Return how many published facts and definitions have each standing.
+
+    A definition is computed, or it is chosen: it gives a name to a formula.  Readings give a name
+    to a standard function and are not counted.
+    """
+    found: dict[tuple[str, str], Standing] = {}
+    for group in ("sequences", "forms"):
+        for entry in chain(*ledger.published.get(group, {}).values()):
+            if "fact" in entry:
+                found["facts", entry["fact"]] = standing(ledger.facts[entry["fact"]])
+            elif "definition" in entry:
+                context, name = ledger.contexts[entry["context"]], entry["definition"]
+                typed = not isinstance(context.definitions[name], Computed)
+                place = f"{context.name}.{name}"
+                found["definitions", place] = Standing.CHOSEN if typed else Standing.COMPUTED
+    return {
+        kind: Counter(value for (there, _), value in found.items() if there == kind)
+        for kind in ("facts", "definitions")
+    }
 
 
 def sealed_path() -> Path:
@@ -142,7 +175,9 @@ def derive(
     chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
     for name in chosen:
         if name not in known:
-            raise InputError("chapter", name, f"must be one of: {', '.join(known)}")
+            varied = setting is not None and name in CHAPTERS
+            others = ": others are the paper's alone" if varied else ""
+            raise InputError("chapter", name, f"must be one of: {', '.join(known)}{others}")
     last = max(map(known.index, chosen), default=len(known) - 1)
     # SymPy factors by numbers that it draws, and some of them take it minutes: draw the same ones.
     random.seed(0)
@@ -158,7 +193,7 @@ def derive(
     if setting is None and last == len(known) - 1:
         require_specified(text)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
-    return Derivation(reported, text, builder.recounted)
+    return Derivation(reported, text, builder.recounted, _published(builder.ledger))
 
 
 def sealed_counts() -> str:
@@ -191,7 +226,13 @@ def _run(builder: LedgerBuilder, name: str) -> Chapter:
     title = " ".join(re.split(r"[:.](?:\s|$)", head)[0].split())
     found = tuple(builder.ledger.facts.values())[facts:]
     seconds = perf_counter() - start
-    return Chapter(name, title, found, seconds, tuple(builder.steps[steps:]), opening)
+    about = chain.from_iterable(
+        (*(fact.rhs if fact.kind in ("model", "partition") else ()), fact.context) for fact in found
+    )
+    contexts = {context: builder.ledger.contexts[context] for context in about}
+    matrices = {context: builder.matrices.get(context, {}) for context in contexts}
+    taken = tuple(builder.steps[steps:])
+    return Chapter(name, title, found, seconds, taken, opening, contexts, matrices)
 
 
 def statement(fact: Fact) -> str:

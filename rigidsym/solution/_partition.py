@@ -202,12 +202,13 @@ def check_order(
 def _leaf(name: str, ledger: Proved, specified: Mapping[str, Theorem]) -> Leaf:
     """Read one leaf of the partition from the ledger."""
     theorem = specified[name]
-    required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
+    values = ledger.values(theorem)
+    required = {values.said(statement) for statement in theorem.then if statement[0] == ">="}
     stating = [
         fact
         for fact in ledger.proved
         if (fact["context"], fact["kind"]) == (name, "nonnegative")
-        and required <= {to_text(parse(lhs)) for lhs in fact["lhs"]}
+        and required <= {values.said((">=", lhs, "0")) for lhs in fact["lhs"]}
     ]
     if not required or not stating:
         raise LedgerError(f"ledger: no fact states how it moves in {name}")

@@ -6,9 +6,11 @@ line, as notebooks show it where the step has just run.
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import reduce
+from inspect import cleandoc
 from itertools import chain
+from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 import sympy
@@ -28,11 +30,30 @@ from rigidsym.language._expression import (
     names,
     to_text,
 )
-from rigidsym.view._cards import card, code, formula, math, muted, tag
+from rigidsym.language._lines import width
+from rigidsym.view._cards import Markup, card, code, formula, join, math, muted, tag
 from rigidsym.view._pages import render
+from rigidsym.view._statements import (
+    COLUMNS,
+    WIDE,
+    Code,
+    Formula,
+    Paragraph,
+    Words,
+    aligned_rows,
+    introduction,
+    listed,
+    notation,
+    numbers,
+    stated,
+)
+from rigidsym.view._statements import (
+    formula as formula_of,
+)
 
 if TYPE_CHECKING:
     from rigidsym.proof.derivation import Chapter
+    from rigidsym.proof.kernel import Context, Fact
     from rigidsym.proof.steps._record import Step
 
 FORMATS = {
@@ -42,8 +63,14 @@ FORMATS = {
     "html": "article.html",
 }
 "The formats that a derivation can be written in, with their templates."
-# A row of more letters of LaTeX than these is broken, if it has more than one term.
-LONG = 150
+# What a reader of the article needs to know first.
+ABOUT = (
+    "Numbers of equations are those of the paper.",
+    "A context is a list of named quantities, with what they mean and what is supposed of them.",
+    "Each statement is about one context, and a small kernel has decided it.",
+    "The name beside a statement is that of the fact in the ledger.",
+    "Operations that computed a statement are named before it; most are SymPy's methods.",
+)
 # Constants of a motion, which the paper writes before variables.
 CONSTANTS = {
     *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n", "s_i"),
@@ -52,9 +79,12 @@ CONSTANTS = {
 # Names of quantities in prose: phi1', Omega_i^2, R^-1; M alone, but not "A" of a sentence.
 _GREEK = "|".join(sorted(language.GREEK, key=len, reverse=True))
 NAMES = re.compile(
-    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|S|sn))\b"
+    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[0-9a-z])?|[AcqFMb][0-3](?![0-9])|[A-Za-z]_[0-9a-z]"
+    r"|b_free|K|H|M|R|B|S|sn))\b"
     r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
 )
+# Powers of other names and of units: kg m^2.
+_POWERS = re.compile(r"(?<=[\w)])\^(-?[0-9]+)\b")
 _ROW = "display:flex;justify-content:space-between;align-items:baseline;gap:1em"
 _EQUATIONS = "min-width:0;padding-left:1.5em"
 _DOT = "\N{COMBINING DOT ABOVE}"
@@ -63,13 +93,193 @@ _DOT = "\N{COMBINING DOT ABOVE}"
 def article(chapters: Iterable["Chapter"], form: str) -> str:
     """Format the chapters of a derivation as an article.
 
-    form: one of `FORMATS`.  Chapters without steps are left out.  Raises ImportError for HTML if
-    latex2mathml is not installed.
+    form: one of `FORMATS`.  Each context is introduced before the first fact that is about it.
+    Raises ImportError for HTML if latex2mathml is not installed.
     """
-    tools = (aligned, display, escaped, formulas, latex, line_text, mathml, numbers, prose)
-    named = {tool.__name__: tool for tool in (*tools, provided, sentence)}
-    text = render(FORMATS[form], chapters=[x for x in chapters if x.steps], **named)
+    told = [*chapters]
+    contexts = {name: context for chapter in told for name, context in chapter.contexts.items()}
+    written = WRITERS[form]
+    tools = (breakable, displayed, escaped, fitted, formulas, markdown_display, opening)
+    more = (paragraph_text, tag_text, wrapped)
+    text = render(
+        FORMATS[form],
+        chapters=[*_told(told)],
+        about=" ".join(ABOUT),
+        notation=notation(contexts.values()),
+        written=written,
+        **{tool.__name__: tool for tool in (*tools, *more)},
+    )
     return text.rstrip("\n") + "\n"
+
+
+def _told(chapters: Iterable["Chapter"]) -> Iterator[tuple["Chapter", list[Paragraph]]]:
+    """Yield chapters with their paragraphs: contexts before their facts, and facts by steps."""
+    known: dict[str, Context] = {}
+    matrices: dict[str, Any] = {}
+    shown: set[str] = set()
+    for chapter in chapters:
+        found: list[Paragraph] = []
+        for fact in chapter.facts:
+            for name in (*_about(fact), fact.context):
+                if name not in known:
+                    context, given = chapter.contexts[name], chapter.matrices.get(name, {})
+                    hidden = {x for x in context.definitions if _part_of(x) in given}
+                    found += introduction(context, known.values(), hidden)
+                    found += _matrices(given, matrices)
+                    known[name] = context
+            steps = [step for step in chapter.steps if step.fact.id == fact.id]
+            for step in steps:
+                found += _sought(step, chapter.contexts[fact.context])
+                found.append(paragraph(step))
+            if not steps:
+                found.append(stated(fact, chapter.contexts[fact.context], shown))
+            shown.add(fact.id)
+        yield chapter, found
+
+
+def _sought(line: "Step", context: "Context") -> Iterator[Paragraph]:
+    """Yield the sentence on names that a line solves for and its context does not have."""
+    readings = chain(context.reading.values(), context.reading, context.definitions)
+    words = {*context.generators, *re.findall(r"[A-Za-z_]\w*", " ".join(readings))}
+    used = {str(x) for equation in line.shown for x in equation.free_symbols}
+    matrices = {str(x) for equation in line.shown for x in equation.atoms(sympy.MatrixSymbol)}
+    if unknown := sorted(used - matrices - words):
+        names = [formula_of(name) for name in unknown]
+        yield Paragraph(("To be found: ", *listed(names, " and "), "."))
+
+
+def _about(fact: "Fact") -> tuple[str, ...]:
+    """Return the contexts that a fact is about, besides its own."""
+    return fact.rhs if fact.kind in ("model", "partition") else ()
+
+
+def _part_of(name: str) -> str:
+    """Return the matrix whose entry a name is, such as R for R_11_re."""
+    return re.sub(r"_[1-3][1-3](_re|_im)?$", "", name)
+
+
+def _matrices(given: Mapping[str, Any], known: dict[str, Any]) -> Iterator[Paragraph]:
+    """Yield what the matrices of a context are, and note it among those that are known."""
+    before = [name for name, value in given.items() if known.get(name) == value]
+    new = {name: value for name, value in given.items() if name not in before}
+    if before:
+        symbols = [Formula(latex(sympy.Symbol(name)), name) for name in before]
+        yield Paragraph(("With the matrices ", *listed(symbols, " and "), " as before."))
+    if new:
+        pairs = [(sympy.MatrixSymbol(name, *x.shape), x) for name, x in new.items()]
+        rows = aligned_rows((latex(name), "=", latex(value)) for name, value in pairs)
+        texts = [pretty(sympy.Eq(name, value, evaluate=False)) for name, value in pairs]
+        first = next(iter(new))
+        parts = [formula_of(f"{first}_11_{part}") for part in ("re", "im")]
+        after = ("The parts of an entry are written ", *listed(parts, " and "), ".")
+        yield Paragraph(("Matrices:",), (), tuple(rows), tuple(texts), (after,))
+    known |= new
+
+
+def paragraph(line: "Step") -> Paragraph:
+    """Return a line of a derivation as a paragraph."""
+    where = [Formula(latex(condition), pretty(condition)) for condition in provided(line)]
+    after = (("where ", *listed(where), "."),) if where else ()
+    other = dict.fromkeys(_alternatives(line), "or\n")
+    texts = tuple(f"{other.get(k, '')}{pretty(x)}" for k, x in enumerate(line.shown))
+    rows = tuple(_line_rows(line))
+    return Paragraph((sentence(line),), (), rows, texts, after, numbers(line.source), line.fact.id)
+
+
+def opening(chapter: "Chapter") -> list[tuple[bool, str]]:
+    """Return the paragraphs of a chapter's introduction, and which of them are formulas."""
+    parts = [part for part in chapter.opening.strip("\n").split("\n\n") if part.strip()]
+    formulas = [part.startswith("    ") for part in parts]
+    return [
+        (is_formula, cleandoc(part) if is_formula else " ".join(part.split()))
+        for part, is_formula in zip(parts, formulas, strict=True)
+    ]
+
+
+def in_text(words: Words) -> str:
+    """Write a sentence as plain text."""
+    return "".join(
+        x if isinstance(x, str) else x.text if isinstance(x, Formula) else x.name for x in words
+    )
+
+
+def in_markdown(words: Words) -> str:
+    """Write a sentence in Markdown."""
+    return "".join(
+        formulas(x)
+        if isinstance(x, str)
+        else f"${x.latex}$"
+        if isinstance(x, Formula)
+        else f"`{x.name}`"
+        for x in words
+    )
+
+
+def in_latex(words: Words) -> str:
+    """Write a sentence in LaTeX."""
+    return "".join(
+        escaped(x)
+        if isinstance(x, str)
+        else f"${x.latex}$"
+        if isinstance(x, Formula)
+        else rf"\texttt{{{breakable(x.name)}}}"
+        for x in words
+    )
+
+
+def in_html(words: Words) -> Markup:
+    """Write a sentence in HTML, with formulas in MathML."""
+    found: list[Any] = []
+    for x in words:
+        if isinstance(x, Formula):
+            found.append(Markup(mathml(x.latex, "inline")))
+        elif isinstance(x, Code):
+            name = code(x.name)
+            found.append(tag("a", name, href=f"#{x.anchor}") if x.anchor else name)
+        else:
+            parts = re.split(r"(\$[^$]*\$)", formulas(x.replace("`", "")))
+            found += [_inline(y.strip("$")) if y[:1] == "$" else y for y in parts]
+    return join(*found)
+
+
+def _inline(text: str) -> Markup:
+    """Return a formula of a sentence in HTML; powers of words are raised."""
+    if power := re.fullmatch(r"\^\{(.*)\}", text):
+        return tag("sup", power[1])
+    return Markup(mathml(text, "inline"))
+
+
+WRITERS: dict[str, Callable[[Words], str]] = {
+    "text": in_text,
+    "markdown": in_markdown,
+    "latex": in_latex,
+    "html": in_html,
+}
+"How each format writes a sentence."
+
+
+def breakable(name: str) -> str:
+    """Return the name of a fact or of a context in LaTeX, which may be broken at its parts."""
+    return name.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
+
+
+def fitted(row: str) -> str:
+    r"""Return a row for LaTeX, which shrinks what is too wide and has no place for a break."""
+    left, mark, right = row.partition("&")
+    if not mark or width(left) + width(right) <= WIDE + 4:
+        return row
+    return rf"{left}&\fit{{{right}}}"
+
+
+def displayed(found: Paragraph) -> Markup:
+    """Return the equations of a paragraph in MathML."""
+    rows = r" \\ ".join(row if "&" in row else f"&{row}" for row in found.rows)
+    return Markup(mathml(rf"\begin{{align*}}{rows}\end{{align*}}", "block"))
+
+
+def markdown_display(found: Paragraph) -> str:
+    """Return the equations of a paragraph in LaTeX, tagged with the paper's numbers."""
+    return _tagged(_joined(found.rows), found.numbers)
 
 
 def mathml(text: str, kind: str) -> str:
@@ -82,14 +292,6 @@ def mathml(text: str, kind: str) -> str:
     return convert(text, display=kind)
 
 
-def numbers(line: "Step") -> str:
-    """Return the numbers of the paper's equations that a line of a derivation cites.
-
-    They are text such as "(31), (32)".
-    """
-    return ", ".join(f"({n})" if n[0].isdigit() else n for n in line.source)
-
-
 def provided(line: "Step") -> Iterator[sympy.Basic]:
     """Return the conditions under which a derivation step holds, as inequalities."""
     return (sympy.Ne(condition, 0, evaluate=False) for condition in line.conditions)
@@ -97,10 +299,23 @@ def provided(line: "Step") -> Iterator[sympy.Basic]:
 
 def line_text(line: "Step") -> str:
     """Format a line of a derivation for a terminal."""
-    where = ["where " + pretty(condition) for condition in provided(line)]
-    below = [*map(pretty, line.shown), *where, f"[{line.fact.id}]"]
+    return paragraph_text(paragraph(line))
+
+
+def paragraph_text(found: Paragraph) -> str:
+    """Format a paragraph of an article for a terminal."""
+    head = wrapped(f"{in_text(found.sentence)}  {found.numbers}".strip())
+    entries = [wrap(in_text(words), COLUMNS, subsequent_indent="    ") for words in found.entries]
+    after = [wrapped(in_text(words)) for words in found.after]
+    below = [*found.texts, *chain(*entries), *after]
+    below += [f"[{found.fact}]"] if found.fact else []
     rows = [f"    {row}".rstrip() for text in below for row in text.split("\n")]
-    return "\n".join([f"{sentence(line)}  {numbers(line)}".rstrip(), "", *rows])
+    return "\n".join([*([head] if head else []), *(["", *rows] if rows and head else rows)])
+
+
+def wrapped(text: str) -> str:
+    """Break a text into lines of a terminal."""
+    return "\n".join(wrap(text, COLUMNS)) if len(text) > COLUMNS else text
 
 
 def sentence(line: "Step") -> str:
@@ -111,12 +326,6 @@ def sentence(line: "Step") -> str:
     return whole if whole.endswith("?") else f"{whole}:"
 
 
-def prose(chapter: "Chapter") -> str:
-    """Return the introductory text of a chapter without its formulas."""
-    parts = chapter.opening.strip().split("\n\n")
-    return "\n\n".join(" ".join(part.split()) for part in parts if not part.startswith("    "))
-
-
 def formulas(text: str) -> str:
     """Replace the names of quantities in a text by LaTeX formulas."""
 
@@ -125,49 +334,55 @@ def formulas(text: str) -> str:
         primed = language.dotted(text) if found["prime"] else text
         return f"${primed}^{{{found['power']}}}$" if found["power"] else f"${primed}$"
 
-    return NAMES.sub(name, text)
+    parts = re.split(r"(\$[^$]*\$)", NAMES.sub(name, text))
+    return "".join(x if x[:1] == "$" else _POWERS.sub(r"$^{\1}$", x) for x in parts)
 
 
 def escaped(text: str) -> str:
     """Convert a text to LaTeX, with symbols for quantities and special characters escaped."""
     parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
-    special = {**{mark: f"\\{mark}" for mark in "_#%&"}, "^": r"\^{}", "|": r"$\mid$"}
+    special = {mark: f"\\{mark}" for mark in "_#%&{}"} | {"^": r"\^{}", "|": r"$\mid$"}
     escapes = str.maketrans(special)
     return "".join(part if part.startswith("$") else part.translate(escapes) for part in parts)
 
 
-def display(line: "Step", fit: str = "") -> str:
-    """Return a derivation line's equations in LaTeX, tagged with the paper's numbers.
+def _tagged(shown: str, tags: str) -> str:
+    """Return equations in LaTeX, tagged with the paper's numbers."""
+    return rf"{shown}\tag*{{{tag_text(tags)}}}" if tags else shown
 
-    fit: a macro around the equations."""
-    shown = f"{fit}{{{aligned(line)}}}" if fit else aligned(line)
-    tags = numbers(line).replace("^-1", "^{-1}").replace("R^{-1} dR/dt", r"$R^{-1}\dot R$")
-    return rf"{shown}\tag*{{{tags}}}" if tags else shown
+
+def tag_text(tags: str) -> str:
+    """Return sources in LaTeX."""
+    return escaped(tags).replace("$R^{-1}$ dR/dt", r"$R^{-1}\dot R$")
 
 
 def aligned(line: "Step") -> str:
     """Return a derivation line's equations in LaTeX, one below the other."""
-    rows = [row for equation in line.shown for row in _rows(equation)]
-    if len(rows) == 1:
-        return rows[0].replace("&", "")
-    below = r" \\ ".join(rows)
+    return _joined(_line_rows(line))
+
+
+def _joined(rows: Iterable[str]) -> str:
+    first, *others = rows
+    if not others:
+        return first.replace("&", "")
+    below = r" \\ ".join((first, *others))
     return rf"\begin{{aligned}}{below}\end{{aligned}}"
 
 
-def _rows(equation: sympy.Basic) -> list[str]:
-    """Format an equation as aligned rows of LaTeX.
+def _line_rows(line: "Step") -> list[str]:
+    """Return the aligned rows of a line's equations; those between tuples are alternatives."""
+    other = dict.fromkeys(_alternatives(line), r"\text{or }")
+    sides = (equation.args for equation in line.shown)
+    return aligned_rows(
+        (f"{other.get(k, '')}{latex(left)}", "=", latex(right))
+        for k, (left, right) in enumerate(sides)
+    )
 
-    A long equation has a row for each term or side.
-    """
-    left, right = equation.args
-    terms = right.args if isinstance(right, sympy.MatAdd) else ()
-    if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
-        return [f"&{latex(left)}", rf"&\quad = {latex(right)}"]
-    if len(terms) < 2 or len(latex(equation)) < LONG:
-        return [f"{latex(left)} &= {latex(right)}"]
-    first, *rest = map(latex, terms)
-    signed = (text if text.startswith("-") else f"+ {text}" for text in rest)
-    return [f"{latex(left)} &= {first}", *(rf"&\quad {text}" for text in signed)]
+
+def _alternatives(line: "Step") -> list[int]:
+    """Return the indices of equations that hold instead of those before them."""
+    shown = enumerate(line.shown)
+    return [k for k, equation in shown if k and isinstance(equation.args[0], sympy.Tuple)]
 
 
 def line_html(line: "Step") -> str:
@@ -179,7 +394,7 @@ def line_html(line: "Step") -> str:
     said = tag("span", *(math(x.strip("$")) if x.startswith("$") else x for x in parts))
     head = tag("div", said, muted(code(line.fact.id)), style=f"{_ROW};padding-top:.4em")
     equations = tag("div", formula(aligned(line)), style=_EQUATIONS)
-    body = tag("div", equations, muted(numbers(line)), style=_ROW)
+    body = tag("div", equations, muted(numbers(line.source)), style=_ROW)
     pairs = [(muted(", "), math(latex(condition))) for condition in provided(line)]
     where = [muted("where "), *[*chain(*pairs)][1:]]
     return card(head, body, tag("div", *where, style=_EQUATIONS) if pairs else "")
@@ -187,7 +402,7 @@ def line_html(line: "Step") -> str:
 
 def line_latex(line: "Step") -> str:
     """Return a derivation line's equations as one LaTeX display with the paper's numbers."""
-    return f"$${display(line)}$$"
+    return f"$${_tagged(aligned(line), numbers(line.source))}$$"
 
 
 def latex(expression: Any) -> str:
@@ -235,6 +450,12 @@ def _tree(expression: Any) -> Expression:
             return Operation("**", _tree(arguments[0]), Name(r"\dagger"))
         case sympy.Determinant():
             return Name(rf"\left|{{{latex(arguments[0])}}}\right|")
+        case sympy.Tuple():
+            return Name(rf"\left({', '.join(map(latex, arguments))}\right)")
+        case sympy.Derivative():
+            return Name(
+                rf"\frac{{\partial {latex(arguments[0])}}}{{\partial {latex(arguments[1][0])}}}"
+            )
         case sympy.Integral():
             return Name(rf"\int \left({latex(arguments[0])}\right)\, d{latex(arguments[1][0])}")
         case sympy.Function():
@@ -303,9 +524,17 @@ def pretty(expression: sympy.Basic, width: int = 100) -> str:
         pretty_use_unicode(before)
 
 
+def _has_room(name: str) -> bool:
+    """Return whether a name is a letter with an index, above which a dot can stand."""
+    letter, _, index = name.partition("_")
+    return len(index) <= 1 and len(pretty_symbol(letter.rstrip("0123456789"))) == 1
+
+
 class _Pretty(PrettyPrinter):
     def _print_Symbol(self, e: sympy.Symbol, bold_name: bool = False) -> prettyForm:
         base, _, last = e.name.rpartition("_")
+        if last == "squared" and base:
+            return prettyForm(f"{pretty_symbol(base)}\N{SUPERSCRIPT TWO}")
         if last == "rate" and base:
             shown = pretty_symbol(base)
             return prettyForm(shown[0] + _DOT + shown[1:])
@@ -327,10 +556,18 @@ class _Pretty(PrettyPrinter):
             return super()._print_Function(e, *rest, **settings)
         return self._print_Rate(e)
 
+    def _print_Derivative(self, deriv: Any) -> prettyForm:
+        expression, variable = (self._print(x) for x in (deriv.args[0], deriv.args[1][0]))
+        return prettyForm(
+            *prettyForm("\N{PARTIAL DIFFERENTIAL}").right(
+                expression, "/\N{PARTIAL DIFFERENTIAL}", variable
+            )
+        )
+
     def _print_Rate(self, e: Any) -> prettyForm:
         """Print a time derivative, as a dot above a letter or as d/dt before an expression."""
         inner = e.args[0]
-        if isinstance(inner, sympy.MatrixSymbol) or (inner.is_Symbol and "_" not in inner.name):
+        if isinstance(inner, sympy.MatrixSymbol) or (inner.is_Symbol and _has_room(inner.name)):
             return self._print_Symbol(sympy.Symbol(f"{inner.name}_rate"))
         shown: Any = self._print(inner)
         return prettyForm(*prettyForm("d/dt ").right(prettyForm(*shown.parens())))

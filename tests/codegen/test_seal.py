@@ -58,6 +58,8 @@ def test_every_formula_of_the_generated_code_is_decided(form, least, facts):
         ("sqrt(a*b)", "sqrt(a*b + 1)", False),
         ("sqrt(a)*sqrt(a)", "a", False),
         ("f(a)", "g(a)", False),
+        ("x/a + y/(a*b)", "(b*x + y)/(b*a)", True),
+        ("x/a + y/(a*b)", "(b*x - y)/(b*a)", False),
     ],
 )
 def test_equality_is_decided_as_of_rational_functions_of_names_and_calls(left, right, equal):

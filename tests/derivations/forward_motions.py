@@ -15,6 +15,7 @@ from rigidsym.proof.steps._names import symbol, symbols
 INERTIA = np.array([1.0, 1.7, 2.3])
 RATES0 = np.array([0.7, 0.9, 0.8])
 WHEELS = {"h1": 0.3, "h2": -0.4, "h3": 0.25}
+PRODUCTS = {"c12": 0.2, "c13": -0.15, "c23": 0.3}
 TIME, STEPS = 1.0, 400
 RATES, MOMENTA = symbols("Omega1 Omega2 Omega3"), symbols("M1 M2 M3")
 
@@ -25,9 +26,9 @@ def steps_of(derivation: Derivation) -> dict[str, Step]:
 
 
 def constants() -> dict[sympy.Symbol, float]:
-    """Return the values of c1, c2, c3, h1, h2 and h3."""
+    """Return the values of moments and products of inertia, and of wheels."""
     inertia = dict(zip(symbols("c1 c2 c3"), INERTIA, strict=True))
-    return {**inertia, **{symbol(name): value for name, value in WHEELS.items()}}
+    return {**inertia, **{symbol(name): x for name, x in (WHEELS | PRODUCTS).items()}}
 
 
 def value(expression: sympy.Expr, point: dict[sympy.Symbol, float]) -> float:
@@ -37,7 +38,7 @@ def value(expression: sympy.Expr, point: dict[sympy.Symbol, float]) -> float:
 
 @dataclass(frozen=True)
 class Motion:
-    """A body of moments INERTIA from RATES0, in the basis and with the wheels of a setting."""
+    """A body from RATES0, in the basis and with the Lagrangian of a setting."""
 
     setting: Setting
 
@@ -51,6 +52,26 @@ class Motion:
         """The wheel momentum along each axis."""
         return np.array([value(h, constants()) for h in self.setting.wheel()])
 
+    @cached_property
+    def tensor(self) -> np.ndarray:
+        """The inertia tensor I, by values of the Lagrangian: L(v) + L(-v) = v I v."""
+        known = {str(x): number for x, number in constants().items()}
+
+        def form(v: np.ndarray) -> float:
+            ends = [dict(zip(map(str, RATES), sign * v, strict=True)) for sign in (1, -1)]
+            return sum(eval(self.setting.lagrangian, known | end) for end in ends)
+
+        e = np.eye(3)
+        return np.array([[form(x + y) - form(x) - form(y) for x in e] for y in e]) / 2
+
+    def momentum(self, rates: np.ndarray) -> np.ndarray:
+        """Return M = I Omega + h."""
+        return self.tensor @ rates + self.wheel
+
+    def energy(self, rates: np.ndarray) -> float:
+        """Return the kinetic energy."""
+        return float(rates @ self.tensor @ rates) / 2
+
     def matrix(self, vector: np.ndarray) -> np.ndarray:
         """Return x1 A1 + x2 A2 + x3 A3."""
         return np.einsum("k,kij->ij", vector, self.basis)
@@ -61,8 +82,8 @@ class Motion:
         return np.einsum("kji,ji->k", self.basis.conj(), matrix).real / norm
 
     def rates(self, momentum: np.ndarray) -> np.ndarray:
-        """Return Omega of M = c Omega + h."""
-        return (momentum - self.wheel) / INERTIA
+        """Return Omega of M = I Omega + h."""
+        return np.linalg.solve(self.tensor, momentum - self.wheel)
 
     def moments(self, momentum: np.ndarray) -> np.ndarray:
         """Return M' = [M, Omega]."""
@@ -81,7 +102,7 @@ class Motion:
             return tuple(x + h * y for x, y in zip(state, rate, strict=True))
 
         h = TIME / STEPS
-        state = (np.eye(2, dtype=complex), INERTIA * RATES0 + self.wheel, 0.0)
+        state = (np.eye(2, dtype=complex), self.momentum(RATES0), 0.0)
         for _ in range(STEPS):
             k1 = slope(state)
             k2 = slope(moved(state, k1, h / 2))
@@ -110,9 +131,14 @@ class Motion:
         K = float(np.linalg.norm(momentum))
         point = {symbol("K"): K, **dict(zip(MOMENTA, momentum, strict=True))}
         double = 2 * self.setting.factor
-        (cosine,) = steps["compared.phi2"].value.values()
-        phi2 = float(np.arccos(value(cosine, point)))  # the sine is not negative
-        point[sympy.sin(double * symbol("phi2"))] = np.sin(phi2)
+        ((function, along),) = steps["compared.phi2"].value.items()
+        # The other function of phi2 is not negative.
+        if isinstance(function, sympy.cos):
+            phi2 = float(np.arccos(value(along, point)))
+            point[sympy.sin(double * symbol("phi2"))] = np.sin(phi2)
+        else:
+            phi2 = float(np.arcsin(value(along, point)))
+            point[sympy.cos(double * symbol("phi2"))] = np.cos(phi2)
         C, S = (value(x, point) for x in steps["compared.phi3"].value.values())
         return phi2 / float(double), float(np.arctan2(S, C)) / float(double)
 
@@ -130,14 +156,14 @@ def errors(derivation: Derivation, setting: Setting, fact: str) -> tuple[float, 
     `fact` is the step that has phi1' of the rates, K and H.
     """
     steps, motion = steps_of(derivation), Motion(setting)
-    momentum0 = INERTIA * RATES0 + motion.wheel
+    momentum0 = motion.momentum(RATES0)
     known = {
         **constants(),
         symbol("K"): float(np.linalg.norm(momentum0)),
-        symbol("H"): float(INERTIA @ RATES0**2) / 2,
+        symbol("H"): motion.energy(RATES0),
     }
-    phi1_rate = sympy.lambdify([RATES], steps[fact].value.subs(known))
-    R, momentum, phi1 = motion.run(phi1_rate)
+    phi1_rate = sympy.lambdify([RATES, MOMENTA], steps[fact].value.subs(known))
+    R, momentum, phi1 = motion.run(lambda rates: phi1_rate(rates, motion.momentum(rates)))
     before = motion.turned((0.0, *motion.angles(steps, momentum0)))
     after = motion.turned((phi1, *motion.angles(steps, momentum)))
     K, target = np.linalg.norm(momentum0), motion.basis[setting.target - 1]

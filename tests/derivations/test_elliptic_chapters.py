@@ -204,7 +204,7 @@ def test_a_term_of_another_size_has_another_rate():
 ((ONCE, ONE_MORE),) = {
     tuple(fact["rhs"])
     for fact in LEDGER["facts"]
-    if fact["lhs"] == ["Pi_later", "2*k*Pi_c + Pi_later"]
+    if fact["lhs"] == ["Pi_later", "Pi_later + 2*k*Pi_c"]
 }
 PARAMETERS = [
     ("0.5", "0.5", "0.7"),

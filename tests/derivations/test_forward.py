@@ -10,11 +10,21 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
-from forward_motions import INERTIA, RATES, RATES0, Motion, constants, errors, steps_of, value
+from forward_motions import (
+    INERTIA,
+    MOMENTA,
+    RATES,
+    RATES0,
+    Motion,
+    constants,
+    errors,
+    steps_of,
+    value,
+)
 
 import derivations
 from derivations import FORWARD, euler_lax, lie_algebra
-from derivations.setting import KINETIC, Setting
+from derivations.setting import KINETIC, SEQUENCES, Setting
 from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.derivation import Derivation, DerivationError, derive
 from rigidsym.proof.steps import _algebra as algebra
@@ -28,6 +38,18 @@ OTHER = Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3))
 WHEELS = [
     Setting(lagrangian=f"{KINETIC} + h2*Omega2"),
     Setting((2, 1, 2), 1, lagrangian=f"{KINETIC} + h1*Omega1 + h3*Omega3"),
+]
+# Products of inertia, one of them with a wheel; equal moments, across the last axis and along it.
+TILTED = [
+    Setting((3, 1, 3), lagrangian=f"{KINETIC} - c12*Omega1*Omega2 - c13*Omega1*Omega3"),
+    Setting((1, 2, 3), lagrangian=f"{KINETIC} + c23*Omega2*Omega3 + h1*Omega1"),
+]
+FULL = Setting(lagrangian=f"{KINETIC} - c12*Omega1*Omega2 - c13*Omega1*Omega3 - c23*Omega2*Omega3")
+TWO_ALIKE = "(c1*(Omega1**2 + Omega2**2) + c3*Omega3**2)/2"
+EQUAL = [
+    Setting((2, 3, 2), lagrangian=TWO_ALIKE),
+    Setting((1, 2, 3), 2, lagrangian=TWO_ALIKE),
+    Setting((3, 1, 3), lagrangian="c1*(Omega1**2 + Omega2**2 + Omega3**2)/2"),
 ]
 THREE_WHEELS = Setting((3, 2, 3), lagrangian=f"{KINETIC} + h1*Omega1 + h2*Omega2 + h3*Omega3")
 
@@ -132,7 +154,7 @@ def numbers(call: ast.Call) -> Iterator[ast.AST]:
             waiting += ast.iter_child_nodes(node)
 
 
-@pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat"])
+@pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat", "symmetric"])
 def test_no_right_side_is_typed(chapter):
     assert list(typed((FOLDER / f"{chapter}.py").read_text("utf-8"))) == []
 
@@ -189,16 +211,16 @@ def test_the_paper_is_the_default():
 
 
 def variants() -> list[Setting]:
-    sequences = [(i, j, i) for i, j in permutations((1, 2, 3), 2)]
     factors = (sympy.Rational(1, 2), sympy.Integer(1))
     plain = [
         Setting(sequence, axis, factor, sign)
-        for sequence, axis, factor, sign in product(sequences, (1, 2, 3), factors, (1, -1))
+        for sequence, axis, factor, sign in product(SEQUENCES, (1, 2, 3), factors, (1, -1))
     ]
     return plain + [Setting(order=order) for order in permutations((1, 2, 3))]
 
 
-DRAWN = [PAPER, OTHER, Setting((2, 3, 2), 3, order=(3, 1, 2)), *WHEELS]
+AIRCRAFT = Setting((3, 2, 1), 2, sympy.Integer(1), -1, (2, 1, 3))
+DRAWN = [PAPER, OTHER, Setting((2, 3, 2), 3, order=(3, 1, 2)), AIRCRAFT, *WHEELS]
 
 
 def follows(setting: Setting, fact: str) -> None:
@@ -209,53 +231,107 @@ def follows(setting: Setting, fact: str) -> None:
 
 
 @pytest.mark.parametrize("fact", ["line32.rate", "line32.by_invariants"])
-@pytest.mark.parametrize("setting", DRAWN, ids=str)
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, EQUAL[0]], ids=str)
 def test_a_derivation_is_a_motion_by_numbers(setting, fact):
     follows(setting, fact)
 
 
+@pytest.mark.parametrize("sequence", SEQUENCES, ids=str)
+def test_each_of_twelve_sequences_is_a_motion_by_numbers(sequence):
+    """Each has phi1' as a function of the rate about its last axis, and its own angles."""
+    assert len({*SEQUENCES}) == 12
+    setting = Setting(sequence)
+    short = derive(["euler_lax", "conjugacy", "kinematics"], setting=setting)
+    phi1_rate = steps_of(short)["line32.by_invariants"].value
+    assert phi1_rate.free_symbols & {*RATES} == {symbol(f"Omega{sequence[-1]}")}
+    assert max(errors(short, setting, "line32.by_invariants")) < 1e-9
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS], ids=str)
+@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS, FULL], ids=str)
 def test_every_derivation_is_a_motion_by_numbers(setting):
     follows(setting, "line32.by_invariants")
 
 
-@pytest.mark.parametrize("setting", DRAWN, ids=str)
+@pytest.mark.parametrize("setting", EQUAL[1:], ids=str)
+def test_about_a_symmetry_axis_phi1_turns_at_K_over_c(setting):
+    follows(setting, "line32.rate")
+    steps = found(setting)
+    assert steps["line32.rate"].value == symbol("K") / symbol("c1")
+    assert steps["precession.phi1"].value == symbol("K") / symbol("c1") * symbol("t")
+    assert steps["three_angle_motion.tilt"].value == 0
+
+
+@pytest.mark.parametrize("setting", EQUAL[:2], ids=str)
+def test_the_rates_across_a_symmetry_axis_are_a_cosine_and_a_sine(setting):
+    motion, steps = Motion(setting), found(setting)
+
+    def slope(rates):
+        return np.linalg.solve(motion.tensor, motion.moments(motion.momentum(rates)))
+
+    point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
+    ends = [slope(RATES0 + sign * slope(RATES0)) for sign in (1, -1)]
+    second = (ends[0] - ends[1]) / 2  # exact: a slope is quadratic in the rates
+    assert value(steps["symmetric.swing"].value, point) == pytest.approx(second[0], rel=1e-12)
+    assert {"swinging.Omega1", "swinging.Omega2"} <= {*steps}
+    assert "eliminated.square" not in steps
+
+
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, *EQUAL], ids=str)
 def test_euler_s_equations_are_those_of_the_matrices(setting):
     motion = Motion(setting)
     point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
     rates = [value(x, point) for x in found(setting)["variation.euler"].value.values()]
-    assert np.allclose(rates, motion.moments(INERTIA * RATES0 + motion.wheel) / INERTIA, atol=1e-14)
+    expected = np.linalg.solve(motion.tensor, motion.moments(motion.momentum(RATES0)))
+    assert np.allclose(rates, expected, atol=1e-14)
+
+
+# The Lie-Poisson form by numbers.
+
+
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, *EQUAL], ids=str)
+def test_the_bracket_is_that_of_the_matrices_and_its_flow_of_H_is_the_motion(setting):
+    motion, contexts = Motion(setting), json.loads(derived(setting).ledger)["contexts"]
+    momentum = motion.momentum(RATES0)
+    point = {**constants(), **dict(zip(MOMENTA, momentum, strict=True))}
+    known = {context["name"]: context for context in contexts}
+    flow = motion.moments(momentum)
+    for j, other in enumerate(motion.basis):
+        rates = known[f"poisson{j + 1}"]["rates"]
+        for name, one in zip(MOMENTA, motion.basis, strict=True):
+            expected = -momentum @ motion.coordinates(one @ other - other @ one)
+            assert value(read(rates[str(name)]), point) == pytest.approx(expected, abs=1e-12)
+        bracket = value(found(setting)[f"poisson{j + 1}.energy"].value, point)
+        assert bracket == pytest.approx(-flow[j], abs=1e-12)
+        assert found(setting)[f"poisson{j + 1}.casimir"].value == 0
 
 
 # Wheels: the quartic by numbers, and that both quartics are of one curve.
 
 
 def invariants(motion: Motion) -> dict[sympy.Symbol, float]:
-    momentum = INERTIA * RATES0 + motion.wheel
+    momentum = motion.momentum(RATES0)
     squared = {symbol("K_squared"): float(momentum @ momentum)}
-    return {**constants(), **squared, symbol("H"): float(INERTIA @ RATES0**2) / 2}
+    return {**constants(), **squared, symbol("H"): motion.energy(RATES0)}
 
 
 def test_the_quartic_of_one_wheel_is_the_square_of_its_rate():
     motion = Motion(WHEELS[0])
-    momentum = INERTIA * RATES0 + motion.wheel
-    rate = motion.moments(momentum)[1] / INERTIA[1]
+    rate = motion.moments(motion.momentum(RATES0))[1] / INERTIA[1]
     quartic = found(WHEELS[0])["gyrostat.quartic"].value
     squared = value(quartic, {**invariants(motion), symbol("Omega2"): RATES0[1]})
     assert squared == pytest.approx(rate**2, rel=1e-12)
 
 
-@pytest.mark.parametrize("setting", WHEELS, ids=str)
-def test_the_quartic_of_any_wheels_is_the_determinant_of_the_pencil(setting):
+@pytest.mark.parametrize("setting", [*WHEELS, *TILTED], ids=str)
+def test_the_quartic_of_wheels_or_products_is_the_determinant_of_the_pencil(setting):
     motion = Motion(setting)
     point = invariants(motion)
     H, K2 = (point[symbol(name)] for name in ("H", "K_squared"))
-    mixed = motion.wheel[:, None] * INERTIA[:, None] * np.eye(3)
-    energy = np.block([[np.diag(INERTIA), np.zeros((3, 1))], [np.zeros((1, 3)), -2 * H]])
+    energy = np.block([[motion.tensor, np.zeros((3, 1))], [np.zeros((1, 3)), -2 * H]])
     corner = np.sum(motion.wheel**2) - K2
-    along = mixed.sum(axis=1, keepdims=True)
-    momentum = np.block([[np.diag(INERTIA**2), along], [along.T, corner]])
+    along = (motion.tensor @ motion.wheel)[:, None]
+    momentum = np.block([[motion.tensor @ motion.tensor, along], [along.T, corner]])
     quartic = found(setting)["pencil.quartic"].value
     for x in (-1.5, 0.3, 4.0):
         expected = np.linalg.det(x * energy - momentum)
@@ -374,10 +450,11 @@ def test_a_variant_leaves_the_sealed_ledger_and_both_checkers_accept_its_own(tmp
 
 PLUS = f"{KINETIC} + "
 BAD = [
-    ("--sequence", "3-2-1", "must be one of: 1-2-1, 1-3-1, 2-1-2, 2-3-2, 3-1-3, 3-2-3"),
+    ("--sequence", "3-3-1", "must be one of: 1-2-1, 1-2-3, 1-3-1, 1-3-2, 2-1-2, 2-1-3, 2-3-1"),
     ("--sequence", "1-1-1", "must be one of: 1-2-1"),
-    ("--sequence", "1-4-1", "must be three axes such as 3-1-3"),
-    ("--sequence", "", "must be three axes such as 3-1-3"),
+    ("--sequence", "1-4-1", "must be one of: 1-2-1, 1-2-3, 1-3-1"),
+    ("--sequence", "", "must be one of: 1-2-1"),
+    ("--order", "1-2", "must be one of: 1-2-3, 1-3-2, 2-1-3, 2-3-1, 3-1-2, 3-2-1"),
     ("--axis", "4", "must be 1, 2 or 3"),
     ("--axis", "x", "must be a whole number"),
     ("--factor", "2", "must be 1/2 or 1"),
@@ -391,7 +468,17 @@ BAD = [
     ("--lagrangian", "Omega1**3", "plus a linear part"),
     ("--lagrangian", PLUS + "h1", "plus a linear part"),
     ("--lagrangian", PLUS + "1/Omega1", "plus a linear part"),
-    ("--lagrangian", PLUS + "Omega1*Omega2", "plus a linear part"),
+    (
+        "--lagrangian",
+        PLUS + "Omega1*Omega2",
+        "the product of inertia c12 in front of Omega1*Omega2",
+    ),
+    ("--lagrangian", PLUS + "c12*Omega1*Omega3", "the product of inertia c13"),
+    ("--lagrangian", "c2*(Omega1**2 + Omega3**2)/2 + c1*Omega2**2/2", "the moments c1, c2, c3"),
+    ("--lagrangian", "h1*Omega1", "the moments c1, c2, c3"),
+    ("--lagrangian", f"{KINETIC} - g*n3", "no potential (-g*n3): its torque adds to [M, Omega]"),
+    ("--lagrangian", f"{KINETIC} - m*g*l*cos(phi2)", "so the spectrum of M, that is K, is not"),
+    ("--lagrangian", f"{KINETIC} - g*n3*Omega1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "w*Omega1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "Omega1/h1", "polynomials in h1, h2, h3"),
     ("--lagrangian", PLUS + "sqrt(h1)*Omega1", "polynomials in h1, h2, h3"),
@@ -408,6 +495,7 @@ def test_a_choice_that_is_none_is_one_line(option, text, rule, refused):
 def test_a_variant_has_no_chapters_beyond_theorem_1(refused):
     error = refused("derive regimes --sequence 3-1-3")
     assert "chapter = regimes: must be one of: lie_algebra" in error
+    assert error.rstrip().endswith("theorem1: others are the paper's alone")
 
 
 def test_an_expression_is_read_as_it_is_written():

@@ -277,5 +277,5 @@ def test_the_step_of_the_bound_is_from_one_cut_to_the_next():
     assert abs(there["t"] - here["t"] * here["r"]) < 1e-14
     assert abs(there["r"] - here["p"] * here["r"]) < 1e-14
     after = value_of(step.left.left, there, {})
-    assert abs(value_of(step.right, here, {}) - after) < 1e-14
-    assert value_of(step.left.right, here, {}) == 2 * here["t"]
+    assert abs(value_of(step.left.right, here, {}) - after) < 1e-14
+    assert value_of(step.right, here, {}) == 2 * here["t"]

@@ -12,7 +12,8 @@ import rigidsym
 from rigidsym._codegen.header import MEASURED_FILE
 from rigidsym._codegen.seal import seal
 from rigidsym._codegen.trace import told
-from rigidsym.proof.paper import Ruling, verdicts
+from rigidsym.proof.paper import Ruling, judged, verdicts
+from rigidsym.proof.paper._table import causes
 from rigidsym.solution import sealed
 from rigidsym.validate._campaign import CASES, SEED
 from rigidsym.validate._oracle import SECOND_SHARE, is_due
@@ -33,6 +34,11 @@ def rulings():
     return "{} hold, {} hold under a condition, {} are misprints, {} ambiguous".format(*counts)
 
 
+def explanation():
+    numeral = {2: "two", 3: "three", 4: "four"}[len(causes(verdicts(LEDGER)))]
+    return f"the misprints have {numeral} causes"
+
+
 def worst():
     """Return the largest errors of both modules by stratum: angle, and rates."""
     found: dict = {}
@@ -51,6 +57,9 @@ def test_the_counts_are_those_of_the_ledger():
     assert f"{GRADES['PROVED']} facts are PROVED" in text
     assert f"The other {GRADES['ENCLOSED']} rests on" in text
     assert rulings() in text
+    assert explanation() in text
+    assert len(judged(LEDGER)) == 9
+    assert "Nine claims that the paper makes in words" in text
 
 
 def test_trust_has_the_same_counts():
@@ -79,7 +88,7 @@ def numbers(row):
 def test_the_table_of_the_readme():
     """Find rows by their command; what is only measured has to be in a page as well."""
     table = {row[-1]: row for row in rows("README.md") if row[-1].startswith("`")}
-    assert table["`rigidsym errata`"][1] == rulings()
+    assert table["`rigidsym errata`"][1] == f"{rulings()}; {explanation()}"
     assert numbers(table["`rigidsym derive`"]) == [str(n) for _, n in sorted(GRADES.items())[::-1]]
     assert numbers(table["`rigidsym codegen c --check`"]) == [str(seal(sealed()))]
     shares = [line.split()[0] for line in told("torque_free.py")[1:]]

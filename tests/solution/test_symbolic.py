@@ -1,6 +1,7 @@
 """Forms in SymPy: against precise states, equations of motion, and uses of expressions."""
 
 import itertools
+import pickle
 from fractions import Fraction
 
 import mpmath
@@ -13,7 +14,7 @@ import rigidsym
 from rigidsym import InputError, TorqueFreeMotion, symbolic
 from rigidsym.language import functions
 from rigidsym.solution._symbolic import FORMS
-from rigidsym.solution._symbolic.symbols import Constant
+from rigidsym.solution._symbolic.symbols import Constant, Word
 
 # A motion for each form.
 ATTITUDE = ("0.5", "-0.1", "0.7", "0.3")
@@ -31,7 +32,7 @@ CROSSING = ((1, 2, "5/2"), (1, 1, "3/10"))
 GIVEN = [sp.Rational(x) for x in ATTITUDE]
 UNIT = [x / sp.sqrt(sum(y * y for y in GIVEN)) for x in GIVEN]
 AT, STEP = sp.Rational(7, 3), sp.Rational(1, 10**6)
-NAMESPACE = {**vars(sp), **vars(functions), "Constant": Constant}
+NAMESPACE = {**vars(sp), **vars(functions), "Constant": Constant, "Word": Word}
 
 
 def motion_of(form):
@@ -137,7 +138,8 @@ def test_conditions_are_met_by_the_motions_they_are_for(solutions):
     assert all(sp.re(sp.N(c.lhs.subs(solution.t, 0), 30)) > 0 for c in solution.conditions)
     assert not solution.choices
     free = symbolic("theorem1")
-    assert free.conditions[-1] == sp.Gt(sp.Symbol("side", real=True) * free.omega()[2], 0)
+    (side,) = (symbol for symbol in free.choices if symbol.name == "side")
+    assert free.conditions[-1] == sp.Gt(side * free.omega()[2], 0)
 
 
 @forms("pi", "separatrix", "symmetric")
@@ -381,3 +383,13 @@ def test_bad_input_is_named(ask, message):
 def test_the_names_are_public():
     assert rigidsym.symbolic is symbolic
     assert {"symbolic", "Symbolic"} <= {*rigidsym.__all__}
+
+
+def test_words_are_upright():
+    """Check that phase is not printed as the product of its letters, with numbers or without."""
+    for solution in (symbolic("pi"), motion_of("pi").symbolic("pi")):
+        assert r"t + \mathrm{phase} \mid" in sp.latex(solution.omega())
+    (phase,) = (x for x in symbolic("pi").omega().free_symbols if x.name == "phase")
+    assert sp.latex(phase) == r"\mathrm{phase}"
+    assert sp.pretty(phase) == str(phase) == "phase"
+    assert pickle.loads(pickle.dumps(phase)) == phase

@@ -66,10 +66,19 @@ def _atom(call: Call, atoms: dict[Call, str]) -> str:
 
 
 def _denominators(expression: Expression) -> Iterable[Expression]:
+    """Yield the factors of all denominators: the kernel takes c_a*c_d apart by c_a and c_d."""
     if isinstance(expression, Operation) and expression.operator == "/":
-        yield expression.right
+        yield from _factors(expression.right)
     for part in children(expression):
         yield from _denominators(part)
+
+
+def _factors(expression: Expression) -> Iterable[Expression]:
+    if isinstance(expression, Operation) and expression.operator == "*":
+        yield from _factors(expression.left)
+        yield from _factors(expression.right)
+    else:
+        yield expression
 
 
 def _ring(generators: list[str], units: tuple[str, ...]) -> Ring:

@@ -1,5 +1,9 @@
 r"""Jacobi's elliptic functions sn, cn, dn, am and epsilon for SymPy.
 
+SymPy 1.14 has none of them.  This module, `_simplification` and the two that they need import SymPy
+and mpmath alone, so they could be offered to SymPy; its pull request 30366 gives sn, cn and dn the
+same names and arguments.
+
 Conventions: the second argument is the parameter m = k^2, as in SymPy's own elliptic integrals;
 the definitions are those of DLMF chapter 22, with mc = 1 - m the complement and K = K(m).
 
@@ -19,28 +23,73 @@ the definitions are those of DLMF chapter 22, with mc = 1 - m the complement and
   epsilon = E(am, m).  They are meromorphic in u and m, so they hold for m > 1 on every swing.
   Written for a symbol m, those of am, sn, cn are 0/0 at m = 0 and all are at m = 1, and nearby
   they lose digits; `fdiff` at these two numbers gives the limits, first order in DLMF 22.10(ii).
-  SymPy's `series` and `limit` work in u, and raise NotImplementedError in m.
 * m = 0 and m = 1: DLMF 22.5(ii); gd(u) is written 2 arctan(tanh(u/2)), which never overflows.
 
 Real u and m give finite real values of all five (DLMF 22.17 for m outside [0, 1]).
 
-Printed code reaches the implementations through the tables `NUMPY` and `MPMATH`, so `lambdify`
-works with "numpy", "scipy" and "mpmath"; an entry in a dictionary of the caller's comes first.
+What SymPy does with them:
+
+* It evaluates them at u = 0, K, 2 K, i K' and their sums, takes out whole periods, and reduces
+  sn(F(x, m), m) to sin(x).
+* `expand_func` applies the addition theorems, Jacobi's imaginary transformation and the
+  translations by K and i K'; `rewrite` to sin, cos, jacobi_am, Integral and elliptic_e works where
+  it is an identity.
+* `simplify` uses sn^2 + cn^2 = 1 and dn^2 + m sn^2 = 1, so `checkodesol` does (`_simplification`).
+* `series` works about regular points and poles in u; `limit` in u and m.  `series` in m gives two
+  terms about m = 0 or 1, and raises PoleError for more.
+* Printers of languages that lack these functions raise an error that says how to name one.
+
+Examples
+--------
+>>> from sympy import I, elliptic_k, expand_func, simplify, symbols
+>>> u, v, m = symbols("u v m")
+>>> simplify(jacobi_dn(u, m)**2 + m*jacobi_sn(u, m)**2)
+1
+>>> jacobi_sn(u + 2*elliptic_k(m), m), jacobi_cn(elliptic_k(m), m)
+(-jacobi_sn(u, m), 0)
+>>> expand_func(jacobi_sn(u + I*elliptic_k(1 - m), m))
+1/(sqrt(m)*jacobi_sn(u, m))
+>>> jacobi_cn(u, m).series(u, 0, 4)
+1 - u**2/2 + O(u**4)
 """
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-import numpy as np
 from mpmath import mp
-from sympy import S, atan, cos, sech, sin, tanh
-from sympy.core.function import ArgumentIndexError
+from sympy import (
+    Dummy,
+    Integral,
+    Order,
+    S,
+    atan,
+    cos,
+    elliptic_e,
+    elliptic_f,
+    pi,
+    sech,
+    sin,
+    sqrt,
+    tanh,
+    zoo,
+)
+from sympy.core.function import ArgumentIndexError, PoleError
 
-from rigidsym.language.functions._base import Coded
+from rigidsym.language.functions._arguments import (
+    AT_ZERO,
+    Argument,
+    Values,
+    expanded,
+    joined,
+    shifted,
+    split,
+)
+from rigidsym.language.functions._evaluated import Evaluated
 
 __all__ = [
+    "FUNCTIONS",
     "MPMATH",
-    "NUMPY",
+    "JacobiFunction",
     "jacobi_am",
     "jacobi_cn",
     "jacobi_dn",
@@ -50,7 +99,7 @@ __all__ = [
 
 
 class _Rule(NamedTuple):
-    """Derivatives, special values and parity of one of Jacobi's functions.
+    """Derivatives, special values and symmetries of one of Jacobi's functions.
 
     `du` and `dm` are the derivatives with respect to u and m.
     """
@@ -63,7 +112,7 @@ class _Rule(NamedTuple):
     sign: int  # of f(-u) / f(u)
 
 
-class _Jacobi(Coded):
+class JacobiFunction(Evaluated):
     """Base class of Jacobi's functions of (u, m), with their properties taken from `_RULES`.
 
     SymPy counts the arguments of `eval`, which is why they are named there.
@@ -71,7 +120,7 @@ class _Jacobi(Coded):
 
     @classmethod
     def eval(cls, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Simplify the function at u = 0, m = 0, m = 1 and for negative u."""
+        """Simplify the function at m = 0 and 1, at quarter periods, past whole ones and for -u."""
         rule = _RULES[cls.__name__]
         if u is S.NaN or m is S.NaN:
             return S.NaN
@@ -81,9 +130,86 @@ class _Jacobi(Coded):
             return rule.circular(u)
         if _is_one(m):
             return rule.hyperbolic(u)
+        if isinstance(u, elliptic_f) and u.args[1] == m:
+            return cls._of_integral(u.args[0], m)
+        argument = split(u, m)
+        if argument.quarters or argument.imaginary:
+            return cls._translated(u, argument, m)
         if u.could_extract_minus_sign():
             return rule.sign * cls(-u, m)
         return None
+
+    @classmethod
+    def _of_integral(cls, phi: Any, m: Any) -> Any:
+        """Return the function of F(phi, m), or None."""
+        return None
+
+    @classmethod
+    def _translated(cls, u: Any, argument: Argument, m: Any) -> Any:
+        """Return the function where u has quarter periods, with at most one of each left.
+
+        Return None where u has that form already.
+        """
+        rest, *counts = argument
+        sign = 1
+        if rest.could_extract_minus_sign():
+            rest, sign = -rest, _RULES[cls.__name__].sign
+            counts = [-count for count in counts]
+        if rest.is_zero:
+            value = cls._of(shifted(AT_ZERO, m, *counts))
+            return zoo if value.has(zoo) else sign * value
+        left = joined(Argument(rest, *(count % 2 for count in counts)), m)
+        if left == u:
+            return None
+        whole = [count - count % 2 for count in counts]
+        return sign * cls._of(shifted(_values(left, m), m, *whole))
+
+    @classmethod
+    def _of(cls, values: Values) -> Any:
+        return getattr(values, cls._name())
+
+    @classmethod
+    def _name(cls) -> str:
+        return cls.__name__.removeprefix("jacobi_")
+
+    def _eval_expand_func(self, **_: Any) -> Any:
+        return self._of(expanded(*self._values(), _values))
+
+    def _eval_conjugate(self) -> Any:
+        return self.func(*(argument.conjugate() for argument in self._values()))
+
+    def _eval_nseries(self, x: Any, n: int, logx: Any, cdir: int = 0) -> Any:
+        u, m = self._values()
+        end = m.subs(x, 0)
+        if m.has(x) and (end.is_zero or _is_one(end)):
+            return self._two_terms(x, n, end)
+        if self.func(u.subs(x, 0), m) is S.ComplexInfinity:
+            return self._near(x)._eval_nseries(x, n, logx, cdir)
+        return super()._eval_nseries(x, n, logx, cdir)
+
+    def _two_terms(self, x: Any, n: int, end: Any) -> Any:
+        """Expand to first order about m = 0 or 1, where the derivative in m is a limit."""
+        u, m = self._values()
+        if n > 2 or u.has(x):
+            raise PoleError(f"{self}: about m = {end} two terms are known, for a fixed argument")
+        slope = self.func(u, end, evaluate=False).fdiff(2)
+        return self.func(u, end) + slope * (m - end) + Order(x**n, x)
+
+    def _eval_as_leading_term(self, x: Any, logx: Any, cdir: Any) -> Any:
+        at, (u, _) = self.subs(x, 0), self._values()
+        if not at.is_zero and at is not S.ComplexInfinity:
+            return super()._eval_as_leading_term(x, logx, cdir) if at.has(S.NaN, zoo) else at
+        near = u if u.subs(x, 0).is_zero else self._near(x)
+        return near.as_leading_term(x, logx=logx, cdir=cdir)
+
+    def _near(self, x: Any) -> Any:
+        """Write the function by those of u less its value at x = 0, a zero or a pole."""
+        u, m = self._values()
+        begin, step = u.subs(x, 0), Dummy("h")
+        return self.func(step + begin, m).expand(func=True).subs(step, (u - begin).expand())
+
+    def _over_mpmath(self, *values: Any) -> Any:
+        return MPMATH[type(self).__name__](*values)
 
     def fdiff(self, argindex: int = 1) -> Any:
         """Return the derivative with respect to u or m.
@@ -95,9 +221,6 @@ class _Jacobi(Coded):
             raise ArgumentIndexError(self, argindex)
         return (rule.du if argindex == 1 else rule.dm)(*self.args)
 
-    def _over_mpmath(self, *values: Any) -> Any:
-        return MPMATH[type(self).__name__](*values)
-
     def _guard(self, prec: int) -> int:
         return _lost_bits(*(argument._to_mpmath(prec) for argument in self._values()))
 
@@ -106,47 +229,108 @@ class _Jacobi(Coded):
         power = "" if exp is None else f"^{{{exp}}}"
         return rf"{self._symbol()}{power}\left({u} \mid {m}\right)"
 
+    def _pretty(self, printer: Any) -> Any:
+        name = self._name()
+        return printer._helper_print_function(self.func, self.args, func_name=name, delimiter=" | ")
+
     def _symbol(self) -> str:
-        return rf"\operatorname{{{type(self).__name__.removeprefix('jacobi_')}}}"
+        return rf"\operatorname{{{self._name()}}}"
 
 
-class jacobi_sn(_Jacobi):  # noqa: N801 - SymPy's functions are lower case
+class jacobi_sn(JacobiFunction):  # noqa: N801 - SymPy's functions are lower case
     """Jacobi's elliptic function sn(u, m), the sine of the amplitude.
 
     It is odd in u.
     """
 
+    @classmethod
+    def _of_integral(cls, phi: Any, m: Any) -> Any:
+        return sin(phi)
 
-class jacobi_cn(_Jacobi):  # noqa: N801
+    def _eval_rewrite_as_sin(self, u: Any, m: Any, **_: Any) -> Any:
+        return sin(jacobi_am(u, m))
+
+    _eval_rewrite_as_jacobi_am = _eval_rewrite_as_sin
+
+
+class jacobi_cn(JacobiFunction):  # noqa: N801
     """Jacobi's elliptic function cn(u, m), the cosine of the amplitude.
 
     It is even in u.
     """
 
+    @classmethod
+    def _of_integral(cls, phi: Any, m: Any) -> Any:
+        return cos(phi)
 
-class jacobi_dn(_Jacobi):  # noqa: N801
+    def _eval_rewrite_as_cos(self, u: Any, m: Any, **_: Any) -> Any:
+        return cos(jacobi_am(u, m))
+
+    _eval_rewrite_as_jacobi_am = _eval_rewrite_as_cos
+
+
+class jacobi_dn(JacobiFunction):  # noqa: N801
     """Jacobi's elliptic function dn(u, m), the derivative of the amplitude.
 
     It is even in u and equals sqrt(1 - m sn^2), continued from 1 at u = 0.
     """
 
     def _eval_is_positive(self) -> bool | None:
-        u, m = self._values()
-        return True if u.is_real and (1 - m).is_nonnegative else None
+        return True if _is_circulating(*self._values()) else None
+
+    def _eval_rewrite_as_jacobi_sn(self, u: Any, m: Any, **_: Any) -> Any:
+        return sqrt(1 - m * jacobi_sn(u, m) ** 2) if self.is_positive else None
+
+    def _eval_rewrite_as_jacobi_am(self, u: Any, m: Any, **_: Any) -> Any:
+        return sqrt(1 - m * sin(jacobi_am(u, m)) ** 2) if self.is_positive else None
 
 
-class jacobi_am(_Jacobi):  # noqa: N801
+class jacobi_am(JacobiFunction):  # noqa: N801
     """Jacobi's amplitude am(u, m), the integral of dn from 0 to u.
 
     It is odd in u.
     """
 
+    @classmethod
+    def _of_integral(cls, phi: Any, m: Any) -> Any:
+        return phi if _is_circulating(phi, m) else None
 
-class jacobi_epsilon(_Jacobi):  # noqa: N801
+    @classmethod
+    def _translated(cls, u: Any, argument: Argument, m: Any) -> Any:
+        rest, quarters, imaginary = argument
+        if imaginary:  # am is many-valued there
+            return None
+        if rest.is_zero:
+            return quarters * pi / 2
+        if rest.could_extract_minus_sign():
+            return -cls(-u, m)
+        halves, quarters = divmod(quarters, 2)
+        left = joined(Argument(rest, quarters, 0), m)
+        return None if left == u else cls(left, m) + halves * pi
+
+    def _eval_expand_func(self, **_: Any) -> Any:
+        return self
+
+    def _eval_conjugate(self) -> Any:
+        return self if self.is_real else None
+
+    def _eval_rewrite_as_Integral(self, u: Any, m: Any, **_: Any) -> Any:
+        x = Dummy("x")
+        return Integral(jacobi_dn(x, m), (x, 0, u))
+
+
+class jacobi_epsilon(JacobiFunction):  # noqa: N801
     """Jacobi's epsilon function of (u, m), the integral of dn^2 from 0 to u.
 
     It is odd in u.
     """
+
+    def _eval_rewrite_as_elliptic_e(self, u: Any, m: Any, **_: Any) -> Any:
+        return elliptic_e(jacobi_am(u, m), m) if _is_circulating(u, m) else None
+
+    def _eval_rewrite_as_Integral(self, u: Any, m: Any, **_: Any) -> Any:
+        x = Dummy("x")
+        return Integral(jacobi_dn(x, m) ** 2, (x, 0, u))
 
     def _symbol(self) -> str:
         return r"\mathcal{E}"
@@ -158,6 +342,15 @@ def _is_one(m: Any) -> bool:
     SymPy distinguishes the two.
     """
     return m == 1 or m == 1.0
+
+
+def _is_circulating(u: Any, m: Any) -> bool:
+    """Return True for real u and m <= 1, where am grows without bound."""
+    return bool(u.is_real and (1 - m).is_nonnegative)
+
+
+def _values(u: Any, m: Any) -> Values:
+    return Values(*_functions(u, m), jacobi_epsilon(u, m))
 
 
 def _functions(u: Any, m: Any) -> tuple[Any, Any, Any]:
@@ -288,110 +481,7 @@ def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
     return evaluate
 
 
-def _np_agm(mc: Any) -> list[tuple[Any, Any]]:
-    """List the iterates of the arithmetic-geometric mean of 1 and sqrt(mc) (DLMF 19.8(i)).
-
-    For mc = 0, they are those of 1 and 1.
-    """
-    b = np.sqrt(np.where(mc == 0, 1.0, mc))
-    a = np.ones_like(b)
-    steps = [(a, b)]
-    while np.any(np.abs(a - b) > 1e-8 * a):  # the next mean is then exact in double precision
-        a, b = (a + b) / 2, np.sqrt(a * b)
-        steps.append((a, b))
-    return steps
-
-
-def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
-    """List tan(am u) for 0 <= u <= K/2 and its descending Landen transforms.
-
-    DLMF 22.7(i) for t = sc / a, with a and b from the AGM: only positive terms are added.
-    """
-    mean = sum(steps[-1]) / 2
-    tangents = [np.tan(mean * u) / mean]
-    for a, b in reversed(steps[1:]):
-        t = tangents[-1]
-        tangents.append(t * np.hypot(1, a * t) / np.hypot(1, b * t))
-    return tangents[::-1]
-
-
-def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], list[Any]]:
-    """Reduce an argument by half turns, u = 2 K turns + v.
-
-    Return turns, v, whether |v| > K/2, the iterates of the AGM, and the tangents.
-
-    A far |v| is reflected to K - |v| (DLMF 22.4(iii)), so that cn and dn come without
-    cancellation.  m = 1, where K is infinite, has its closed forms.
-    """
-    steps = _np_agm(mc)
-    quarter = np.where(mc == 0, 1e300, np.pi / sum(steps[-1]))
-    turns = np.rint(u / (2 * quarter))
-    v = u - turns * (2 * quarter)
-    size = np.abs(v)
-    far = size > quarter / 2
-    tangents = _np_tangents(np.where(far, quarter - size, size), steps)
-    return turns, v, far, steps, tangents
-
-
-def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
-    """Return the half turns in am(u), the sine and cosine of the remainder, and dn."""
-    mc = 1 - m
-    turns, v, far, _, (t, *_) = _np_reduce(u, mc)
-    size, kc = np.abs(v), np.sqrt(mc)
-    e = np.exp(-size)
-    s = np.where(mc == 0, np.tanh(size), np.where(far, 1.0, t))
-    c = np.where(mc == 0, 2 * e / (1 + e * e), np.where(far, kc * t, 1.0))
-    norm = np.hypot(s, c)
-    return turns, np.copysign(s, v) / norm, c / norm, np.hypot(c, kc * s) / norm
-
-
-def _np_epsilon(u: Any, m: Any) -> Any:
-    """Compute Jacobi's epsilon as E u / K plus Jacobi's zeta function.
-
-    Gauss's transformation (DLMF 19.8(iii)) of the integral of x cos^2 am + y sin^2 am leaves one
-    of the same form and a term of zeta, until x = y = E / K.  For m >= 0 no term is negative.
-    """
-    mc = 1 - m
-    _, v, far, steps, tangents = _np_reduce(u, mc)
-    x, y, zeta = np.ones_like(mc), mc, np.zeros_like(mc)
-    for (a, b), t in zip(steps, tangents, strict=True):
-        p, q = np.hypot(1, a * t), np.hypot(1, b * t)
-        near = t / (p * (p + q))  # sn cn / (a + dn), where dn^2 = a^2 cn^2 + b^2 sn^2
-        gap = x - y
-        zeta = zeta + gap * np.where(far, b * t / (q * (a * q + b * p)), near)
-        x, y = x - gap / 2, y + gap * (b / (a + b))
-    return np.where(mc == 0, np.tanh(u), x * u + np.sign(v) * zeta)[()]
-
-
-def _np_function(kind: str) -> Callable[[Any, Any], Any]:
-    """Return the NumPy implementation of one of Jacobi's five functions.
-
-    Its arguments broadcast.  It returns nan for m > 1.
-    """
-
-    @np.errstate(all="ignore")
-    def evaluate(u: Any, m: Any) -> Any:
-        u, m = np.asarray(u, dtype=float), np.asarray(m, dtype=float)
-        if kind == "epsilon":
-            return _np_epsilon(u, m)
-        turns, sine, cosine, dn = _np_amplitude(u, m)
-        if kind == "am":
-            return turns * np.pi + np.arctan2(sine, cosine)
-        if kind == "dn":
-            return dn
-        return (1 - 2 * (turns % 2)) * (sine if kind == "sn" else cosine)
-
-    return evaluate
-
-
-_KINDS = ("sn", "cn", "dn", "am", "epsilon")
-
-NUMPY = {f"jacobi_{kind}": _np_function(kind) for kind in _KINDS}
-"""Implementations over NumPy arrays of real u and m <= 1.
-
-Absolute errors are about 1e-15 for small u and grow with the rounding of u / K: 1e-14 at 30.
-Those of epsilon are about 1e-15 of its value, or for m < 0 of E |u| / K where that is larger.
-"""
-
-MPMATH = {f"jacobi_{kind}": _mp_function(kind) for kind in _KINDS}
+MPMATH = {f"jacobi_{kind}": _mp_function(kind) for kind in ("sn", "cn", "dn", "am", "epsilon")}
 """Implementations over mpmath numbers, at the working precision."""
+
+FUNCTIONS = (jacobi_sn, jacobi_cn, jacobi_dn, jacobi_am, jacobi_epsilon)

@@ -16,13 +16,13 @@ from mpmath import mp
 from sympy import S
 from sympy.core.function import ArgumentIndexError
 
-from rigidsym.language.functions._base import Coded
+from rigidsym.language.functions._evaluated import Evaluated
 
 # For q <= 0.97 the last term is below 1e-17 of the largest.
 _TERMS = 36
 
 
-class _Part(Coded):
+class _Part(Evaluated):
     """Base class of the real and the imaginary part of a theta function."""
 
     _real_part: bool

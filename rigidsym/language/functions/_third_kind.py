@@ -18,14 +18,15 @@ from mpmath import mp
 from sympy import S, atan, elliptic_pi, sqrt, tanh
 from sympy.core.function import ArgumentIndexError
 
-from rigidsym.language.functions import _jacobi as jacobi
-from rigidsym.language.functions._base import Coded
+from rigidsym.language.functions import _arrays as arrays
+from rigidsym.language.functions._arguments import Argument, joined, split
+from rigidsym.language.functions._evaluated import Evaluated
 from rigidsym.language.functions._jacobi import jacobi_am, jacobi_sn
 
 _ROUNDS = 14  # of duplication: the rest is below 4^-84 of the arguments' spread
 
 
-class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
+class jacobi_pi(Evaluated):  # noqa: N801 - SymPy's functions are lower case
     """The elliptic integral of the third kind, as a function of Jacobi's argument u.
 
     This is Pi(n; am(u | m) | m).
@@ -35,7 +36,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
 
     @classmethod
     def eval(cls, n: Any, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Simplify the function at u = 0, n = 0, m = 1 and for negative u."""
+        """Simplify the function at K, n = 0, m = 1, past whole periods and for negative u."""
         if u.is_zero:
             return S.Zero
         if n.is_zero:
@@ -43,8 +44,14 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
         if m == 1:
             root = sqrt(-n)
             return (u + root * atan(root * tanh(u))) / (1 - n)
-        if u.could_extract_minus_sign():
+        rest, quarters, imaginary = split(u, m)
+        if rest.is_zero and not imaginary:
+            return quarters * elliptic_pi(n, m)
+        if rest.could_extract_minus_sign():
             return -cls(n, -u, m)
+        if whole := quarters - quarters % 2:
+            left = joined(Argument(rest, quarters - whole, imaginary), m)
+            return cls(n, left, m) + whole * elliptic_pi(n, m)
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
@@ -68,6 +75,9 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
         power = "" if exp is None else f"^{{{exp}}}"
         amplitude = rf"\operatorname{{am}}\left({u} \mid {m}\right)"
         return rf"\Pi{power}\left({n}; {amplitude} \mid {m}\right)"
+
+    def _pretty(self, printer: Any) -> Any:
+        return printer._print(self.rewrite(elliptic_pi))
 
 
 def _mp_pi(n: Any, u: Any, m: Any) -> Any:
@@ -113,10 +123,10 @@ def _np_pi(n: Any, u: Any, m: Any) -> Any:
     """
     n, u, m = (np.asarray(x, dtype=float) for x in (n, u, m))
     mc = 1 - m
-    period = 2 * np.pi / sum(jacobi._np_agm(np.asarray(mc))[-1])  # 2 K by the AGM
+    period = 2 * np.pi / sum(arrays.agm(np.asarray(mc))[-1])  # 2 K by the AGM
     turns = np.rint(u / period)
     v = u - turns * period
-    s, c, d = (jacobi.NUMPY[f"jacobi_{kind}"](v, m) for kind in ("sn", "cn", "dn"))
+    s, c, d = (arrays.NUMPY[f"jacobi_{kind}"](v, m) for kind in ("sn", "cn", "dn"))
     part = v + n * s**3 * _np_rj(c * c, d * d, 1 - n * s * s) / 3
     whole = period + 2 * n * _np_rj(np.zeros_like(mc), mc, 1 - n) / 3
     return (part + turns * whole)[()]

@@ -12,6 +12,7 @@ from rigidsym.proof.algebra._parts import (
     half_angle,
     jacobi,
     join,
+    named,
     part_of,
     sign,
 )
@@ -26,6 +27,7 @@ __all__ = [
     "half_angle",
     "jacobi",
     "join",
+    "named",
     "part_of",
     "sign",
     "text",

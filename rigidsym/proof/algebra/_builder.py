@@ -5,10 +5,14 @@ Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel de
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import reduce
+from operator import mul, truediv
 from typing import Any, TypeAlias, TypeVar
 
-from sympy import Expr
+from sympy import Expr, cancel
 
+from rigidsym.proof.algebra import _parts
+from rigidsym.proof.algebra._computation import Computation, Printed
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
@@ -16,8 +20,8 @@ from rigidsym.proof.kernel._rules import differences
 
 Result = TypeVar("Result")
 # An expression that `text` converts to the kernel's language.
-Side: TypeAlias = str | int | Element | Expr
-Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
+Side: TypeAlias = str | int | Element | Expr | Computation
+Equations: TypeAlias = Mapping[Any, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
 # The name of a case, and the values of its witness that differ from the whole context's.
 Case: TypeAlias = tuple[str, Point]
@@ -38,6 +42,8 @@ class LedgerBuilder:
         self.sealed, self.recounted = sealed, 0
         # The steps of the derivation, in order, for readers; no fact rests on them.
         self.steps: list[Any] = []
+        # The matrices of contexts as they were given, for readers, too.
+        self.matrices: dict[str, Mapping[str, Any]] = {}
         self._results: dict[type, Any] = {}
 
     def keep(self, result: Any) -> None:
@@ -66,7 +72,24 @@ class LedgerBuilder:
 
         The part of the id before the dot is the context.  Each component is proved by itself.
         """
-        return self.decide(_fact(fact_id, "equal", equations, "identity", source))
+        return self.decide(self._fact(fact_id, "equal", equations, "identity", source))
+
+    def value(self, context: str, expression: Side) -> Computation:
+        """Compute what an expression is in a context: zero, a number or a short expression.
+
+        Definitions are put in, D is carried out by the rates of the context, and the numerator and
+        the denominator are reduced by its relations.
+        """
+        found, ring = self.ledger.contexts[context], self.ledger.rings[context]
+        element = ring.read(text(expression, (*found.generators, *found.definitions)))
+        below = reduce(mul, element.below.elements(), ring.poly(1))
+        sides = (divide(ring, side)[1].as_expr() for side in (element.numerator, below))
+        return Computation(cancel(truediv(*sides)), ("value",))
+
+    def evaluate(self, fact_id: str, sides: Iterable[Side], source: Iterable[str] = ()) -> Fact:
+        """Prove what expressions are, each by its computed value."""
+        context = fact_id.split(".", maxsplit=1)[0]
+        return self.claim(fact_id, [(side, self.value(context, side)) for side in sides], source)
 
     def compare(
         self,
@@ -75,13 +98,15 @@ class LedgerBuilder:
         points: Iterable[Point] = (),
         source: Iterable[str] = (),
     ) -> Fact | None:
-        """Prove equations, or refute them at a rational point.
+        """Prove equations that the paper prints, or refute them at a rational point.
 
         The points tried are the given ones, the witness of the context, and points that differ
         from it in one name.  Return None if the normal form is not zero, but the sides agree at
         all these points.
         """
-        fact = _fact(fact_id, "equal", equations, "identity", source)
+        fact = self._fact(fact_id, "equal", equations, "identity", source)
+        sides = {side: tuple(map(Printed, getattr(fact, side))) for side in ("lhs", "rhs")}
+        fact = replace(fact, **sides)
         try:
             return self.decide(fact)
         except KernelError as error:
@@ -97,16 +122,16 @@ class LedgerBuilder:
                 continue
         return None
 
-    def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
+    def root(self, fact_id: str, name: Any, radicand: Side, source: Iterable[str] = ()) -> Fact:
         """Prove that a quantity is the square root of another.
 
         The proof uses the square of `name` and its sign.
         """
-        return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
+        return self.decide(self._fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
         """Prove that quantities are nonnegative by rewriting them in a visibly nonnegative form."""
-        return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
+        return self.decide(self._fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
         self,
@@ -119,7 +144,8 @@ class LedgerBuilder:
 
         `point` overrides values of the context's witness.
         """
-        return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
+        fact = self._fact(fact_id, "unequal", equations, "counterexample", source)
+        return self._refute(fact, point)
 
     def _refute(self, fact: Fact, point: Point) -> Fact:
         witness = self.ledger.contexts[fact.context].witness
@@ -134,7 +160,7 @@ class LedgerBuilder:
         source: Iterable[str] = (),
     ) -> Fact:
         """Prove equations by substituting linear forms into a theta-function identity."""
-        fact = _fact(fact_id, "equal", equations, "theta", source)
+        fact = self._fact(fact_id, "equal", equations, "theta", source)
         certificate = {"identity": identity, "forms": dict(forms)}
         return self.ledger.add(replace(fact, certificate=certificate))
 
@@ -143,24 +169,25 @@ class LedgerBuilder:
 
         They hold at the initial instant, and d/dt preserves them.
         """
-        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+        return self.ledger.add(self._fact(fact_id, "equal", equations, "start", source))
 
     def begin(
-        self, context: str, zero: Iterable[str], names: str, equations: Equations, *source: str
+        self, context: str, zero: Iterable[Side], names: str, sides: Iterable[Side], *source: str
     ) -> None:
-        """Prove equations at the instant at which a motion starts, where more is zero.
+        """Prove what expressions are at the instant at which a motion starts, where more is zero.
 
         The instant is a context of its own, where the formulas for the names are proved again.
         """
         whole = self.ledger.contexts[context]
         instant = f"{context}_start"
-        relations = (*whole.relations, *zero)
+        known = (*whole.generators, *whole.definitions)
+        relations = (*whole.relations, *(text(x, known) for x in zero))
         self.open(replace(whole, name=instant, relations=relations, rates=None))
         for name in names.split():
             fact = self.ledger.facts[f"{context}.{name}"]
             place = {"id": f"{instant}.{name}", "context": instant}
             self.decide(replace(fact, **place, rule="identity", premises=()))
-        self.claim(f"{instant}.start", equations, source)
+        self.evaluate(f"{instant}.start", sides, source)
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Prove that a context satisfies all hypotheses of another one.
@@ -186,7 +213,7 @@ class LedgerBuilder:
 
         It is also evaluated at points drawn by a hash, where the names in `whole` are integers.
         """
-        fact = _fact(fact_id, "equal", equations, "assumption", [reference])
+        fact = self._fact(fact_id, "equal", equations, "assumption", [reference])
         certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
         if names := list(whole):
             certificate["whole"] = names
@@ -269,17 +296,20 @@ class LedgerBuilder:
         cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
+    def _fact(
+        self, fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]
+    ) -> Fact:
+        pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
+        context = fact_id.split(".", maxsplit=1)[0]
+        found = self.ledger.contexts.get(context)
+        names = () if found is None else (*found.generators, *found.definitions)
+        lhs, rhs = (tuple(text(x, names) for x in column) for column in zip(*pairs, strict=True))
+        return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
+
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
         grades = [self.ledger.facts[premise].grade for premise in premises]
         grade = min([fact.grade, *grades], key=[*Grade].index)
         return self.ledger.add(replace(fact, premises=premises, grade=grade))
-
-
-def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]) -> Fact:
-    pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
-    lhs, rhs = (tuple(map(text, column)) for column in zip(*pairs, strict=True))
-    context = fact_id.split(".", maxsplit=1)[0]
-    return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
 
 
 def facts(context: str, names: str) -> list[Entry]:
@@ -310,10 +340,13 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
     return [{"context": context, how: name, "source": list(source)} for name in names.split()]
 
 
-def text(side: Side) -> str:
-    """Convert a number, an expression or a ring element to text that the kernel can parse."""
+def text(side: Side, names: Iterable[str] = ()) -> str:
+    """Convert a number, an expression or a ring element to text that the kernel can parse.
+
+    The names of an expression are printed in the given order.
+    """
     if not isinstance(side, Element):
-        return str(side)
+        return _parts.text(side, names)
     below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
     return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
 
@@ -323,4 +356,4 @@ def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
 
     Trivial equations are left out.
     """
-    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]
+    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if str(x) != str(y)]

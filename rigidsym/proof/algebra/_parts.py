@@ -4,10 +4,14 @@ A part is names with hypotheses about them: a context without a name of its own.
 parts in order and names the whole; later parts may use what earlier ones introduced.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sympy import sympify
+
+from rigidsym.proof.algebra._computation import Computation, computed, plain
+from rigidsym.proof.algebra._printing import printed
 from rigidsym.proof.kernel import Context
 
 
@@ -15,18 +19,19 @@ from rigidsym.proof.kernel import Context
 class Part:
     """Part of a context: names with hypotheses about them.
 
-    The keys of `witness` are the generators, in order.
+    The keys of `witness` are the generators, in order.  Names are texts or symbols, and expressions
+    are texts, SymPy's or computations; `join` prints them with the names in the context's order.
     """
 
-    witness: Mapping[str, str] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-    definitions: Mapping[str, str] = field(default_factory=dict)
-    relations: tuple[str, ...] = ()
-    rates: Mapping[str, str] = field(default_factory=dict)
-    nonnegative: tuple[str, ...] = ()
-    start: tuple[str, ...] = ()
-    thetas: Mapping[str, str] = field(default_factory=dict)
-    reading: Mapping[str, str] = field(default_factory=dict)
+    witness: Mapping[Any, Any] = field(default_factory=dict)
+    units: tuple[Any, ...] = ()
+    definitions: Mapping[Any, Any] = field(default_factory=dict)
+    relations: tuple[Any, ...] = ()
+    rates: Mapping[Any, Any] = field(default_factory=dict)
+    nonnegative: tuple[Any, ...] = ()
+    start: tuple[Any, ...] = ()
+    thetas: Mapping[Any, str] = field(default_factory=dict)
+    reading: Mapping[Any, str] = field(default_factory=dict)
 
 
 _TABLES = ("witness", "definitions", "rates", "thetas", "reading")
@@ -51,15 +56,38 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
 
     `static` leaves out the time derivative.
     """
+    tables = tuple(key for key in _TABLES if not (static and key == "rates"))
     merged: dict[str, Any] = {
-        key: {x: text for part in parts for x, text in getattr(part, key).items()}
-        for key in _TABLES
+        key: {str(x): text for part in parts for x, text in getattr(part, key).items()}
+        for key in tables
     }
     for key in _LISTS:
-        merged[key] = tuple(dict.fromkeys(x for part in parts for x in getattr(part, key)))
+        merged[key] = [x for part in parts for x in getattr(part, key)]
+    names = (*merged["witness"], *merged["definitions"])
+    for key in tables:
+        merged[key] = {x: text(side, names) for x, side in merged[key].items()}
+    for key in _LISTS:
+        merged[key] = tuple(dict.fromkeys(text(x, names) for x in merged[key]))
     if static:
         merged["rates"] = None
     return Context(name, tuple(merged["witness"]), **merged)
+
+
+def text(side: Any, names: Iterable[str]) -> str:
+    """Convert a number, an expression or a computation to text that the kernel can parse.
+
+    Names are printed in the given order.  Texts are returned unchanged.
+    """
+    if isinstance(side, str):
+        return side
+    first = side.order if isinstance(side, Computation) else ()
+    order = dict.fromkeys((*first, *names))
+    return computed(printed(sympify(plain(side)), order), side)
+
+
+def named(names: Iterable[Any], values: Iterable[Any]) -> dict[Any, Any]:
+    """Return a table of as many values as names."""
+    return dict(zip(names, values, strict=True))
 
 
 def extend(name: str, context: Context, *parts: Part) -> Context:

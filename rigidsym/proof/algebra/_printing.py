@@ -1,28 +1,35 @@
-"""Printer of SymPy polynomials with a chosen order of names and terms.
+"""Printer of SymPy expressions with a chosen order of names and terms.
 
 SymPy sorts names alphabetically.  A text printed here may become a formula of the number half,
 where terms are added in the printed order.  Names have the listed order, terms are sorted by
-degree, and positive terms precede negative ones.
+degree, and positive terms precede negative ones.  What SymPy's `UnevaluatedExpr` holds together is
+printed in parentheses, for numbers that need it worked out first.
 """
 
-from typing import TypeAlias
+from collections.abc import Iterable
+from typing import Any, TypeAlias
 
-from sympy import Add, Expr, Integer, Mul
+from sympy import Add, Expr, Function, Mul, Rational, UnevaluatedExpr
 
 Ranks: TypeAlias = dict[str, int]
 
 
-def printed(polynomial: Expr, names: str) -> str:
-    """Print a polynomial with its names in a chosen order.
+def printed(expression: Expr, names: str | Iterable[str]) -> str:
+    """Print a rational expression with its names in a chosen order.
 
     `names` lists all names in that order.
-    Raises ValueError for anything but sums, products and natural powers of these names.
+    Raises ValueError for anything but sums, products, whole powers and D of these names.
     >>> from sympy import symbols
     >>> a, b, e = symbols("a b e")
     >>> printed(e*(2*a**2 - b*e) - a + b, "e b a")
     'b - a + e*(2*a**2 - e*b)'
+    >>> printed(-3*a/(2*b*(a - e)**2), "e b a")
+    '-3*a/(2*b*(a - e)**2)'
+    >>> printed(b*UnevaluatedExpr(a/e)**2, "e b a")
+    'b*(a/e)**2'
     """
-    return _sum(polynomial, {name: rank for rank, name in enumerate(names.split())})
+    listed = names.split() if isinstance(names, str) else names
+    return _sum(expression, {name: rank for rank, name in enumerate(listed)})
 
 
 def _sum(total: Expr, ranks: Ranks) -> str:
@@ -38,29 +45,39 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
     has no sign.
     """
     number, rest = term.as_coeff_Mul()
-    factors = sorted(_factor(factor, ranks) for factor in Mul.make_args(rest) if factor != 1)
-    texts = [text for _, text, _ in factors]
+    if not isinstance(number, Rational):
+        raise ValueError(f"{number}: not a rational number")
+    pairs = [factor.as_base_exp() for factor in Mul.make_args(rest) if factor != 1]
+    if strange := [base**power for base, power in pairs if not power.is_Integer]:
+        raise ValueError(f"{strange[0]}: not a whole power")
+    above = sorted(_factor(base, int(power), ranks) for base, power in pairs if power > 0)
+    below = sorted(_factor(base, -int(power), ranks) for base, power in pairs if power < 0)
+    over, under = [text for _, text, _ in above], [text for _, text, _ in below]
     size = abs(number)
-    if size != 1 or not texts:
-        texts.insert(0, str(size))
-    degree = sum(degree for _, _, degree in factors)
-    return degree, bool(number < 0), [rank for rank, _, _ in factors], "*".join(texts)
+    if size.p != 1 or not over:
+        over.insert(0, str(size.p))
+    if size.q != 1:
+        under.insert(0, str(size.q))
+    text = "*".join(over)
+    if under:
+        text += f"/{under[0]}" if len(under) == 1 else f"/({'*'.join(under)})"
+    degree = sum(x for *_, x in above) - sum(x for *_, x in below)
+    return degree, bool(number < 0), [rank for rank, _, _ in (*above, *below)], text
 
 
-def _factor(factor: Expr, ranks: Ranks) -> tuple[int, str, int]:
+def _factor(base: Expr, power: int, ranks: Ranks) -> tuple[int, str, int]:
     """Return the rank, text and degree of a factor.
 
     Sums have the last rank.
     """
-    base, exponent = factor.as_base_exp()
-    if not (isinstance(exponent, Integer) and exponent > 0):
-        raise ValueError(f"{factor}: not a natural power")
-    if isinstance(base, Add):
-        rank, text = len(ranks), f"({_sum(base, ranks)})"
-        degree = max(_term(term, ranks)[0] for term in base.args)
+    inner: Any = base if isinstance(base, Add) else base.args[0] if base.args else base
+    if isinstance(base, Add | UnevaluatedExpr):
+        rank, text = len(ranks), f"({_sum(inner, ranks)})"
+        degree = max(_term(term, ranks)[0] for term in Add.make_args(inner))
+    elif isinstance(base, Function) and base.func.__name__ == "D":
+        rank, text, degree = len(ranks), f"D({_sum(inner, ranks)})", 1
     elif str(base) not in ranks:
         raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")
     else:
         rank, text, degree = ranks[str(base)], str(base), 1
-    power = int(exponent)
     return rank, text if power == 1 else f"{text}**{power}", degree * power

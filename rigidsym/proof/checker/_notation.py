@@ -7,6 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from hashlib import sha256
+from itertools import product
 from typing import Any, TypeAlias
 
 from flint import fmpz_mod, fmpz_mod_ctx
@@ -27,15 +28,25 @@ class Components(Language[Value]):
     gap: str = ""
     hand: Form = 1
     named: dict[str, Value] = field(default_factory=lambda: {"i": [0, 1]})
-    changes: set[Form] = field(default_factory=set)
-    columns: list[tuple[list[str], list[str]]] = field(default_factory=list)
+    # What a quantity changes by with an input, or with none in particular.
+    columns: dict[tuple[Form, str], Form] = field(default_factory=dict)
     # The input that d_x is about.
     x: str = ""
+
+    def take(self, other: "Components") -> None:
+        """Add the names of another block, and its axes if they are not 1, 2 and 3."""
+        if other.axes != ["1", "2", "3"]:
+            self.axes, self.gap, self.hand = other.axes, other.gap, other.hand
+        self.named, self.columns = self.named | other.named, self.columns | other.columns
 
     def declare(self, word: str, rest: str) -> None:
         """Read one of the clauses that declare names."""
         if word == "derivatives":
-            self._depend(*rest.split(":"))
+            self._depend(rest.split(":")[1])
+            return
+        if word == "write":
+            for name, text in (item.split(" = ", 1) for item in rest.split(";")):
+                self.named[name.strip()] = self.read(text.strip())
             return
         names, _, axes = rest.partition(" along ")
         if axes:
@@ -44,9 +55,7 @@ class Components(Language[Value]):
         for name in names.split():
             along = {"vectors": self.axes, "quaternions": ["0", *self.axes]}
             if word == "complex":
-                half = name.startswith("half_")
-                parts = [f"cos_{name}", f"sin_{name}"] if half else [f"{name}_re", f"{name}_im"]
-                self.named[name] = parts
+                self.named[name] = [f"{name}_re", f"{name}_im"]
             elif word == "matrices":
                 self.named[name] = [[f"{name}{j}{k}" for k in self.axes] for j in self.axes]
             else:
@@ -56,13 +65,15 @@ class Components(Language[Value]):
         end = len(re.split(r"[^A-Za-z]", name)[0])
         return name[:end] + self.gap + axis + name[end:]
 
-    def _depend(self, symbol: str, items: str) -> None:
+    def _depend(self, items: str) -> None:
         for item in items.split(";"):
-            outputs, _, inputs = item.partition(" by ")
-            if symbol == "d":
-                self.changes |= {*self.parts(outputs)}
-            else:
-                self.columns.append(([*self.parts(outputs)], [*self.parts(inputs)]))
+            what, _, value = item.partition(" = ")
+            outputs, _, inputs = what.partition(" by ")
+            for y, x in product(self.parts(outputs), [*self.parts(inputs)] or [""]):
+                # Where Omega_a0 is an input, it is called Omega_a; Omega1_0 is called Omega1.
+                word = x.removesuffix("0").removesuffix("_")
+                called = y[:-1] + word if y.endswith("_t") else f"{y}_by_{word}"
+                self.columns[y, x] = int(value) if value else called if x else f"d{y}"
 
     def parts(self, names: str) -> Iterator[str]:
         """Yield names, or their components."""
@@ -71,8 +82,7 @@ class Components(Language[Value]):
 
     def inputs(self, item: str) -> list[str]:
         """Return the inputs that an item is about one after the other."""
-        every = [x for _, inputs in self.columns for x in inputs]
-        return [*dict.fromkeys(every)] if "d_x(" in item else [""]
+        return [*dict.fromkeys(x for _, x in self.columns if x)] if "d_x(" in item else [""]
 
     def number(self, number: int) -> Value:
         """Return a number."""
@@ -110,6 +120,8 @@ class Components(Language[Value]):
             return [self.combine(operator, left, part) for part in right]
         if left == 0 or right == 0:
             return _with_zero(operator, left, right)
+        if operator == "*" and left == 1:
+            return right
         return operator, left, right
 
     def _product(self, left: list[Value], right: list[Value]) -> Value:
@@ -141,6 +153,8 @@ class Components(Language[Value]):
                     self.combine("-", *(self.combine("*", *pair) for pair in pairs))
                     for pairs in sides
                 ]
+            case "cis", [str(angle)]:
+                return [f"cos_{angle}", f"sin_{angle}"]
             case "d" | "d_x", [value]:
                 return each(lambda part: self._derivative(function, part), value)
             case _, [value]:
@@ -149,6 +163,8 @@ class Components(Language[Value]):
 
     def _derivative(self, function: str, form: Form) -> Form:
         """Return the derivative of a name as a name, and others with those of all names in it."""
+        if isinstance(form, tuple) and form[:2] == ("call", "D"):
+            return "call", "D", self._derivative(function, form[2])
         if not isinstance(form, str):
             return (
                 "by",
@@ -157,12 +173,7 @@ class Components(Language[Value]):
                     (name, self._derivative(function, name)) for name in sorted(names_in([form]))
                 ),
             )
-        if function == "d":
-            return f"d{form}" if form in self.changes else 0
-        if any(form in outputs and self.x in inputs for outputs, inputs in self.columns):
-            # Where Omega_a0 is an input, it is called Omega_a; Omega1_0 is called Omega1.
-            return f"{form}_by_{self.x.removesuffix('0').removesuffix('_')}"
-        return int(form == self.x)
+        return self.columns.get((form, self.x if function == "d_x" else ""), int(form == self.x))
 
 
 def _with_zero(operator: str, left: Value, right: Value) -> Value:

@@ -25,6 +25,8 @@ class Block:
     """A named section of a specification: hypotheses, definitions and required statements."""
 
     assumed: dict[str, set[Form]] = field(default_factory=dict)
+    # The squares of roots.
+    squares: dict[str, Form] = field(default_factory=dict)
     rates: dict[str, Form] | None = None
     named: dict[str, Form] = field(default_factory=dict)
     sequences: list[tuple[str, list[str]]] = field(default_factory=list)
@@ -32,6 +34,7 @@ class Block:
     stated: list[Said] = field(default_factory=list)
     enclosed: list[Said] = field(default_factory=list)
     cases: list[str] = field(default_factory=list)
+    applies: set[str] = field(default_factory=set)
     components: Components = field(default_factory=Components)
 
     def assume(self, clause: str, forms: list[Form]) -> None:
@@ -45,8 +48,11 @@ class Block:
         if other.rates is not None:
             self.rates = {**(self.rates or {}), **other.rates}
         self.named.update(other.named)
+        self.squares.update(other.squares)
+        self.components.take(other.components)
         self.sequences += other.sequences
         self.stated += other.stated
+        self.applies |= other.applies
 
     def items(self, rest: str) -> list[Form]:
         """Return the expressions of a clause by components."""
@@ -71,11 +77,11 @@ class Block:
 
     def turn(self, name: str, rate: str) -> None:
         """Assume that a number of modulus 1 turns at a rate."""
-        self.components.declare("complex", name)
-        x, y = self.components.parts(name)
-        self.assume("zero", self.items(f"{x}**2 + {y}**2 - 1"))
-        turned = self.equations(f"{x}' = -{y}*({rate}); {y}' = {x}*({rate})", "' =")
-        self.rates = {**(self.rates or {}), **turned}
+        x, y = self.read(name)
+        self.assume("zero", [("-", ("+", ("**", x, 2), ("**", y, 2)), 1)])
+        speed = self.read(rate)
+        turned: dict[str, Form] = {x: ("-", ("*", speed, y)), y: ("*", speed, x)}
+        self.rates = (self.rates or {}) | turned
 
 
 @cache
@@ -108,6 +114,7 @@ def blocks(text: str) -> dict[str, tuple[bool, Block]]:
 
 
 def _lines(text: str) -> list[str]:
+    """Return the lines of blocks and clauses, each once for every row that follows its `for`."""
     lines: list[str] = []
     for line in text.split("\n"):
         line = line.split("#")[0].rstrip()
@@ -115,26 +122,55 @@ def _lines(text: str) -> list[str]:
             lines[-1] += " " + line.strip()
         elif line:
             lines.append(line)
-    return [part for line in lines for part in line.replace(" | ", "\n    ").split("\n")]
+    given: list[list[str]] = []
+    for part in "\n".join(lines).replace(" | ", "\n    ").splitlines():
+        if part[0] == " " and given:
+            given[-1].append(part)
+        else:
+            given.append([part])
+    filled = (line for lines in given for block in _filled(lines) for line in block)
+    return [one for line in filled for (one,) in _filled([line])]
+
+
+def _filled(lines: list[str]) -> list[list[str]]:
+    """Fill in braces by the rows of ``for x y = 1 2, 3 4:`` in the first line."""
+    word, given, rest = lines[0].partition(" for ")
+    if not given or " " in word.strip():
+        return [lines]
+    letters, _, more = rest.partition(" = ")
+    rows, _, first = more.partition(":")
+    blocks = []
+    for row in rows.split(","):
+        blocks.append([word + first, *lines[1:]])
+        for letter, value in zip(letters.split(), row.split(), strict=True):
+            blocks[-1] = [line.replace("{" + letter + "}", value) for line in blocks[-1]]
+    return blocks
 
 
 def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Block]]) -> None:
     if word == "under":
         for name in rest.split():
             block.take(found[name][1])
-    elif word == "names":
-        pass
-    elif word in ("vectors", "quaternions", "complex", "matrices", "derivatives"):
+    elif word in ("vectors", "quaternions", "complex", "matrices", "derivatives", "write"):
         block.components.declare(word, rest)
     elif word in ("zero", "nonzero", "nonnegative", "start"):
         block.assume(word, block.items(rest))
     elif word == "thetas":
         for item in rest.split(";"):
-            name, function = item.split(" = ")
-            block.thetas[name.strip()] = function.strip()
+            name, function = item.strip().split(" = ")
+            if name in block.components.named:
+                block.thetas[f"{name}_re"] = f"re({function})"
+                block.thetas[f"{name}_im"] = f"im({function})"
+            else:
+                block.thetas[name] = function
     elif word == "positive":
         block.assume("nonzero", block.items(rest))
         block.assume("nonnegative", block.items(rest))
+    elif word == "roots":
+        squares = block.equations(rest, " = ")
+        block.squares |= squares
+        block.assume("zero", [("-", ("**", x, 2), squares[x]) for x in squares])
+        block.assume("nonnegative", [*squares])
     elif word == "without":
         block.assumed["zero"] -= {*block.items(rest)}
     elif word == "moving":
@@ -144,6 +180,8 @@ def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Blo
             block.turn(*map(str.strip, item.split(" at ")))
     elif word in ("let", "with"):
         block.named.update(block.equations(rest, " = "))
+        for x in block.squares.keys() & block.named.keys():  # This root is given by itself.
+            block.assumed["zero"].remove(("-", ("**", x, 2), block.squares.pop(x)))
         rates = block.rates
         block.rates = rates and {x: rates[x] for x in rates.keys() - block.named.keys()}
     elif word == "formulas":
@@ -157,8 +195,15 @@ def _clause(block: Block, word: str, rest: str, found: dict[str, tuple[bool, Blo
             for left, right in block.sides(item, ">=" if kind == "sign" else " = "):
                 is_root = isinstance(right, tuple) and right[:2] == ("call", "sqrt")
                 said.append(("root", left, right[2]) if is_root else (kind, left, right))
+    elif word == "varied":
+        _clause(block, "then", rest, found)
+        items = (item.partition(" = ") for item in rest.split(";"))
+        slopes = (f"d_x({left}) = d_x({right})" for left, _, right in items)
+        _clause(block, "then", "; ".join(slopes), found)
     elif word == "cases":
         block.cases = [case.strip() for case in rest.split(",")]
+    elif word == "applies":
+        block.applies |= {*rest.split()}
     else:
         raise Refused(f"specification: {word!a} is no clause")
 
@@ -222,6 +267,8 @@ class Catalogue:
         enclosed = {*_residues([said for f in believed for said in _sayings(f)], residues)}
         if {*map(residues.said, block.enclosed)} - enclosed:
             raise Refused(f"theorem {name}: an equation is not enclosed")
+        if not block.applies <= {*places}:
+            raise Refused(f"theorem {name}: another theorem is not proved to apply")
         if block.cases and not any(
             (fact.kind, fact.context, fact.rhs) == ("partition", name, block.cases)
             for fact in self.best
@@ -269,8 +316,12 @@ def _due(block: Block, residues: Residues) -> list[Any]:
         {*map(residues.of, block.assumed.get(clause, ()))}
         for clause in ("zero", "nonzero", "start", "nonnegative")
     )
+    rates = block.rates
+    if rates is not None:
+        slopes = {x: ("/", ("call", "D", a), ("*", 2, x)) for x, a in block.squares.items()}
+        rates = {x: slope for x, slope in slopes.items() if residues.of(slope) != 0} | rates
     unsigned = map(_unsigned, (zero, nonzero, start))
-    return [*unsigned, nonnegative, _moving(block.rates, residues)]
+    return [*unsigned, nonnegative, _moving(rates, residues)]
 
 
 def _hypotheses(

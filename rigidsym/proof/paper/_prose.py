@@ -11,8 +11,7 @@ from typing import Any
 from rigidsym.proof.paper import _section4 as section4
 from rigidsym.proof.paper._answers import Answers, Data, ids
 from rigidsym.proof.paper._equation import Equation, Sense
-from rigidsym.proof.paper._proof import PROOF
-from rigidsym.proof.paper._shared import ACROSS, OFF_AXIS
+from rigidsym.proof.paper._shared import ACROSS, OFF_AXIS, stated
 from rigidsym.proof.paper._verdicts import EQUATIONS
 
 COMPARE = "rigidsym compare"
@@ -61,7 +60,26 @@ class Judged:
         }
 
 
-(_TURNS,) = (("25", sense) for e in PROOF if e.number == "25" for sense in e.senses)
+def _printed(*numbers: str) -> tuple[tuple[str, Sense], ...]:
+    """Return the senses of printed lines, each with its number."""
+    lines = {equation.number: equation for equation in EQUATIONS}
+    return tuple((number, sense) for number in numbers for sense in lines[number].senses)
+
+
+def _stated(number: str, context: str, **texts: str) -> tuple[tuple[str, Sense], ...]:
+    """Return senses that state equations of a context, one by one, about a printed line."""
+    return tuple((number, stated(context, {left: right})) for left, right in texts.items())
+
+
+# Half a period later, the rates about two axes have the other sign, and psi has grown.
+_LATER = (
+    {
+        "sigma*A_a*dn_later": "Omega_a",
+        "chi*A_b*sn_later": "-Omega_b",
+        "chi*A_d*tau*cn_later": "-Omega_d",
+    },
+    {"psi_later - psi": "period*(psi_0 + J_c*mu*kappa/K_1)/2"},
+)
 PROSE = (
     Prose(
         "an attitude representation which is not Euler-angle-like",
@@ -69,7 +87,38 @@ PROSE = (
         "no",
         "phi1, phi2, phi3 of (25) are proper Euler angles, about the axes 1, 2, 1, and (18) is "
         "made of their half angles; that no inverse trigonometric function is printed is all",
-        (_TURNS, ("18", section4.EIGHTEEN)),
+        (*_printed("25"), ("18", section4.EIGHTEEN)),
+    ),
+    Prose(
+        "independently of theta functions",
+        "sections I, IV and V",
+        "yes, but theta functions are faster",
+        "by (34), phi1 is an elliptic integral of the third kind, which Carlson's R_J evaluates; "
+        "as code, this form takes longer than that by theta functions, and is as accurate",
+        _printed("34"),
+        ("rigidsym codegen c --form pi", "rigidsym compare-forms"),
+    ),
+    Prose(
+        "simpler solutions [of tops] can be obtained when SU(2) is used",
+        "section II, of Klein",
+        "true of the free body; tops are not decided",
+        "each component of the quaternion is the real or imaginary part of one theta function over "
+        "a square root; those of a rotation matrix are sums of products of two.  No fact is about "
+        "a body in a field, or about who discovered it",
+        (
+            *_stated("18", "theta_form", qbar_0="P4_re/N", qbar_a="sigma*P4_im/N"),
+            *_stated("18", "theta_form", qbar_b="chi*P1_im/N"),
+            *_stated("18", "theta_form", qbar_d="-epsilon*sigma*chi*P1_re/N"),
+            *_stated("24", "theta_form", M_b="2*sigma*K*(qbar_a*qbar_b - epsilon*qbar_0*qbar_d)"),
+        ),
+    ),
+    Prose(
+        "quaternions depending only on the angular velocities",
+        "section V",
+        "no: the rates fix the attitude up to a turn about the momentum",
+        "(27) and (29) give phi2 and phi3 by the rates, but phi1 of (33) is an integral over time; "
+        "after a period the rates are the same, and the attitude has turned about the momentum",
+        (*_printed("27", "29", "33"), *(("33", stated("period", texts)) for texts in _LATER)),
     ),
     Prose(
         "elegant and compact form",
@@ -98,6 +147,16 @@ PROSE = (
         "and where they have all of the momentum it coasts about a fixed axis",
         (),
         (COMPARE,),
+    ),
+    Prose(
+        "low computational",
+        "section V",
+        "yes for thrusters; for wheels the eigenaxis needs no search",
+        "the closed form finds all natural motions that arrive in milliseconds, in a tenth of the "
+        "time that integrated motions take; wheels do best near a turn about the eigenaxis, which "
+        "one formula gives",
+        (),
+        ("python tests/benchmarks/manoeuvres.py --shooting 40", COMPARE),
     ),
     Prose(
         "reasonably close to the minimum-fuel one",

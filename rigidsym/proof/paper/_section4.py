@@ -344,5 +344,6 @@ SECTION_4: tuple[Equation, ...] = (
             Flaw.REASON: "S1 S2 is the sign of c3 Omega3, not an orientation",
             Flaw.JUDGEMENT: "what is refuted is an interpretation: that S1 S2 is the determinant",
         },
+        roots=(Root.HALF_ANGLE,),
     ),
 )

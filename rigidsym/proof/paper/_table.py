@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Sequence
 
 from rigidsym.language._unicode import in_unicode
 from rigidsym.proof.paper._counterexample import Counterexample
-from rigidsym.proof.paper._equation import Flaw
+from rigidsym.proof.paper._equation import Flaw, Root
 from rigidsym.proof.paper._verdicts import Ruling, Verdict
 
 COLUMNS = ("equation", "verdict", "repair, or how it is read", "fails at")
@@ -23,6 +23,30 @@ def counted(ruled: Sequence[Verdict]) -> str:
     counts = Counter(verdict.ruling for verdict in ruled)
     said = (form.format(counts[ruling]) for ruling, form in _COUNTED.items() if counts[ruling])
     return ", ".join(said)
+
+
+def causes(ruled: Sequence[Verdict]) -> dict[Root, list[str]]:
+    """Return the fewest root errors that explain all misprints, with the numbers of their lines.
+
+    Each is the one that explains the most of the lines that those before it leave.
+    """
+    misprints = [verdict for verdict in ruled if verdict.ruling is Ruling.MISPRINT]
+    rest, found = [verdict for verdict in misprints if verdict.roots], {}
+    while rest:
+        root = max(Root, key=lambda one: sum(one in verdict.roots for verdict in rest))
+        found[root] = [verdict.equation.number for verdict in misprints if root in verdict.roots]
+        rest = [verdict for verdict in rest if root not in verdict.roots]
+    return found
+
+
+def explained(ruled: Sequence[Verdict]) -> str:
+    """Return a text that says which root errors explain the misprints, and which come on top."""
+    found = causes(ruled)
+    parts = [f"{root} ({', '.join(numbers)})" for root, numbers in found.items()]
+    for verdict in ruled:
+        others = [root for root in verdict.roots if root not in found]
+        parts += [f"besides, {root} ({verdict.equation.number})" for root in others if found]
+    return f"the misprints have {len(found)} causes: {'; '.join(parts)}" if found else ""
 
 
 def row(verdict: Verdict) -> tuple[str, str, str, str]:

@@ -1,6 +1,7 @@
 """Derivation steps on named matrices: coordinates, products and determinants."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import sympy
 from sympy import (
@@ -14,6 +15,7 @@ from sympy import (
     ZeroMatrix,
 )
 
+from rigidsym.proof.algebra._computation import Computation, plain
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
 
@@ -37,7 +39,8 @@ def coordinates(
     pairs = zip(found, basis, strict=True)
     terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
     right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
-    fact = scope.decide_matrices(fact_id, expression, right, source)
+    origin = Computation(found, ("coordinates",))
+    fact = scope.decide_matrices(fact_id, expression, right, source, origin)
     return scope.note("coordinates", why, found, [(expression, right)], fact)
 
 
@@ -100,7 +103,7 @@ def multiply(
     scope: Scope,
     fact_id: str,
     left: MatrixExpr,
-    right: MatrixExpr,
+    right: MatrixExpr | Computation,
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
@@ -108,8 +111,10 @@ def multiply(
 
     The kernel multiplies.
     """
-    fact = scope.decide_matrices(fact_id, left, right, source)
-    return scope.note("multiply", why, right, [(left, right)], fact)
+    origin = right if isinstance(right, Computation) else None
+    value: Any = plain(right)
+    fact = scope.decide_matrices(fact_id, left, value, source, origin)
+    return scope.note("multiply", why, value, [(left, value)], fact)
 
 
 def determinant(
@@ -123,5 +128,5 @@ def determinant(
     real, imaginary = scope.determinant(name)
     parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]
     parts += [(imaginary, "0")] if imaginary else []
-    fact = scope.decide(fact_id, parts, source)
+    fact = scope.decide(fact_id, parts, source, Computation(value, ("determinant",)))
     return scope.note("multiply", why, value, [(Determinant(name), value)], fact)

@@ -7,22 +7,27 @@ import sympy
 from sympy import Expr, Symbol
 from sympy.solvers.solveset import NonlinearError
 
+from rigidsym.proof.algebra._computation import Computation, compute, plain
 from rigidsym.proof.kernel import KernelError
 from rigidsym.proof.steps._names import collected, symbol
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
+from rigidsym.view._statements import derived_by
 
 
 def differentiate(
     scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
-    """Differentiate an expression with respect to time.
+    """Differentiate an expression with respect to time, or to the one name that moves at rate 1.
 
-    The context gives the time derivatives of its names.
+    The context gives the derivatives of its names.
     """
     value = min(map(scope.reduced, scope.rates(expression)), key=sympy.count_ops)
-    fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source)
-    return scope.note("differentiate", why, value, [(rate_of(expression), value)], fact)
+    origin = Computation(value, ("differentiate",))
+    fact = scope.decide(fact_id, [(f"D({scope.text(expression)})", value)], source, origin)
+    along = derived_by(scope.context)
+    slope = rate_of(expression) if along is None else sympy.Derivative(expression, symbol(along))
+    return scope.note("differentiate", why, value, [(slope, value)], fact)
 
 
 def rate_of(expression: Expr) -> Expr:
@@ -35,19 +40,20 @@ def rewrite(
     scope: Scope,
     fact_id: str,
     expression: Expr,
-    value: Expr,
+    value: Expr | Computation,
     why: str,
     source: Sequence[str] = (),
     verb: str = "rewrite",
 ) -> Step:
     """Prove that an expression equals another form of it.
 
-    An earlier step or SymPy found the other form, `value`.
+    The other form, `value`, was typed unless it is a computation.
     """
-    conditions = scope.divisors(expression, value)
+    form = plain(value)
+    conditions = scope.divisors(expression, form)
     there = scope.at(fact_id, *conditions)
     fact = there.decide(fact_id, [(expression, value)], source)
-    return there.note(verb, why, value, [(expression, value)], fact, conditions)
+    return there.note(verb, why, form, [(expression, form)], fact, conditions)
 
 
 def eliminate(
@@ -82,14 +88,19 @@ def eliminate(
     if value.free_symbols & {*stand_ins.values()}:
         raise StepError(f"eliminate: {fact_id}: the equations leave an unknown free")
     left = expression if name is None else name
-    return rewrite(scope, fact_id, left, value, why, source, "eliminate")
+    found = Computation(value, ("eliminate",))
+    return rewrite(scope, fact_id, left, found, why, source, "eliminate")
 
 
-def apart(expression: Expr, variable: Expr) -> Expr:
+def apart(expression: Expr | Computation, variable: Expr) -> Computation:
     """Expand an expression in partial fractions of the form c/(1 - n x).
 
     The variable may be a power.
     """
+    return compute(expression).apply(_apart, variable)
+
+
+def _apart(expression: Expr, variable: Expr) -> Expr:
     stand_in = sympy.Dummy()
     parts = [
         sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))
@@ -114,7 +125,7 @@ def _normalised(term: Expr, variable: Symbol) -> Expr:
 def integrate(
     scope: Scope,
     fact_id: str,
-    rate: Expr,
+    rate: Expr | Computation,
     table: Mapping[Symbol, Expr],
     why: str,
     source: Sequence[str] = (),
@@ -124,7 +135,7 @@ def integrate(
     The expression is a sum of constants times entries of the table.
     Raises StepError for a term that is not in the table.
     """
-    total = sympy.S.Zero
+    rate, total = plain(rate), sympy.S.Zero
     moving = {symbol(name) for name in scope.context.rates or {}}
     for term in sympy.Add.make_args(rate):
         factors = {f: collected(sympy.cancel(term / slope)) for f, slope in table.items()}
@@ -135,7 +146,8 @@ def integrate(
             raise StepError(f"integrate: {fact_id}: {term} is not in the table")
         function, factor = next(iter(constant.items()))
         total += factor * function
-    fact = scope.decide(fact_id, [(f"D({scope.text(total)})", rate)], source)
+    origin = Computation(total, ("integrate",))
+    fact = scope.decide(fact_id, [(f"D({scope.text(total)})", rate)], source, origin)
     conditions = scope.divisors(total)
     return scope.note(
         "integrate", why, total, [(sympy.Integral(rate, symbol("t")), total)], fact, conditions
@@ -143,7 +155,12 @@ def integrate(
 
 
 def nonnegative(
-    scope: Scope, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
+    scope: Scope,
+    fact_id: str,
+    expression: Expr,
+    form: Expr | Computation,
+    why: str,
+    source: Sequence[str] = (),
 ) -> Step:
     """Prove that an expression is nonnegative by rewriting it in a visibly nonnegative form.
 
@@ -153,7 +170,7 @@ def nonnegative(
         fact = scope.builder.sign(fact_id, {scope.text(expression): scope.text(form)}, source)
     except KernelError as error:
         raise StepError(str(error)) from None
-    return scope.note("nonnegative", why, form, [(expression, form)], fact)
+    return scope.note("nonnegative", why, plain(form), [(expression, plain(form))], fact)
 
 
 def roots(
@@ -181,7 +198,8 @@ def roots(
     product = sympy.Mul(leading, *(variable - x for x in values), evaluate=False)
     conditions = scope.divisors(*values)
     there = scope.at(fact_id, *conditions)
-    fact = there.decide(fact_id, [(polynomial, product)], source)
+    origin = Computation(values, ("roots",))
+    fact = there.decide(fact_id, [(polynomial, product)], source, origin)
     return there.note("roots", why, values, [(polynomial, product)], fact, conditions)
 
 
@@ -219,7 +237,8 @@ def match(
         raise StepError(f"match: {fact_id}: no choice of {unknowns} makes them agree")
     found.sort(key=lambda solution: sympy.default_sort_key(solution[unknowns[0]]))
     pairs = [(ansatz.subs(solution), wanted.subs(solution)) for solution in found]
-    fact = scope.decide(fact_id, pairs, source)
-    equations = [equation for solution in found for equation in solution.items()]
-    conditions = scope.divisors(*(value for _, value in equations))
-    return scope.note("match", why, found, equations, fact, conditions)
+    fact = scope.decide(fact_id, pairs, source, Computation(found, ("match",)))
+    names = sympy.Tuple(*unknowns)
+    choices = [(names, names.subs(solution)) for solution in found]
+    conditions = scope.divisors(*(value for solution in found for value in solution.values()))
+    return scope.note("match", why, found, choices, fact, conditions)

@@ -9,6 +9,7 @@ from sympy import Matrix
 from sympy.polys.matrices import DomainMatrix
 from sympy.solvers.solveset import NonlinearError
 
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
 
@@ -44,7 +45,7 @@ def solve(
         (left, _combination(there, system.row(k), gaps, range(len(gaps))))
         for k, left in enumerate(lefts)
     ]
-    fact = there.decide(fact_id, pairs, source)
+    fact = there.decide(fact_id, pairs, source, Computation(value, ("solve",)))
     meant = [scope.dictionary.meant(v) for v in value]
     found = dict(zip(map(scope.dictionary.meant, asked), meant, strict=True))
     return there.note("solve", why, found, found.items(), fact, scope.divisors(*meant))
@@ -126,7 +127,7 @@ def solve_family(
     family: Any = {x: p + parameter * d for x, p, d in columns}
     pairs = [(scope.text(x.subs(family)), scope.text(y)) for x, y in equations]
     pairs += _parallel(scope, system, equations, unknowns, particular, direction)
-    fact = scope.decide(fact_id, pairs, source)
+    fact = scope.decide(fact_id, pairs, source, Computation(family, ("solve",)))
     choice = f"{parameter} is free"
     return scope.note("solve", why, family, family.items(), fact, choice=choice)
 

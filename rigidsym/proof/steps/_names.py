@@ -5,6 +5,7 @@ with the function if a reading is one; `Dictionary` converts between the two.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -15,6 +16,8 @@ from sympy.printing.str import StrPrinter
 
 from rigidsym.language._expression import parse
 from rigidsym.language.functions._translation import BY_PARAMETER, sympified
+from rigidsym.proof.algebra import Part
+from rigidsym.proof.algebra._computation import Computation, compute, computed, plain
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.steps._record import StepError
 
@@ -38,6 +41,27 @@ def read(text: str) -> sympy.Expr:
     All symbols are real.  The text may also be a name's reading.
     """
     return sympified(parse(text), symbol, BY_PARAMETER)
+
+
+def expressions(table: Mapping[Any, Any]) -> dict[sympy.Symbol, Computation]:
+    """Return definitions or rates of a part as expressions of real symbols, by name."""
+    found = {}
+    for name, side in table.items():
+        value = compute(read(side) if isinstance(side, str) else side)
+        whole = sympy.sympify(value.value)
+        real = {x: symbol(str(x)) for x in whole.free_symbols}
+        found[symbol(str(name))] = replace(value, value=whole.xreplace(real))
+    return found
+
+
+def unfold(expression: Expr | Computation, *parts: Part) -> Computation:
+    """Replace names by their definitions in parts, until none of these names is left."""
+    found, table = compute(expression), {}
+    for part in parts:
+        table |= expressions(part.definitions)
+    while known := {x: table[x] for x in found.free_symbols if x in table}:
+        found = found.xreplace(known)
+    return found
 
 
 class Dictionary:
@@ -72,16 +96,16 @@ class Dictionary:
         """Replace names in an expression by their functions."""
         return expression.xreplace(dict(self.functions))
 
-    def text(self, expression: sympy.Expr | int) -> str:
+    def text(self, expression: sympy.Expr | Computation | int) -> str:
         """Convert a SymPy expression to text that the kernel can parse.
 
         Raises StepError if a part has no name.
         """
-        named = self.named(sympy.sympify(expression))
+        named = self.named(sympy.sympify(plain(expression)))
         strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
         if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
             raise StepError(f"{strange[0]} has no name in {self.context.name}")
-        return _Printer().doprint(named)
+        return computed(_Printer().doprint(named), expression)
 
 
 class _Printer(StrPrinter):

@@ -5,6 +5,7 @@ from typing import Any
 
 import sympy
 
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.kernel import Fact
 
 
@@ -31,6 +32,11 @@ class Step:
     fact: Fact
     conditions: tuple[sympy.Expr, ...] = ()
     choice: str = ""
+
+    @property
+    def found(self) -> Computation:
+        """The step's value, as a computation by this step."""
+        return Computation(self.value, (self.verb,))
 
     @property
     def source(self) -> tuple[str, ...]:

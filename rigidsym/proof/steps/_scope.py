@@ -10,6 +10,7 @@ from sympy import Eq, Identity, ImmutableMatrix, Inverse, MatrixExpr
 
 from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import Computation, computed
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.steps._matrices import (
     INDICES,
@@ -54,6 +55,7 @@ class Scope:
         for matrix, value in (matrices or {}).items():
             scope._define(matrix, value)
         builder.open(scope.context)
+        builder.matrices[name] = dict(matrices or {})
         return scope
 
     def _define(self, name: str, value: ImmutableMatrix | MatrixExpr) -> None:
@@ -83,6 +85,7 @@ class Scope:
         units = tuple(map(self.text, nonzero))
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
         self.builder.open(narrower)
+        self.builder.matrices[name] = self.builder.matrices.get(self.name, {})
         return Scope(self.builder, narrower, self.matrices)
 
     @property
@@ -95,7 +98,7 @@ class Scope:
         """The kernel's ring of the context."""
         return self.builder.ledger.rings[self.name]
 
-    def text(self, expression: sympy.Expr | int | str) -> str:
+    def text(self, expression: sympy.Expr | Computation | int | str) -> str:
         """Convert a SymPy expression to text that the kernel can parse.
 
         Texts are returned unchanged.
@@ -204,21 +207,28 @@ class Scope:
     def decide(
         self,
         fact_id: str,
-        pairs: Iterable[tuple[sympy.Expr | str, sympy.Expr | str]],
+        pairs: Iterable[tuple[Any, Any]],
         source: Sequence[str],
+        origin: Computation | None = None,
     ) -> Fact:
         """Prove equations with the kernel.
 
+        `origin` is the computation that found their right sides, if one did.
         Raises StepError if the kernel cannot decide them.
         """
-        texts = [(self.text(left), self.text(right)) for left, right in pairs]
+        texts = [(self.text(left), computed(self.text(right), origin)) for left, right in pairs]
         try:
             return self.builder.claim(fact_id, texts, source)
         except KernelError as error:
             raise StepError(str(error)) from None
 
     def decide_matrices(
-        self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
+        self,
+        fact_id: str,
+        left: MatrixExpr,
+        right: MatrixExpr,
+        source: Sequence[str],
+        origin: Computation | None = None,
     ) -> Fact:
         """Prove an equation of matrices with the kernel, entry by entry.
 
@@ -232,7 +242,7 @@ class Scope:
         pairs = self.entrywise(left, right)
         if not pairs:
             raise StepError(f"fact {fact_id}: both sides are the same: {left}")
-        return self.decide(fact_id, pairs, source)
+        return self.decide(fact_id, pairs, source, origin)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
         """Return the equations between corresponding entries of two matrices.

@@ -7,6 +7,7 @@ from typing import Any
 import sympy
 
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps._names import symbol, symbols
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
@@ -66,7 +67,8 @@ def vary(
     boundary = " + ".join(f"M{k}*eta{k}" for k in (1, 2, 3))
     rest = " + ".join(f"E{k}*eta{k}" for k in (1, 2, 3))
     change = [("L_varied - L", f"eps*(D({boundary}) - ({rest}))")]
-    fact = scope.decide(f"{name}.by_parts", change, source)
+    origin = Computation(moments, ("vary",))
+    fact = scope.decide(f"{name}.by_parts", change, source, origin)
     equations = [(symbol(f"M{k}_rate"), moment) for k, moment in enumerate(moments, 1)]
     step = scope.note("vary", why, moments, equations, fact)
     return Variation(momenta, moments, scope, step)

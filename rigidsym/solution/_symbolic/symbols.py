@@ -7,7 +7,8 @@ from weakref import WeakValueDictionary
 from sympy import AtomicExpr, N, Symbol, sympify
 from sympy.core.evalf import prec_to_dps
 
-from rigidsym.language.functions._base import rounded_up
+from rigidsym.language import _latex as typeset
+from rigidsym.language.functions._evaluated import rounded_up
 
 TIME = Symbol("t", real=True)
 _GUARD_DIGITS = 5
@@ -25,11 +26,22 @@ def named(name: str) -> Any:
     text = name.rstrip("_")
     if name == "t":
         return TIME
+    kind = Word if typeset.symbol(text).latex.startswith(r"\mathrm") else Symbol
     if name.startswith(_COMPLEX) and name[-1].isdigit():
-        return Symbol(text)
+        return kind(text)
     if name in _POSITIVE or (name.startswith("c") and name.lstrip("c_") in {*"abd123"}):
-        return Symbol(text, positive=True)
-    return Symbol(text, nonnegative=True) if name in _NONNEGATIVE else Symbol(text, real=True)
+        return kind(text, positive=True)
+    return kind(text, nonnegative=True) if name in _NONNEGATIVE else kind(text, real=True)
+
+
+class Word(Symbol):
+    """A SymPy symbol whose name is a word, such as phase.
+
+    SymPy's LaTeX would show a product of five letters.
+    """
+
+    def _latex(self, printer: Any) -> str:
+        return typeset.symbol(self.name).latex
 
 
 class Constant(AtomicExpr):

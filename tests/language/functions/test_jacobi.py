@@ -14,10 +14,11 @@ import pytest
 import sympy as sp
 from mpmath import mp
 from sympy.core.function import ArgumentIndexError
+from sympy.printing.numpy import CuPyPrinter, JaxPrinter
 
+from rigidsym.language.functions._arrays import NUMPY
 from rigidsym.language.functions._jacobi import (
     MPMATH,
-    NUMPY,
     jacobi_am,
     jacobi_cn,
     jacobi_dn,
@@ -420,6 +421,54 @@ def test_printing(function, symbol):
     assert sp.latex(1 / one) == rf"\frac{{1}}{{{symbol}\left(u \mid m\right)}}"
     assert sp.latex(function(a * t, m)) == rf"{symbol}\left(a t \mid m\right)"
     assert pickle.loads(pickle.dumps(one)) == one
+
+
+@every
+def test_srepr_makes_a_round_trip(function):
+    half = sp.Rational(1, 3) * sp.Symbol("k", positive=True)
+    for one in (function(u, m), function(2 * u + sp.I * b, half) ** 2 / a):
+        assert eval(sp.srepr(one), {**vars(sp), function.__name__: function}) == one
+
+
+PRETTY = ["2", "sn (u | m)", "──────────", "⎛u    ⎞", "dn⎜─ | m⎟", "⎝2    ⎠"]
+
+
+def test_pretty_printing():
+    one = jacobi_sn(u, m) ** 2 / jacobi_dn(u / 2, m)
+    text = sp.pretty(one, use_unicode=True)
+    assert [line.strip() for line in text.splitlines()] == PRETTY
+    assert sp.pretty(jacobi_epsilon(u, m), use_unicode=False) == "epsilon(u | m)"
+
+
+REFUSED = {
+    "C": sp.ccode,
+    "C++": sp.cxxcode,
+    "Fortran": sp.fcode,
+    "JAX": JaxPrinter().doprint,
+    "CuPy": CuPyPrinter().doprint,
+}
+
+
+@every
+@pytest.mark.parametrize("language", REFUSED)
+def test_other_languages_are_refused(function, language):
+    with pytest.raises(NotImplementedError, match=f"{function.__name__}: .* has no such function"):
+        REFUSED[language](function(u, m))
+
+
+def test_languages_take_the_callers_function():
+    one, own = jacobi_sn(u, m) ** 2, {"jacobi_sn": "my_sn"}
+    assert sp.ccode(one, user_functions=own) == "pow(my_sn(u, m), 2)"
+    assert sp.fcode(one, user_functions=own, source_format="free") == "my_sn(u, m)**2"
+    assert JaxPrinter({"user_functions": own}).doprint(one) == "my_sn(u, m)**2"
+    assert "Not supported in C" in sp.ccode(one, strict=False)
+
+
+def test_printed_python_runs():
+    code = sp.pycode(jacobi_sn(u, m) + jacobi_am(u, m))
+    assert code.startswith("rigidsym.language.functions.NUMPY['jacobi_")
+    found = sp.lambdify([u, m], jacobi_sn(u, m) * jacobi_epsilon(u, m), "math")(0.3, 0.4)
+    assert abs(found - float(jacobi_sn(0.3, 0.4) * jacobi_epsilon(0.3, 0.4))) < 1e-15
 
 
 # --- lambdify -------------------------------------------------------------------------------

@@ -97,4 +97,7 @@ def test_latex():
     assert sp.latex(jacobi_pi(n, u, m)) == (
         r"\Pi\left(n; \operatorname{am}\left(u \mid m\right) \mid m\right)"
     )
+    assert sp.pretty(jacobi_pi(n, u, m), use_unicode=True) == "Π(n; am(u | m)│m)"
+    with pytest.raises(NotImplementedError, match="jacobi_pi: C has no such function"):
+        sp.ccode(jacobi_pi(n, u, m))
     assert sp.latex(theta_re(4, x, y, q, 0)).startswith(r"\operatorname{Re} \theta_{4}\left(")

@@ -4,6 +4,7 @@ import pytest
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, extend, half_angle, jacobi, join, sign
 from rigidsym.proof.algebra._builder import definitions, facts, readings
+from rigidsym.proof.algebra._computation import Standing, standing
 from rigidsym.proof.kernel import Grade, KernelError
 
 A = Part(
@@ -186,3 +187,11 @@ def test_a_context_is_extended_and_what_parts_define_comes_last(builder):
     assert more.definitions == {"twice": "s + s"}
     assert more.rates == {"c": "-w*s", "s": "w*c", "t": "1"}
     assert extend("still", join("static", CIRCLE, static=True)).rates is None
+
+
+def test_an_expression_is_evaluated_by_definitions_rates_and_relations(builder):
+    fact = builder.evaluate("circle.known", ["D(s**2 + c**2)", "(s**2 + c**2)*w", "w**2/w/w/w"])
+    assert fact.rhs == ("0", "w", "1/w")
+    assert standing(fact) == Standing.COMPUTED
+    with pytest.raises(KernelError, match="has no meaning here"):
+        builder.evaluate("circle.lost", ["x"])

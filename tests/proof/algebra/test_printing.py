@@ -3,7 +3,18 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from sympy import I, Integer, Poly, Rational, expand, sin, sqrt, symbols, sympify
+from sympy import (
+    I,
+    Integer,
+    Poly,
+    Rational,
+    UnevaluatedExpr,
+    expand,
+    sin,
+    sqrt,
+    symbols,
+    sympify,
+)
 
 from rigidsym.proof.algebra._printing import printed
 from rigidsym.proof.kernel import Context, Ledger
@@ -20,17 +31,21 @@ RING = Ledger().open(Context("free", ("x", "y", "z"), dict.fromkeys("xyz", "0"))
         (z * (y - x) + x - y, "y x z", "x - y + z*(y - x)"),
         (2 * x**2 - 3 * x - y**3, "x y", "-3*x + 2*x**2 - y**3"),
         ((x + y) ** 2 * z, "z y x", "z*(y + x)**2"),
-        (x / 2 - Rational(2, 3) * y, "x y", "1/2*x - 2/3*y"),
+        (x / 2 - Rational(2, 3) * y, "x y", "x/2 - 2*y/3"),
         (-x * (y + z), "x y z", "-x*(y + z)"),
         (Integer(0), "x", "0"),
         (Integer(-7), "x", "-7"),
         (x - 1, "x", "-1 + x"),
+        (1 / x, "x", "1/x"),
+        (x / (2 * y), "x y", "x/(2*y)"),
+        (x * UnevaluatedExpr(y / z) ** 2, "x y z", "x*(y/z)**2"),
+        (x + UnevaluatedExpr(z - y), "x y z", "x + (z - y)"),
     ],
     ids=str,
 )
 def test_names_come_as_listed_and_terms_by_degree_and_sign(polynomial, names, text):
     assert printed(polynomial, names) == text
-    assert expand(sympify(text) - polynomial) == 0
+    assert expand(sympify(text) - polynomial.doit()) == 0
 
 
 def plain(polynomial):
@@ -56,9 +71,7 @@ def test_the_kernel_reads_back_what_was_printed(names, polynomial):
     assert not (RING.read(printed(polynomial, names)) - RING.read(plain(polynomial))).numerator
 
 
-@pytest.mark.parametrize(
-    "expression", [1 / x, x / y, sqrt(x), x**y, sin(x), I * x, x + symbols("w")], ids=str
-)
+@pytest.mark.parametrize("expression", [sqrt(x), x**y, sin(x), I * x, x + symbols("w")], ids=str)
 def test_anything_else_is_refused(expression):
     with pytest.raises(ValueError, match="not "):
         printed(expression, "x y z")

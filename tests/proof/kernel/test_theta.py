@@ -7,6 +7,7 @@ import pytest
 
 from derivations.theta_laws import ARGUMENTS, CIRCULAR, HYPERBOLIC, LAWS, RIEMANN, Family, prove
 from rigidsym.proof.algebra import LedgerBuilder
+from rigidsym.proof.algebra._computation import plain
 from rigidsym.proof.checker import Refused, check
 from rigidsym.proof.checker._theta import zero
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
@@ -304,6 +305,14 @@ def laws() -> LedgerBuilder:
     builder.open(Context("laws", names, dict.fromkeys(names, "1"), thetas=CIRCULAR.declared()))
     prove(builder, "laws", CIRCULAR)
     return builder
+
+
+def test_both_families_have_the_same_laws():
+    circular, hyperbolic = (
+        {name: plain(equations) for name, (_, equations) in family.laws.items()}
+        for family in (CIRCULAR, HYPERBOLIC)
+    )
+    assert circular == hyperbolic == plain(LAWS)
 
 
 @pytest.mark.parametrize("name", LAWS)

@@ -15,6 +15,7 @@ from rigidsym import TorqueFreeMotion
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.kernel._rules import _frozen
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, _answers, judged, verdicts
+from rigidsym.proof.paper import _table as table
 from rigidsym.proof.paper._answers import Answers, question
 from rigidsym.proof.paper._table import counted, details, row
 from rigidsym.proof.paper._verdicts import needed_units, ruling_of
@@ -269,7 +270,8 @@ def test_every_misprint_is_searched_or_is_no_single_formula():
 def test_only_four_slips_are_independent():
     causes = {verdict.equation.number: verdict.roots for verdict in MISPRINTS}
     assert {root for roots in causes.values() for root in roots} == {*Root}
-    assert [number for number, roots in causes.items() if not roots] == ["footnote 3"]
+    assert all(causes.values())
+    assert causes["footnote 3"] == causes["Remark 2"] == (Root.HALF_ANGLE,)
     assert causes["11"] == causes["20"] == (Root.SCALE,)
     assert causes["36"] == (Root.MODULUS, Root.DOT)
 
@@ -409,6 +411,22 @@ def test_counterexamples_break_the_printed_equation_in_exact_numbers(verdict):
     assert found.left != found.right
 
 
+def test_three_errors_explain_all_misprints():
+    every = [*RULED.values()]
+    found = table.causes(every)
+    assert [*found] == [Root.SCALE, Root.HALF_ANGLE, Root.MODULUS]
+    misprints = {v.equation.number for v in every if v.ruling is Ruling.MISPRINT}
+    assert {number for numbers in found.values() for number in numbers} == misprints
+    # No two of them do.
+    for root in found:
+        rest = {n for other, numbers in found.items() if other != root for n in numbers}
+        assert rest < misprints
+    text = table.explained(every)
+    assert text.startswith("the misprints have 3 causes: ")
+    assert text.endswith(f"besides, {Root.DOT} (36)")
+    assert not table.explained([v for v in every if v.ruling is Ruling.HOLDS])
+
+
 def test_verdicts_are_plain_data():
     data = json.loads(json.dumps([verdict.to_json() for verdict in verdicts(LEDGER)]))
     assert [entry["equation"] for entry in data] == [e.number for e in EQUATIONS]
@@ -417,7 +435,7 @@ def test_verdicts_are_plain_data():
 
 def test_claims_in_words_are_judgements_that_name_what_decides_them():
     found = judged(LEDGER)
-    assert len(found) == 5
+    assert len(found) == 9
     assert all(claim.facts or claim.prose.commands for claim in found)
     assert all(claim.decided for claim in found)
     assert {*FACTS} >= {name for claim in found for name in claim.facts}

@@ -11,7 +11,15 @@ from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, half_angle, jacobi
 from rigidsym.proof.steps import Rate, Scope, StepError, matrix
 from rigidsym.proof.steps._matrices import part_name, split
-from rigidsym.proof.steps._names import collected, positive, read, symbol, symbols
+from rigidsym.proof.steps._names import (
+    collected,
+    expressions,
+    positive,
+    read,
+    symbol,
+    symbols,
+    unfold,
+)
 
 x, y, a = symbols("x y a")
 NAMES = ("P", "Q", "S")
@@ -180,6 +188,19 @@ def test_rates_with_definitions_written_out():
     moving = Part({"x": "1", "y": "1"}, rates={"x": "w"}, definitions={"w": "x*y"})
     scope = Scope.open(LedgerBuilder(), "moving", moving)
     assert scope.rates(x**2) == (2 * symbol("w") * x, 2 * x**2 * y)
+
+
+def test_definitions_are_put_in_until_none_is_left():
+    w, v = symbols("w v")
+    part = Part(definitions={"w": "x*y", v: 2 * w + sympy.Symbol("x")})
+    found = unfold(v * a, part)
+    assert found.value == (2 * x * y + x) * a
+    assert found.computed
+    assert not unfold(a, part).computed
+    assert {name: side.computed for name, side in expressions(part.definitions).items()} == {
+        w: False,
+        v: False,
+    }
 
 
 def test_collected_is_the_same_and_begins_with_a_plus():

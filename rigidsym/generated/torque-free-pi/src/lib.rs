@@ -19,7 +19,7 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  13 %  follow facts of the ledger, each named on its line
+    294  13 %  follow facts of the ledger, each named on its line
     317  14 %  follow classical formulas, each with its reference
      69   3 %  are arithmetic: sums, products, quotients, roots, reductions
    1511  68 %  are the runtime, printed from its one representation
@@ -79,7 +79,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.2e-15  9.6e-16
 
 rigidsym 0.1.0, emitter rust/2
-digest a258ea8bdf86e1f9e959502de8b16e95ced97a384dc06ab6a0682bed115743cb
+digest 63795d5f6373b1659085733b8a76219e6b6e1a4b69cc068c63e33c62eacb06da
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

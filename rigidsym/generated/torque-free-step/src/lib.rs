@@ -74,7 +74,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        6.8e-16  1.9e-16
 
 rigidsym 0.1.0, emitter rust/2
-digest c35bfb34b7e1ef3ac9ba2e192cacc0e83e7e97e4efcfabb9b92882ff05201c83
+digest 97f77f7d1df435afb26f7e25606d690f62c5c195265cca65e404c4c4cf071cba
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

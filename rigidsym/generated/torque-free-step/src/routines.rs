@@ -289,32 +289,33 @@ pub(crate) fn step_start(c_a: Pair, c_b: Pair, c_d: Pair, l_a: Pair, l_b: Pair, 
     let M_d0: Pair = dd_mul_xx(c_d, Omega_d0); /* fact: step.M_d0; (8) */
     let K: Pair = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a0, M_a0), dd_mul_xx(M_b0, M_b0)), dd_mul_xx(M_d0, M_d0))); /* fact: step.K; (6), (15) */
     let common_1: Pair = dd_mul_xx(Omega_b0, Omega_b0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    let common_2: Pair = dd_mul_xx(l_b, common_1); /* fact: step.h, step.e_1; (10) */
+    let common_2: Pair = dd_mul_xx(common_1, l_b); /* fact: step.h, step.e_1; (10) */
     let common_3: Pair = dd_mul_xx(Omega_d0, Omega_d0); /* fact: step.h, step.e_1, definition step.H_0; (10), (6) */
-    let common_4: Pair = dd_mul_xx(l_d, common_3); /* fact: step.h, step.e_1; (10) */
+    let common_4: Pair = dd_mul_xx(common_3, l_d); /* fact: step.h, step.e_1; (10) */
     let h: Pair = dd_div_xd(dd_add_xx(common_2, common_4), 4.0); /* fact: step.h; (10) */
     let common_5: Pair = dd_mul_xx(Omega_a0, Omega_a0); /* fact: step.e_1, definition step.H_0; (10), (6) */
-    let e_1: Pair = dd_add_xx(dd_mul_xx(l_a, common_5), dd_div_xd(dd_sub_xx(common_2, common_4), 2.0)); /* fact: step.e_1; (10) */
+    let e_1: Pair = dd_sub_xx(dd_add_xx(dd_mul_xx(common_5, l_a), dd_div_xd(common_2, 2.0)), dd_div_xd(common_4, 2.0)); /* fact: step.e_1; (10) */
     let e_2: Pair = dd_mul_xx(h, h); /* fact: definition step.e_2; (10) */
     let H_0: Pair = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_5), dd_mul_xx(c_b, common_1)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: definition step.H_0; (6) */
     let common_6: Pair = dd_add_xx(K, dd_mul_dx(sigma, M_a0)); /* fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27) */
     let psi_0: Pair = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H_0), dd_mul_xx(dd_mul_xd(K, sigma), Omega_a0)), common_6); /* fact: definition step.psi_0; (33), (34) */
     let z_re: Pair = dd_div_xx(M_d0, common_6); /* fact: definition step.z_re; (27) */
-    let z_im: Pair = dd_div_xx(dd_mul_dx(sigma * epsilon, M_b0), common_6); /* fact: definition step.z_im; (27) */
-    let zr_re: Pair = dd_div_xx(dd_mul_xx(dd_mul_dx(epsilon, Omega_b0), dd_sub_xx(dd_mul_xx(c_ab, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, c_bd), Omega_d0), z_re))), common_6); /* fact: step.zr_re; (27) */
-    let zr_im: Pair = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(c_ad, Omega_a0), dd_mul_xx(dd_mul_xx(dd_mul_dx(epsilon, c_bd), Omega_b0), z_im))), common_6); /* fact: step.zr_im; (27) */
+    let z_im: Pair = dd_div_xx(dd_mul_dx(epsilon * sigma, M_b0), common_6); /* fact: definition step.z_im; (27) */
+    let common_7: Pair = dd_mul_dx(epsilon, Omega_b0); /* fact: step.zr_re, step.zr_im; (27) */
+    let zr_re: Pair = dd_div_xx(dd_mul_xx(common_7, dd_sub_xx(dd_mul_xx(Omega_a0, c_ab), dd_mul_xx(dd_mul_xx(dd_mul_dx(sigma, Omega_d0), c_bd), z_re))), common_6); /* fact: step.zr_re; (27) */
+    let zr_im: Pair = dd_div_xx(dd_mul_xx(dd_mul_dx(-sigma, Omega_d0), dd_add_xx(dd_mul_xx(Omega_a0, c_ad), dd_mul_xx(dd_mul_xx(common_7, c_bd), z_im))), common_6); /* fact: step.zr_im; (27) */
     let Lambda_rate: Pair = dd_div_xx(psi_0, dd_mul_dx(2.0, pi)); /* arithmetic */
     let first_t: f64 = t * (1.0 / 32.0); /* arithmetic */
-    let common_7: f64 = first_t * first_t; /* classical: DLMF 22.10.1 */
-    let a_1: f64 = dd_rounded(e_1) * common_7; /* classical: DLMF 22.10.1 */
-    let a_2: f64 = dd_rounded(e_2) * (common_7 * common_7); /* classical: DLMF 22.10.1 */
-    let common_8: f64 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
-    let common_9: f64 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
-    let common_10: f64 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
-    let common_11: f64 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
-    let common_12: f64 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
-    let more_X: f64 = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_12 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_11 / 3027024000.0, -307.0 / 92400.0), common_8)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_10 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_9 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_8), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
-    let more_Y: f64 = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_12 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_11 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_10 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_9 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
+    let common_8: f64 = first_t * first_t; /* classical: DLMF 22.10.1 */
+    let a_1: f64 = dd_rounded(e_1) * common_8; /* classical: DLMF 22.10.1 */
+    let a_2: f64 = dd_rounded(e_2) * (common_8 * common_8); /* classical: DLMF 22.10.1 */
+    let common_9: f64 = 1.0 / 120.0; /* classical: DLMF 22.10.1 */
+    let common_10: f64 = a_1 * -1.0; /* classical: DLMF 22.10.1 */
+    let common_11: f64 = a_1 * -24911.0; /* classical: DLMF 22.10.1 */
+    let common_12: f64 = a_1 * -258821.0; /* classical: DLMF 22.10.1 */
+    let common_13: f64 = a_1 * -13511.0; /* classical: DLMF 22.10.1 */
+    let more_X: f64 = fused(a_2, fused(a_2, fused(a_2, 11.0 / 15600.0 + common_13 / 36036000.0, fused(a_1, fused(a_1, 9481.0 / 14414400.0 + common_12 / 3027024000.0, -307.0 / 92400.0), common_9)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 518918400.0 + common_11 / 36324288000.0, -461.0 / 1663200.0), 17.0 / 5040.0), -11.0 / 420.0), 1.0 / 10.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 6227020800.0 + common_10 / 1307674368000.0, -1.0 / 39916800.0), 1.0 / 362880.0), -1.0 / 5040.0), common_9), -1.0 / 6.0), 0.0)); /* classical: DLMF 22.10.1 */
+    let more_Y: f64 = fused(a_2, fused(a_2, fused(a_2, 11.0 / 1200.0 + common_13 / 2402400.0, fused(a_1, fused(a_1, 9481.0 / 1108800.0 + common_12 / 201801600.0, -307.0 / 8400.0), 3.0 / 40.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, 8303.0 / 39916800.0 + common_11 / 2421619200.0, -461.0 / 151200.0), 17.0 / 560.0), -11.0 / 60.0), 1.0 / 2.0)), fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, fused(a_1, 1.0 / 479001600.0 + common_10 / 87178291200.0, -1.0 / 3628800.0), 1.0 / 40320.0), -1.0 / 720.0), 1.0 / 24.0), -1.0 / 2.0), 0.0)); /* classical: DLMF 22.10.1 */
     let X: Pair = dd_mul_dx(first_t, dd_add_xd(unity, more_X)); /* classical: DLMF 22.10.1 */
     let Y: Pair = dd_add_xd(unity, more_Y); /* classical: DLMF 22.10.1 */
     return (h, e_1, e_2, K, Lambda_rate, X, Y, z_re, z_im, zr_re, zr_im);
@@ -326,10 +327,10 @@ pub(crate) fn step_first(h: f64, e_1: f64, e_2: f64, X: f64, z_re: f64, z_im: f6
     let nu_re: f64 = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     let nu_im: f64 = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     let rate_re: f64 = h * fused(z_im, zr_im, -(z_re * zr_re)); /* fact: definition turn.rate_re; (27), (36) */
-    let rate_im: f64 = -h * fused(z_re, zr_im, z_im * zr_re); /* fact: definition turn.rate_im; (27), (36) */
+    let rate_im: f64 = h * fused(-z_re, zr_im, -(z_im * zr_re)); /* fact: definition turn.rate_im; (27), (36) */
     let common_1: f64 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11 */
-    let G_re: f64 = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    let G_im: f64 = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    let G_re: f64 = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    let G_im: f64 = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     let square_X: f64 = common_1; /* classical: DLMF 18.12.11 */
     let d_0: f64 = 1.0; /* classical: DLMF 18.12.11 */
     let d_1: f64 = e_1 / 2.0; /* classical: DLMF 18.12.11 */
@@ -391,14 +392,13 @@ pub(crate) fn step_first(h: f64, e_1: f64, e_2: f64, X: f64, z_re: f64, z_im: f6
     let E_re: f64 = fused(-(common_19 / 2.0), 1.0 - common_19 / 12.0, 1.0); /* classical: DLMF 4.19.2 */
     let E_im: f64 = chi * fused(-(common_19 / 6.0), 1.0 - common_19 / 20.0, 1.0); /* classical: DLMF 4.19.1 */
     let R: f64 = sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: thirds.R; (36) */
-    let common_20: f64 = R + G_re; /* fact: thirds.N, definition thirds.U_re; (36), (33), (34) */
-    let N: f64 = sqrt(2.0 * R * common_20); /* fact: thirds.N; (36) */
-    let U_re: f64 = common_20 / N; /* fact: definition thirds.U_re; (33), (34) */
+    let N: f64 = sqrt(2.0 * R * (R + G_re)); /* fact: thirds.N; (36) */
+    let U_re: f64 = (G_re + R) / N; /* fact: definition thirds.U_re; (33), (34) */
     let U_im: f64 = -G_im / N; /* fact: definition thirds.U_im; (33), (34) */
     let P_re: f64 = E_re; /* fact: definition thirds.P_re; (33), (34) */
     let P_im: f64 = E_im; /* fact: definition thirds.P_im; (33), (34) */
-    let W_re: f64 = fused(P_re, U_re, -(P_im * U_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
-    let W_im: f64 = fused(P_re, U_im, P_im * U_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
+    let W_re: f64 = fused(U_re, P_re, -(U_im * P_im)); /* fact: definition thirds.cos_half_psi; (33), (34) */
+    let W_im: f64 = fused(U_re, P_im, U_im * P_re); /* fact: definition thirds.sin_half_psi; (33), (34) */
     return (W_re, W_im);
 }
 
@@ -420,7 +420,7 @@ pub(crate) fn step_doubled(X: Pair, Y: Pair, e_1: Pair, e_2: Pair) -> (Pair, Pai
     let common_2: Pair = dd_mul_xx(e_2, dd_mul_xx(dd_mul_xx(common_1, X), X)); /* fact: definition doubling.inside, definition doubling.Y_next; (10) */
     let inside: Pair = dd_sub_dx(1.0, common_2); /* fact: definition doubling.inside; (10) */
     let X_next: Pair = dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, X), Y), inside); /* fact: definition doubling.X_next; (10) */
-    let Y_next: Pair = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_sub_xx(dd_mul_xx(e_1, dd_add_dx(1.0, common_2)), dd_mul_xx(dd_mul_dx(4.0, e_2), common_1))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
+    let Y_next: Pair = dd_sub_dx(1.0, dd_div_xx(dd_mul_xx(dd_mul_dx(2.0, common_1), dd_add_xx(dd_mul_xx(dd_mul_dx(-4.0, e_2), common_1), dd_mul_xx(e_1, dd_add_dx(1.0, common_2)))), dd_mul_xx(inside, inside))); /* fact: definition doubling.Y_next; (10) */
     return (X_next, Y_next);
 }
 
@@ -430,13 +430,13 @@ pub(crate) fn step_projected(h: f64, z_re: f64, z_im: f64, zr_re: f64, zr_im: f6
     let nu_re: f64 = h * fused(z_im, z_im, -(z_re * z_re)); /* fact: definition turn.nu_re; (27), (36) */
     let nu_im: f64 = -2.0 * h * z_re * z_im; /* fact: definition turn.nu_im; (27), (36) */
     let common_1: f64 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    let G_re: f64 = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    let G_im: f64 = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    let G_re: f64 = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    let G_im: f64 = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     let square: f64 = fused(G_re, G_re, G_im * G_im); /* fact: definition turn.square; (27), (36) */
-    let F_re: f64 = fused(z_re, Y, zr_re * X); /* fact: definition turn.F_re; (27), (36) */
-    let F_im: f64 = fused(z_im, Y, zr_im * X); /* fact: definition turn.F_im; (27), (36) */
-    let w_re: f64 = fused(F_re, G_re, F_im * G_im) / square; /* fact: definition turn.w_re; (27), (36) */
-    let w_im: f64 = fused(F_im, G_re, -(F_re * G_im)) / square; /* fact: definition turn.w_im; (27), (36) */
+    let F_re: f64 = fused(X, zr_re, Y * z_re); /* fact: definition turn.F_re; (27), (36) */
+    let F_im: f64 = fused(X, zr_im, Y * z_im); /* fact: definition turn.F_im; (27), (36) */
+    let w_re: f64 = fused(G_re, F_re, G_im * F_im) / square; /* fact: definition turn.w_re; (27), (36) */
+    let w_im: f64 = fused(G_re, F_im, -(G_im * F_re)) / square; /* fact: definition turn.w_im; (27), (36) */
     return (w_re, w_im);
 }
 
@@ -446,11 +446,11 @@ pub(crate) fn step_second_half(h: f64, X: f64, w_re: f64, w_im: f64, W_re: f64,
     let nu_re: f64 = h * fused(w_im, w_im, -(w_re * w_re)); /* fact: definition turn.nu_re; (27), (36) */
     let nu_im: f64 = -2.0 * h * w_re * w_im; /* fact: definition turn.nu_im; (27), (36) */
     let common_1: f64 = X * X; /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    let G_re: f64 = fused(-nu_re, common_1, 1.0); /* fact: definition turn.G_re; (27), (36) */
-    let G_im: f64 = -nu_im * common_1; /* fact: definition turn.G_im; (27), (36) */
+    let G_re: f64 = fused(-common_1, nu_re, 1.0); /* fact: definition turn.G_re; (27), (36) */
+    let G_im: f64 = -common_1 * nu_im; /* fact: definition turn.G_im; (27), (36) */
     let R: f64 = sqrt(fused(G_re, G_re, G_im * G_im)); /* fact: second_half.R; (36) */
-    let V_re: f64 = fused(W_re, G_re, W_im * G_im) / R; /* fact: definition second_half.V_re; (33), (34) */
-    let V_im: f64 = fused(W_im, G_re, -(W_re * G_im)) / R; /* fact: definition second_half.V_im; (33), (34) */
+    let V_re: f64 = fused(G_re, W_re, G_im * W_im) / R; /* fact: definition second_half.V_re; (33), (34) */
+    let V_im: f64 = fused(G_re, W_im, -(G_im * W_re)) / R; /* fact: definition second_half.V_im; (33), (34) */
     let W_next_re: f64 = fused(W_re, V_re, -(W_im * V_im)); /* fact: definition thirds.P_re; (33), (34) */
     let W_next_im: f64 = fused(W_re, V_im, W_im * V_re); /* fact: definition thirds.P_im; (33), (34) */
     return (W_next_re, W_next_im);
@@ -462,13 +462,13 @@ pub(crate) fn step_last_projected(h: Pair, z_re: Pair, z_im: Pair, zr_re: Pair, 
     let nu_re: Pair = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(z_im, z_im), dd_mul_xx(z_re, z_re))); /* fact: definition turn.nu_re; (27), (36) */
     let nu_im: Pair = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), z_re), z_im); /* fact: definition turn.nu_im; (27), (36) */
     let common_1: Pair = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    let G_re: Pair = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    let G_im: Pair = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    let G_re: Pair = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    let G_im: Pair = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     let square: Pair = dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im)); /* fact: definition turn.square; (27), (36) */
-    let F_re: Pair = dd_add_xx(dd_mul_xx(z_re, Y), dd_mul_xx(zr_re, X)); /* fact: definition turn.F_re; (27), (36) */
-    let F_im: Pair = dd_add_xx(dd_mul_xx(z_im, Y), dd_mul_xx(zr_im, X)); /* fact: definition turn.F_im; (27), (36) */
-    let v_re: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(F_re, G_re), dd_mul_xx(F_im, G_im)), square); /* fact: definition turn.w_re; (27), (36) */
-    let v_im: Pair = dd_div_xx(dd_sub_xx(dd_mul_xx(F_im, G_re), dd_mul_xx(F_re, G_im)), square); /* fact: definition turn.w_im; (27), (36) */
+    let F_re: Pair = dd_add_xx(dd_mul_xx(X, zr_re), dd_mul_xx(Y, z_re)); /* fact: definition turn.F_re; (27), (36) */
+    let F_im: Pair = dd_add_xx(dd_mul_xx(X, zr_im), dd_mul_xx(Y, z_im)); /* fact: definition turn.F_im; (27), (36) */
+    let v_re: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(G_re, F_re), dd_mul_xx(G_im, F_im)), square); /* fact: definition turn.w_re; (27), (36) */
+    let v_im: Pair = dd_div_xx(dd_sub_xx(dd_mul_xx(G_re, F_im), dd_mul_xx(G_im, F_re)), square); /* fact: definition turn.w_im; (27), (36) */
     return (v_re, v_im);
 }
 
@@ -478,11 +478,11 @@ pub(crate) fn step_last_second_half(h: Pair, X: Pair, v_re: Pair, v_im: Pair, W_
     let nu_re: Pair = dd_mul_xx(h, dd_sub_xx(dd_mul_xx(v_im, v_im), dd_mul_xx(v_re, v_re))); /* fact: definition turn.nu_re; (27), (36) */
     let nu_im: Pair = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, h), v_re), v_im); /* fact: definition turn.nu_im; (27), (36) */
     let common_1: Pair = dd_mul_xx(X, X); /* fact: definition turn.G_re, definition turn.G_im; (27), (36) */
-    let G_re: Pair = dd_sub_dx(1.0, dd_mul_xx(nu_re, common_1)); /* fact: definition turn.G_re; (27), (36) */
-    let G_im: Pair = dd_mul_xx(dd_neg(nu_im), common_1); /* fact: definition turn.G_im; (27), (36) */
+    let G_re: Pair = dd_sub_dx(1.0, dd_mul_xx(common_1, nu_re)); /* fact: definition turn.G_re; (27), (36) */
+    let G_im: Pair = dd_mul_xx(dd_neg(common_1), nu_im); /* fact: definition turn.G_im; (27), (36) */
     let R: Pair = dd_sqrt(dd_add_xx(dd_mul_xx(G_re, G_re), dd_mul_xx(G_im, G_im))); /* fact: second_half.R; (36) */
-    let V_re: Pair = dd_div_xx(dd_add_xx(dd_mul_dx(W_re, G_re), dd_mul_dx(W_im, G_im)), R); /* fact: definition second_half.V_re; (33), (34) */
-    let V_im: Pair = dd_div_xx(dd_sub_xx(dd_mul_dx(W_im, G_re), dd_mul_dx(W_re, G_im)), R); /* fact: definition second_half.V_im; (33), (34) */
+    let V_re: Pair = dd_div_xx(dd_add_xx(dd_mul_xd(G_re, W_re), dd_mul_xd(G_im, W_im)), R); /* fact: definition second_half.V_re; (33), (34) */
+    let V_im: Pair = dd_div_xx(dd_sub_xx(dd_mul_xd(G_re, W_im), dd_mul_xd(G_im, W_re)), R); /* fact: definition second_half.V_im; (33), (34) */
     let W_next_re: Pair = dd_sub_xx(dd_mul_dx(W_re, V_re), dd_mul_dx(W_im, V_im)); /* fact: definition thirds.P_re; (33), (34) */
     let W_next_im: Pair = dd_add_xx(dd_mul_dx(W_re, V_im), dd_mul_dx(W_im, V_re)); /* fact: definition thirds.P_im; (33), (34) */
     return (dd_rounded(W_next_re), dd_rounded(W_next_im));
@@ -492,12 +492,12 @@ pub(crate) fn step_last_second_half(h: Pair, X: Pair, v_re: Pair, v_im: Pair, W_
 pub(crate) fn step_rates(X: Pair, Y: Pair, h: Pair, alpha_a: Pair, alpha_b: Pair, alpha_d: Pair,
     l_d: Pair, Omega_a0: Pair, Omega_b0: Pair, Omega_d0: Pair) -> (Pair, Pair, Pair) {
     let common_1: Pair = dd_mul_xx(X, X); /* fact: definition step.f, definition step.g, step.room; (10) */
-    let common_2: Pair = dd_mul_xx(h, common_1); /* fact: definition step.f, definition step.g; (10) */
+    let common_2: Pair = dd_mul_xx(common_1, h); /* fact: definition step.f, definition step.g; (10) */
     let f: Pair = dd_add_dx(1.0, common_2); /* fact: definition step.f; (10) */
     let g: Pair = dd_sub_dx(1.0, common_2); /* fact: definition step.g; (10) */
     let room: Pair = dd_add_xx(dd_mul_xx(g, g), dd_mul_xx(dd_mul_xx(l_d, dd_mul_xx(Omega_d0, Omega_d0)), common_1)); /* fact: step.room; (10) */
     let Omega_a: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_a0, f), g), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_a, Omega_b0), Omega_d0), X), Y)), room); /* fact: step.Omega_a; (5), (10) */
-    let Omega_b: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_d0), Omega_a0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
+    let Omega_b: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_b0, g), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_b, Omega_a0), Omega_d0), f), X)), room); /* fact: step.Omega_b; (5), (10) */
     let Omega_d: Pair = dd_div_xx(dd_add_xx(dd_mul_xx(dd_mul_xx(Omega_d0, f), Y), dd_mul_xx(dd_mul_xx(dd_mul_xx(dd_mul_xx(alpha_d, Omega_a0), Omega_b0), g), X)), room); /* fact: step.Omega_d; (5), (10) */
     return (Omega_a, Omega_b, Omega_d);
 }
@@ -983,6 +983,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "c35bfb34b7e1ef3ac9ba2e192cacc0e83e7e97e4efcfabb9b92882ff05201c83";
+    return "97f77f7d1df435afb26f7e25606d690f62c5c195265cca65e404c4c4cf071cba";
 }
 

@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.1e-15  5.0e-16
 
 rigidsym 0.1.0, emitter rust/2
-digest 09391499af4244cb3bd9b9d1412e74fd195e2de107ac913f0bd812bf82dac64e
+digest 814f2315e608659e5ea522c3a14e022a39795a784eece4c294b1e35dde78d020
 
 States and steps have the same bits on every processor, and those of C with -DTORQUE_FREE_FMA=0. */
 

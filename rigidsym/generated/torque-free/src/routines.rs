@@ -581,13 +581,13 @@ pub(crate) fn circulation(c_12: f64, c_13: f64, c_23: f64, Omega_1: f64, Omega_2
     Omega_3: f64, E_2: f64) -> f64 {
     let c_1: f64 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
     let c_2: f64 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
-    let common_1: f64 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
-    let common_2: f64 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
-    let E_1: f64 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    let common_1: f64 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    let common_2: f64 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    let E_1: f64 = fused(c_13, common_1, common_2 * c_12 * c_2); /* fact: definition sorted_body.E_1 */
     let common_3: f64 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
-    let E_3: f64 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
-    let turning: f64 = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
-    let off_middle: f64 = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    let E_3: f64 = fused(c_13 * common_3, c_1, c_23 * common_2 * c_2); /* fact: definition sorted_body.E_3 */
+    let turning: f64 = common_3 + common_2 + common_1; /* fact: definition sorted_body.turning */
+    let off_middle: f64 = common_3 + common_1; /* fact: definition sorted_body.off_middle */
     let rest: f64 = 0.0; /* fact: rest.rates */
     let spherical: f64 = 0.0; /* fact: spherical.moments */
     let prolate_equatorial: f64 = 0.0; /* fact: prolate_equatorial.parallel */
@@ -752,9 +752,9 @@ pub(crate) fn initial_state(c_a: Pair, c_b: Pair, c_d: Pair, c_ab: Pair, c_ad: P
     let root_kc: Pair = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
     let kc_1: Pair = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
     let common_10: Pair = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    let common_11: Pair = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    let common_11: Pair = dd_mul_xx(common_10, dd_add_dx(1.0, k_1)); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     let s: Pair = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    let v: Pair = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+    let v: Pair = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(k_c, dn))); /* fact: landen.v; DLMF 22.7.4 */
     let c: Pair = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
     let d: Pair = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
     return (K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi);
@@ -764,20 +764,20 @@ pub(crate) fn initial_state(c_a: Pair, c_b: Pair, c_d: Pair, c_ab: Pair, c_ad: P
 pub(crate) fn landen(k: Pair, kc: Pair, s: Pair, c: Pair, d: Pair, r: Pair,
     Y: Pair) -> (Pair, Pair, Pair, Pair, Pair, Pair, Pair) {
     let common_1: Pair = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
-    let common_2: Pair = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    let k_next: Pair = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    let common_2: Pair = dd_mul_xx(common_1, common_1); /* fact: landen.k_next, landen.r_next; DLMF 22.7.1 */
+    let k_next: Pair = dd_div_xx(dd_mul_xx(k, k), common_2); /* fact: landen.k_next; DLMF 22.7.1 */
     let root_kc: Pair = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
     let kc_next: Pair = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    let common_3: Pair = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
-    let common_4: Pair = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    let common_3: Pair = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    let common_4: Pair = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
     let common_5: Pair = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
     let s_next: Pair = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    let v: Pair = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    let v: Pair = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(kc, d))); /* fact: landen.v; DLMF 22.7.4 */
     let c_next: Pair = dd_div_xx(dd_mul_dx(2.0, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    let d_next: Pair = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    let r_next: Pair = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
-    let S: Pair = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
-    let Y_next: Pair = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
+    let d_next: Pair = dd_div_xx(v, common_3); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    let r_next: Pair = dd_div_xx(dd_mul_xx(k, r), common_2); /* fact: landen.r_next; DLMF 22.7.1 */
+    let S: Pair = dd_sqrt(dd_add_xx(dd_mul_xx(common_4, common_4), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    let Y_next: Pair = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_4, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     return (k_next, kc_next, s_next, c_next, d_next, r_next, Y_next);
 }
 
@@ -890,10 +890,10 @@ pub(crate) fn circular_constants(K: Pair, A_a: Pair, A_b: Pair, A_d: Pair, B_a: 
     let r: Pair = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
     let root_r: Pair = dd_sqrt(r); /* fact: scaling.root_r; (27) */
     let Q: Pair = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
-    let Y: Pair = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
+    let Y: Pair = dd_div_xx(B_d, dd_mul_xx(root_r, dd_add_xx(K, B_a))); /* fact: definition scaling.Y; (28) */
     let (K_1, sin_v, cos_v, Y_b) = ladder(k_1, kc_1, s, c, d, r, Y); /* classical: DLMF 19.8.12 */
-    let root_h: Pair = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
-    let h_plus: Pair = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+    let root_h: Pair = dd_sqrt(dd_add_xx(Q, dd_mul_xx(Y_b, Y_b))); /* fact: scaling.root_h; (28) */
+    let h_plus: Pair = dd_add_xx(Y_b, root_h); /* fact: scaling.h_plus; (28) */
     let h_minus: Pair = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
     let g: Pair = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
     let up1: Pair = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
@@ -2366,6 +2366,6 @@ pub(crate) fn rule(code: i32) -> &'static str {
 
 /* The digest of the header and the source, for callers of a shared library. */
 pub(crate) fn digest() -> &'static str {
-    return "09391499af4244cb3bd9b9d1412e74fd195e2de107ac913f0bd812bf82dac64e";
+    return "814f2315e608659e5ea522c3a14e022a39795a784eece4c294b1e35dde78d020";
 }
 

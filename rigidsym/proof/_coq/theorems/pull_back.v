@@ -75,9 +75,12 @@ Section PulledBack.
     - rewrite Nu; ring.
     - pose proof (sin2_cos2 (psi t / 2)); unfold Rsqr in *; lra.
     - unfold norm_squared in N; lra.
-    - apply E.
-    - apply E.
-    - apply E.
+    - match goal with |- is_derive _ _ ?rate => replace rate with (h * (c_b - c_d) / c_a * w_b t * w_d t) by (field; lra) end.
+      apply E.
+    - match goal with |- is_derive _ _ ?rate => replace rate with (h * (c_d - c_a) / c_b * w_d t * w_a t) by (field; lra) end.
+      apply E.
+    - match goal with |- is_derive _ _ ?rate => replace rate with (h * (c_a - c_b) / c_d * w_a t * w_b t) by (field; lra) end.
+      apply E.
     - destruct (E t) as (Da & _ & _); unfold nu; derive_known; [apply under_root |].
       fold (nu t); field; lra.
     - rewrite (energy_kept h c_a c_b c_d Ca Cb Cd w_a w_b w_d E t), Va, Vb, Vd.

@@ -1,17 +1,25 @@
-"""Base class of special functions for SymPy, with cached values and code printers."""
+"""Base class of special functions for SymPy, with cached values and refusing code printers.
 
-from functools import lru_cache, partialmethod
+It imports SymPy and mpmath alone.
+"""
+
+from functools import lru_cache
 from typing import Any
 
 from mpmath import mp
 from sympy import Expr
 from sympy.core.function import DefinedFunction
+from sympy.printing.codeprinter import PrintMethodNotImplementedError
 
 _STEP = 128  # bits
 
 
-class Coded(DefinedFunction):
-    """Base class of SymPy functions implemented in the tables `NUMPY` and `MPMATH`."""
+class Evaluated(DefinedFunction):
+    """Base class of SymPy functions with a value over mpmath numbers.
+
+    Languages without such a function get the name that the caller gives for it in
+    `user_functions`, and are refused otherwise: SymPy would print a call of an unknown function.
+    """
 
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
@@ -44,15 +52,19 @@ class Coded(DefinedFunction):
         """Return the arguments of the function."""
         return self.args
 
-    def _code(self, printer: Any, table: str) -> str:
+    def _code(self, printer: Any) -> str:
+        """Print a call of the function that the caller names, or raise an error."""
         name = type(self).__name__
-        if name in printer.known_functions:  # the caller's own implementation
+        if name in printer.known_functions or not printer._settings["strict"]:
             return printer._print_Function(self)
-        arguments = ", ".join(printer._print(argument) for argument in self.args)
-        return f"{printer._module_format(f'{__package__}.{table}')}['{name}']({arguments})"
+        language = printer.language
+        raise PrintMethodNotImplementedError(
+            f"{name}: {language} has no such function; name yours: "
+            f"user_functions={{{name!r}: 'my_{name}'}}"
+        )
 
-    _numpycode = partialmethod(_code, table="NUMPY")
-    _mpmathcode = partialmethod(_code, table="MPMATH")
+    _ccode = _cxxcode = _fcode = _numpycode = _mpmathcode = _pythoncode = _code
+    _jaxcode = _cupycode = _torchcode = _tensorflowcode = _code
 
 
 def rounded_up(prec: int) -> int:
@@ -61,7 +73,7 @@ def rounded_up(prec: int) -> int:
 
 
 @lru_cache(maxsize=4096)
-def _evaluated(function: Coded, prec: int) -> Any:
+def _evaluated(function: Evaluated, prec: int) -> Any:
     """Return the value of a function to `prec` bits.
 
     Values are cached because formulas repeat functions.

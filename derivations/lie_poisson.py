@@ -1,0 +1,69 @@
+"""The Lie-Poisson form: the Lax equation is the flow of H by the bracket {M_i, M_j}.
+
+Functions of the momentum have the bracket {F, G} = -M([dF, dG]).  So {M_i, M_j} is minus the sum of
+f_ijk M_k, where [A_i, A_j] is the sum of f_ijk A_k, and it obeys Jacobi's identity because the
+commutator does.  A function G has the flow F' = {F, G}.  In the flow of each M_j, K^2 is constant,
+so it is a Casimir, and H' is {H, M_j} by the chain rule.  M_j' = {M_j, H}, the flow of H, is the
+Lax equation M' = [M, Omega].
+"""
+
+import sympy
+from sympy import MatAdd
+
+from derivations.euler_lax import MOMENTA, Dynamics
+from derivations.lie_algebra import A, Algebra, M, Omega, combination, commutator
+from derivations.setting import AXES
+from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.steps import Rate, Scope, differentiate, multiply
+from rigidsym.proof.steps._names import read, symbol
+
+
+def derive(builder: LedgerBuilder) -> None:
+    """Prove Jacobi's identity, the Casimir, {H, M_j}, and that the flow of H is (7)."""
+    algebra, given = builder.result(Algebra), builder.result(Dynamics).parameters
+    scope = Scope.open(builder, "lie_bracket", matrices=algebra.basis, static=True)
+    cyclic = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+    terms = (commutator(commutator(A[i], A[j]), A[k]) for i, j, k in cyclic)
+    total, why = MatAdd(*terms, evaluate=False), "Jacobi's identity, by the commutator's"
+    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(2, 2), why, ["4"])
+
+    body = _momenta(builder)
+    rates = {}
+    for j, momentum in zip(AXES, MOMENTA, strict=True):
+        along = Part(rates={m: _bracket(algebra, i, j) for i, m in zip(AXES, MOMENTA, strict=True)})
+        scope = Scope.open(builder, f"poisson{j}", given, body, along)
+        why = f"in the flow of M{j}, with M{j} in the place of H, K^2 is constant: a Casimir"
+        differentiate(scope, f"poisson{j}.casimir", symbol("K_squared"), why, ["6", "7"])
+        why = f"and the rate of H is the bracket of H and M{j}, by the chain rule"
+        rates[momentum] = -differentiate(scope, f"poisson{j}.energy", symbol("H"), why, ["8"]).found
+    matrices = {
+        **algebra.basis,
+        "M": combination("M1 M2 M3"),
+        "Omega": combination("Omega1 Omega2 Omega3"),
+    }
+    velocity = Part(definitions=builder.result(Dynamics).velocities)
+    scope = Scope.open(builder, "flow", given, body, velocity, Part(rates=rates), matrices=matrices)
+    why = "the flow of H is the Lax equation"
+    multiply(scope, "flow.lax", Rate(M), commutator(M, Omega), why, ["5", "7"])
+
+
+def _momenta(builder: LedgerBuilder) -> Part:
+    """Return free momenta with H and K^2 as their functions."""
+    dynamics = builder.result(Dynamics)
+    energy = compute(read(dynamics.body.definitions["H"])).subs(dynamics.velocities)
+    return Part(
+        witness=dict.fromkeys(MOMENTA, 1),
+        definitions={
+            "H": energy.expand().factor(),
+            "K_squared": dynamics.body.definitions["K_squared"],
+        },
+        reading={m: f"body momentum along axis {k}" for k, m in zip(AXES, MOMENTA, strict=True)},
+    )
+
+
+def _bracket(algebra: Algebra, i: int, j: int) -> sympy.Expr:
+    """Return {M_i, M_j}, of [A_i, A_j] = sum f_ijk A_k."""
+    return -sympy.Add(
+        *(f * m for f, m in zip(algebra.constants[i - 1][j - 1], MOMENTA, strict=True))
+    )

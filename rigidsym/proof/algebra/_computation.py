@@ -1,0 +1,281 @@
+"""Expressions on their way: SymPy's methods, with a record of what was typed and what was done.
+
+    >>> from sympy import symbols
+    >>> x, y = symbols("x y")
+    >>> whole = compute(x**2 - y**2)
+    >>> whole.computed
+    False
+    >>> found = (whole / (x - y)).cancel()
+    >>> found, found.computed
+    (<x + y by cancel>, True)
+
+What such an expression becomes as text of a ledger is a `Computed`, a string that carries it.  So a
+fact or a definition tells by its type whether it was computed, printed in the paper, or guessed.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Any
+
+import sympy
+
+from rigidsym.proof.kernel import Fact
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class Computation:
+    """An expression, a matrix or several of them, with the operations that made it.
+
+    Methods, items and arithmetic are those of the value, and their results are computations, too.
+    `typed` are the expressions that it began with and the arguments of its operations; `order` are
+    the names that come first when it is printed.
+    """
+
+    value: Any
+    operations: tuple[str, ...] = ()
+    typed: tuple[Any, ...] = ()
+    order: tuple[str, ...] = ()
+
+    # SymPy leaves arithmetic between its expressions and this one to this one.
+    _op_priority = 1e6
+
+    @property
+    def computed(self) -> bool:
+        """Whether an operation led to the value, and the value was not put in by hand."""
+        return bool(self.operations) and not any(same(self.value, x) for x in self.typed)
+
+    def ordered(self, names: str) -> "Computation":
+        """Return the same with names that come first when it is printed, as numbers need it."""
+        return replace(self, order=tuple(names.split()))
+
+    def held(self) -> "Computation":
+        """Return the same as a part that is worked out by itself, as numbers need it."""
+        return replace(self, value=sympy.UnevaluatedExpr(self.value))
+
+    def apply(self, function: Callable[..., Any], *given: Any, **options: Any) -> Any:
+        """Return the result of a function of the value, such as `sympy.apart`."""
+        return self._after(
+            str(getattr(function, "__name__", "a function")),
+            function(self.value, *plain(given), **options),
+            given,
+        )
+
+    def solve_for(self, unknown: Any) -> "Computation":
+        """Return the only value of an unknown for which this is zero, with factors cancelled.
+
+        Raises ValueError if there is none, or more than one.
+        """
+        found = sympy.solve(self.value, plain(unknown), simplify=False)
+        if len(found) != 1:
+            raise ValueError(f"{unknown}: {len(found)} solutions of {self.value} = 0")
+        return self._after("solve", sympy.cancel(found[0]), ())
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        found = getattr(self.value, name)
+        if not callable(found):
+            return found
+
+        def operation(*given: Any, **options: Any) -> Any:
+            return self._after(name, found(*plain(given), **options), given)
+
+        return operation
+
+    def __getitem__(self, key: Any) -> Any:
+        return self._with(self.value[plain(key)])
+
+    def __iter__(self) -> Any:
+        return map(self._with, self.value)
+
+    def __len__(self) -> int:
+        return len(self.value)
+
+    def _with(self, value: Any) -> Any:
+        return Computation(value, self.operations, self.typed) if _is_algebra(value) else value
+
+    def _after(self, operation: str, value: Any, given: Any) -> Any:
+        """Return a result of an operation with the record of its arguments."""
+        if not _is_algebra(value):
+            return value
+        changed = () if same(value, self.value) else (operation,)
+        before = [*_inside(given)]
+        done = [self.operations, *(x.operations for x in before), changed]
+        typed = [self.typed, *(x.typed for x in before), [*_plain_inside(given)]]
+        return Computation(value, tuple(dict.fromkeys(sum(map(tuple, done), ()))), _once(typed))
+
+    def _arithmetic(self, other: Any, value: Any) -> "Computation":
+        others = [*_inside(other)] or [Computation(other, (), (other,))]
+        done = [self.operations, *(x.operations for x in others)]
+        typed = [self.typed, *(x.typed for x in others)]
+        return Computation(value, tuple(dict.fromkeys(sum(map(tuple, done), ()))), _once(typed))
+
+    def __add__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, self.value + plain(other))
+
+    def __radd__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, plain(other) + self.value)
+
+    def __sub__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, self.value - plain(other))
+
+    def __rsub__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, plain(other) - self.value)
+
+    def __mul__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, self.value * plain(other))
+
+    def __rmul__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, plain(other) * self.value)
+
+    def __truediv__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, self.value / plain(other))
+
+    def __rtruediv__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, plain(other) / self.value)
+
+    def __pow__(self, other: Any) -> "Computation":
+        return self._arithmetic(other, self.value ** plain(other))
+
+    def __neg__(self) -> "Computation":
+        return self._with(-self.value)
+
+    def __repr__(self) -> str:
+        how = ", ".join(self.operations)
+        return f"<{self.value} by {how}>" if how else f"<{self.value}>"
+
+
+class Computed(str):
+    """Text of an expression that was computed; `origin` has the operations."""
+
+    origin: Computation
+
+
+class Printed(str):
+    """Text that the paper prints: an input to be judged."""
+
+
+class Guess(str):
+    """Text that was typed as the answer, with the reason why it was not computed."""
+
+    why: str
+
+
+class Standing(StrEnum):
+    """Where the statement of a fact, or the text of a definition, comes from."""
+
+    COMPUTED = "computed"
+    CHOSEN = "chosen"
+    PRINTED = "printed"
+    GUESSED = "guessed"
+
+
+def standing(fact: Fact) -> Standing:
+    """Return where the statement of a fact comes from, by the types of its texts.
+
+    An equation is computed if each of its lines has a computed side.  That a context is a model of
+    another, or is split into cases, has no formula: such a statement is chosen.
+    """
+    if fact.kind in ("model", "partition"):
+        return Standing.CHOSEN
+    lines = [*zip(fact.lhs, fact.rhs, strict=True)]
+    if all(isinstance(x, Computed) or isinstance(y, Computed) for x, y in lines):
+        return Standing.COMPUTED
+    if all(isinstance(side, Printed) for line in lines for side in line):
+        return Standing.PRINTED
+    return Standing.GUESSED
+
+
+def reasons(fact: Fact) -> tuple[str, ...]:
+    """Return why the typed lines of a guessed fact were not computed."""
+    return tuple(dict.fromkeys(x.why for x in (*fact.lhs, *fact.rhs) if isinstance(x, Guess)))
+
+
+def compute(value: Any) -> Computation:
+    """Begin a computation with typed expressions, or go on with several computations at once."""
+    if isinstance(value, Computation):
+        return value
+    if not (before := [*_inside(value)]):
+        return Computation(value, (), (value,))
+    done = dict.fromkeys(name for x in before for name in x.operations)
+    typed = _once([*(x.typed for x in before), [*_plain_inside(value)]])
+    return Computation(plain(value), tuple(done), typed)
+
+
+def computed(text: str, origin: Any) -> str:
+    """Return text as computed where it is that of a computation which computes."""
+    if not (isinstance(origin, Computation) and origin.computed):
+        return text
+    found = Computed(text)
+    found.origin = origin
+    return found
+
+
+def guess(text: str, why: str) -> Guess:
+    """Return typed text as a guess with a reason: why SymPy does not find it by itself."""
+    found = Guess(text)
+    found.why = why
+    return found
+
+
+def plain(value: Any) -> Any:
+    """Return the value of computations, also inside of lists, tuples and mappings."""
+    match value:
+        case Computation():
+            return plain(value.value)
+        case Mapping():
+            return {plain(key): plain(entry) for key, entry in value.items()}
+        case list() | tuple():
+            return type(value)(map(plain, value))
+    return value
+
+
+def same(one: Any, other: Any) -> bool:
+    """Return whether two expressions have the same structure."""
+    return type(one) is type(other) and one == other
+
+
+def _is_algebra(value: Any) -> bool:
+    match value:
+        case sympy.Basic() | sympy.MatrixBase():
+            return not isinstance(value, sympy.logic.boolalg.BooleanAtom)
+        case Mapping():
+            return True
+        case list() | tuple():
+            return all(map(_is_algebra, value))
+    return isinstance(value, Computation)
+
+
+def _inside(given: Any) -> Any:
+    """Yield the computations among arguments."""
+    match given:
+        case Computation():
+            yield given
+        case Mapping():
+            for entry in (*given.keys(), *given.values()):
+                yield from _inside(entry)
+        case list() | tuple():
+            for entry in given:
+                yield from _inside(entry)
+
+
+def _plain_inside(given: Any) -> Any:
+    """Yield the typed expressions among arguments, but for single names and numbers."""
+    match given:
+        case Mapping():
+            for entry in given.values():
+                yield from _plain_inside(entry)
+        case list() | tuple():
+            for entry in given:
+                yield from _plain_inside(entry)
+        case sympy.Expr() if not given.is_Atom:
+            yield given
+
+
+def _once(lists: Any) -> tuple[Any, ...]:
+    found: dict[Any, Any] = {}
+    for entry in (x for entries in lists for x in entries):
+        known = isinstance(entry, sympy.Basic)
+        found.setdefault((type(entry), entry if known else id(entry)), entry)
+    return tuple(found.values())

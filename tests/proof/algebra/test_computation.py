@@ -1,0 +1,108 @@
+"""Where a statement comes from is told by the type of its text."""
+
+import pytest
+from sympy import apart, symbols
+
+from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import (
+    Computed,
+    Guess,
+    Standing,
+    compute,
+    guess,
+    reasons,
+    standing,
+)
+from rigidsym.proof.kernel import Fact
+
+X, Y = symbols("x y")
+CONTEXT = Part(witness={X: "2", Y: "3"}, units=(X - Y,))
+
+
+def stated(right):
+    """Return the fact (x^2 - y^2)/(x - y) = right, as the builder admits it."""
+    builder = LedgerBuilder()
+    builder.open(join("here", CONTEXT))
+    return builder.claim("here.quotient", {(X**2 - Y**2) / (X - Y): right})
+
+
+def test_a_statement_is_computed_if_sympy_found_it():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    assert standing(stated(found)) == Standing.COMPUTED
+    assert standing(stated(X + Y)) == standing(stated("x + y")) == Standing.GUESSED
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        compute(X + Y),
+        compute(X + Y).expand(),
+        compute(X).subs(X, X + Y),
+        compute((X**2 - Y**2) / (X - Y)).subs((X**2 - Y**2) / (X - Y), X + Y),
+        compute(Y) + X,
+    ],
+    ids=["begun with", "unchanged", "put in", "put in for the whole", "added up"],
+)
+def test_an_answer_that_was_put_in_is_guessed(typed):
+    assert not typed.computed
+    assert standing(stated(typed)) == Standing.GUESSED
+
+
+def test_a_part_that_is_held_together_is_no_computation_by_that():
+    assert not compute(X + Y).held().computed
+    found = compute((X**2 - Y**2) / (X - Y)).cancel().held()
+    assert found.computed
+    assert stated(X * found / X).rhs == ("(x + y)",)
+
+
+def test_a_computation_goes_on_through_arithmetic_and_other_computations():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    for later in (2 * found, X * found - 1, -found, found**2, compute(Y).subs(Y, found)):
+        assert later.computed
+    assert (X / found).value == X / (X + Y)
+    assert compute(1 / (X**2 - 1)).apply(apart, X).operations == ("apart",)
+
+
+def test_several_computations_go_on_as_one():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    both = compute((found, X))
+    assert both.value == (X + Y, X)
+    assert both.computed
+    assert [each.operations for each in both] == [("cancel",)] * 2
+    assert not compute((compute(X**2), X)).computed
+
+
+def test_a_part_that_was_found_is_computed_in_the_context():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    context = join("there", CONTEXT, Part(definitions={"s": found, "d": X - Y}))
+    assert join("there", CONTEXT, Part(definitions={"s": found.ordered("y")})).definitions == {
+        "s": "y + x"
+    }
+    assert isinstance(context.definitions["s"], Computed)
+    assert not isinstance(context.definitions["d"], Computed)
+    assert context.definitions == {"s": "x + y", "d": "x - y"}
+
+
+def test_a_guess_says_why():
+    fact = stated(guess("x + y", "it is shorter"))
+    assert isinstance(fact.rhs[0], Guess)
+    assert standing(fact) == Standing.GUESSED
+    assert reasons(fact) == ("it is shorter",)
+
+
+def test_lines_are_judged_one_by_one():
+    lines = (Computed("1"), "2")
+    whole = Fact("here.two", "here", "equal", ("a", "b"), lines, "identity")
+    assert standing(whole) == Standing.GUESSED
+
+
+def test_the_only_solution_is_computed():
+    quotient = symbols("quotient")
+    found = compute(X**2 - Y**2 - quotient * (X - Y)).solve_for(quotient)
+    assert standing(stated(found)) == Standing.COMPUTED
+
+
+@pytest.mark.parametrize(("equation", "count"), [(X**2 - Y**2, 2), (Y + 1, 0)])
+def test_a_solution_that_is_not_the_only_one_is_refused(equation, count):
+    with pytest.raises(ValueError, match=f"x: {count} solutions"):
+        compute(equation).solve_for(X)
