@@ -15,6 +15,7 @@ from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import UNITS, A, Algebra, M, R, combination
 from derivations.setting import Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, double_angle, half_angle, join
+from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import (
     Rate,
     Scope,
@@ -151,7 +152,7 @@ def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Par
     dynamics = builder.result(Dynamics)
     text = Dictionary(join("by_angles", *parts, static=True)).text
     seen: Any = {m: K * x for m, x in zip(MOMENTA, reduction.direction, strict=True)}
-    rates = {str(rate): text(dynamics.velocities[rate].subs(seen)) for rate in RATES}
+    rates = {str(rate): text(compute(dynamics.velocities[rate]).subs(seen)) for rate in RATES}
     known = {name: dynamics.body.definitions[name] for name in ("M1", "M2", "M3", "H")}
     return Part(definitions={**rates, **known})
 

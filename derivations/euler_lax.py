@@ -24,6 +24,7 @@ from derivations.lie_algebra import (
 )
 from derivations.setting import MOMENTS, PRODUCTS, Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import (
     Rate,
     Scope,
@@ -116,17 +117,20 @@ def _body(
     scope = Scope.open(builder, "spectrum", free, matrices=matrices, static=True)
     why = "the spectrum of M, whose trace is zero, is in its determinant"
     spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
-    square = sympy.expand(spectrum.value / algebra.setting.factor**2)
-    pairs = zip(momenta, RATES, strict=True)
-    energy = sum(m * w for m, w in pairs) - algebra.setting.energy()
+    square = (spectrum.found / algebra.setting.factor**2).expand()
+    gradient = Computation(momenta, ("vary",))
+    lagrangian = compute(algebra.setting.energy())
+    energy = sum((m * w for m, w in zip(gradient, RATES, strict=True)), -lagrangian)
     return Part(
         witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
         definitions={
-            **{str(name): str(momentum) for name, momentum in zip(MOMENTA, momenta, strict=True)},
-            "H": str(sympy.factor(sympy.expand(energy))),
-            "K_squared": str(square),
+            **{str(name): scope.text(m) for name, m in zip(MOMENTA, gradient, strict=True)},
+            "H": scope.text(energy.expand().factor()),
+            "K_squared": scope.text(square),
         },
-        rates={str(w): str(rates[symbol(f"{w}_rate")]) for w in RATES},
+        rates={
+            str(w): scope.text(Computation(rates[symbol(f"{w}_rate")], ("solve",))) for w in RATES
+        },
         reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
     )
 

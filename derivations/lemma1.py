@@ -6,7 +6,6 @@ are read off (14), its roots (13) need no square root.  An ansatz zeta sn(xi t +
 in two ways: one is (10), the other (11).
 """
 
-import re
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -18,6 +17,7 @@ from derivations.lie_algebra import Algebra
 from derivations.symmetric import symmetric
 from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
+from rigidsym.proof.algebra._computation import compute, plain
 from rigidsym.proof.steps import (
     Scope,
     coefficients,
@@ -35,6 +35,7 @@ INERTIA = Part(
     units=("c_i", "c_j", "c_k"),
     reading={f"c_{x}": f"moment of inertia about axis {x}, kg m^2" for x in "ijk"},
 )
+MOMENTS = symbols("c_i c_j c_k")
 RATE, *OTHERS = symbols("Omega_i Omega_j Omega_k")
 H, K_SQUARED = symbols("H K_squared")
 # s_i = zeta^2 and s_j are the roots, xi = sqrt(alpha s_j).
@@ -92,7 +93,7 @@ def derive(builder: LedgerBuilder) -> None:
         squared,
     )
     names = ("alpha", "beta", "chi")
-    texts = map(scope.text, coefficients(found.value, RATE**2))
+    texts = map(scope.text, found.found.apply(coefficients, RATE**2))
     quartic = Part(definitions=dict(zip(names, texts, strict=True)))
     scope = Scope.open(builder, "axis", INERTIA, moving, quartic)
     alpha, beta, chi = map(symbol, quartic.definitions)
@@ -109,28 +110,28 @@ def derive(builder: LedgerBuilder) -> None:
 def _on_axes(builder: LedgerBuilder) -> Part:
     """Open the body of `euler_lax` with its axes called i, j, k."""
     body = builder.result(Dynamics).body
-
-    def text(source: str) -> str:
-        return re.sub(r"\b(c|Omega)([123])\b", lambda m: f"{m[1]}_{'ijk'[int(m[2]) - 1]}", source)
-
-    momenta = {name: body.definitions[name] for name in ("M1", "M2", "M3")}
-    square = re.sub(r"M[123]", lambda m: f"({momenta[m[0]]})", body.definitions["K_squared"])
-    turning = read(text(body.rates["Omega1"])) / OTHERS[0] / OTHERS[1]
+    numbered, lettered = symbols("c1 c2 c3 Omega1 Omega2 Omega3"), (*MOMENTS, RATE, *OTHERS)
+    axes = dict(zip(numbered, lettered, strict=True))
+    known = {
+        name: compute(read(side)).xreplace(axes)
+        for name, side in {**body.definitions, **body.rates}.items()
+    }
+    momenta = {symbol(f"M{k}"): known[f"M{k}"] for k in (1, 2, 3)}
     return Part(
-        witness={text(name): value for name, value in body.witness.items()},
+        witness=dict(zip(lettered[3:], body.witness.values(), strict=True)),
         definitions={
-            "H": text(body.definitions["H"]),
-            "K_squared": text(square),
-            "delta_i": str(turning),
+            H: known["H"].factor(),
+            K_SQUARED: known["K_squared"].subs(momenta),
+            "delta_i": known["Omega1"] / OTHERS[0] / OTHERS[1],
         },
-        rates={text(name): text(rate) for name, rate in body.rates.items()},
+        rates={axes[symbol(name)]: known[name] for name in body.rates},
     )
 
 
 def _invariants(moving: Part) -> list[sympy.Expr]:
     """Return 2 H and K^2 less their expressions in the rates."""
-    known = {name: read(moving.definitions[name]) for name in ("H", "K_squared")}
-    return [2 * (H - known["H"]), K_SQUARED - known["K_squared"]]
+    known = plain(moving.definitions)
+    return [2 * (H - known[H]), K_SQUARED - known[K_SQUARED]]
 
 
 def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
@@ -138,7 +139,7 @@ def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
     why = "its roots, where no other moment is that of the axis"
     found = roots(scope, "factored.roots", polynomial, RATE**2, why, ["13"])
     named = {
-        f"root_{x}": next(r for r in found.value if symbol(f"c_{x}") in r.free_symbols)
+        f"root_{x}": next(r for r in found.found if symbol(f"c_{x}") in r.free_symbols)
         for x in "jk"
     }
     return Part(

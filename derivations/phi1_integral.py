@@ -80,10 +80,11 @@ def derive(builder: LedgerBuilder) -> None:
     why = "with the rate put in, partial fractions in sn^2"
     rewrite(scope, "sine_motion.split", integrand, split, why, ["34"], "partial_fractions")
 
-    (n,) = (_parameter(term) for term in split.args if term.has(SN))
+    found = split.apply(_parameter)
+    n = found.value
     table = Part(
         witness={"Pi": "0", "t": "0"},
-        definitions={"n": str(n)},
+        definitions={"n": found},
         rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
         units=("xi",),
         reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
@@ -92,11 +93,12 @@ def derive(builder: LedgerBuilder) -> None:
     rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
     why = "integrated term by term, by the table that has the rate of Pi"
     phi1 = integrate(scope, "table.phi1", split, rates, why, ["19", "36"])
-    kappa = phi1.value.coeff(symbol("Pi"))
+    factor = phi1.found.coeff(symbol("Pi"))
+    kappa = symbol("kappa")
     named = Part(
         definitions={
-            "kappa": scope.text(kappa),
-            "phi1": f"{scope.text(phi1.value.coeff(T))}*t + kappa*Pi",
+            kappa: factor,
+            "phi1": phi1.found.subs(factor * symbol("Pi"), kappa * symbol("Pi")),
         }
     )
     scope = Scope.open(builder, "third_kind", *given, table, named)
@@ -119,7 +121,8 @@ def derive(builder: LedgerBuilder) -> None:
     rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 
 
-def _parameter(term: Any) -> sympy.Expr:
-    """Return n of c/(1 - n sn^2)."""
+def _parameter(split: Any) -> sympy.Expr:
+    """Return n of a sum of constants and c/(1 - n sn^2)."""
+    (term,) = (term for term in split.args if term.has(SN))
     (below,) = (1 / factor for factor in sympy.Mul.make_args(term) if factor.has(SN))
     return -sympy.expand(below).coeff(SN**2)

@@ -4,18 +4,26 @@ of a symmetric body.  There M and Omega commute, and the attitude is one exponen
 
 from dataclasses import replace
 
-from derivations.euler_lax import INERTIA, Dynamics
+from sympy import Add, solve
+
+from derivations.euler_lax import INERTIA, RATES, Dynamics
 from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
-from rigidsym.proof.algebra._quaternion import kinematics
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.algebra._quaternion import product
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbol, symbols
 
 CONSTANT = Part(
     witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},
     relations=("(c2 - c3)*Omega2*Omega3", "(c3 - c1)*Omega3*Omega1", "(c1 - c2)*Omega1*Omega2"),
 )
+OMEGA = symbol("omega")
+LENGTH = OMEGA**2 - Add(*(rate**2 for rate in RATES))
+SIZE = compute(LENGTH).apply(solve, OMEGA**2, simplify=False)[0]
 SPIN = Part(
     witness={"omega": "1", "t": "0"},
     units=("omega",),
-    relations=("omega**2 - Omega1**2 - Omega2**2 - Omega3**2",),
+    relations=(LENGTH,),
     definitions={"theta": "omega*t"},
     rates={"t": "1"},
     nonnegative=("omega",),
@@ -28,15 +36,14 @@ AXIS = Part(
     reading={f"p{k}": f"component {k} of the attitude at t = 0" for k in range(4)},
 )
 START = Part(relations=("t", "cos_half_theta - 1", "sin_half_theta"))
+# exp(t Omega) is cos(theta/2) + sin(theta/2) axis, and q is its product with the attitude p.
+COSINE, SINE = symbols("cos_half_theta sin_half_theta")
+P, Q, R = symbols("p0 p1 p2 p3"), symbols("q0 q1 q2 q3"), symbols("r1 r2 r3")
+TURNED = compute(P).apply(product, (COSINE, *R))
 PULL_BACK = Part(
     definitions={
-        "r1": "sin_half_theta*axis1",
-        "r2": "sin_half_theta*axis2",
-        "r3": "sin_half_theta*axis3",
-        "q0": "p0*cos_half_theta - p1*r1 - p2*r2 - p3*r3",
-        "q1": "p0*r1 + p1*cos_half_theta + p2*r3 - p3*r2",
-        "q2": "p0*r2 + p2*cos_half_theta + p3*r1 - p1*r3",
-        "q3": "p0*r3 + p3*cos_half_theta + p1*r2 - p2*r1",
+        **{r: SINE * axis for r, axis in zip(R, symbols("axis1 axis2 axis3"), strict=True)},
+        **{q: side.ordered(f"p0 p{k}") for k, (q, side) in enumerate(zip(Q, TURNED, strict=True))},
     },
 )
 
@@ -48,11 +55,12 @@ def derive(builder: LedgerBuilder) -> None:
     builder.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
     euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
     builder.claim("steady.euler", euler, ["5"])
-    builder.claim("steady.norm", {"q0**2 + q1**2 + q2**2 + q3**2": "1"}, ["1"])
-    turning = kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3")
+    builder.evaluate("steady.norm", [Add(*(q**2 for q in Q))], ["1"])
+    velocity = compute(Q).apply(product, (0, *RATES))
+    turning = {rate_of(q): side / 2 for q, side in zip(Q, velocity, strict=True)}
     builder.claim("steady.solution", turning, ["3"])
-    builder.claim("steady.theta_is_the_angle", {"D(theta)": "omega"}, ["3"])
-    builder.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
+    builder.evaluate("steady.theta_is_the_angle", ["D(theta)"], ["3"])
+    builder.root("steady.omega", OMEGA, SIZE, ["3"])
     _start(builder)
 
 
@@ -64,6 +72,5 @@ def _start(builder: LedgerBuilder) -> None:
     angle = Part(turn.witness, reading=turn.reading)
     parts = (INERTIA, rates, SPIN, attitude, angle, PULL_BACK, START)
     builder.open(join("steady_start", *parts, static=True))
-    builder.root("steady_start.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
-    start = {"theta": "0"} | {f"q{k}": f"p{k}" for k in range(4)}
-    builder.claim("steady_start.attitude", start, ["37"])
+    builder.root("steady_start.omega", OMEGA, SIZE, ["3"])
+    builder.evaluate("steady_start.attitude", ["theta", *Q], ["37"])

@@ -9,9 +9,16 @@ quaternion changes its sign and the motion does not.
 
 from dataclasses import replace
 
-from derivations.lemma1 import INERTIA, Lemma1
+from sympy import solve
+
+from derivations.euler_lax import Dynamics
+from derivations.lemma1 import INERTIA, RATE, Lemma1
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
+from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.algebra._quaternion import kinematics
+from rigidsym.proof.steps._names import symbols
+
+ZETA, SN = symbols("zeta sn")
 
 # Both square roots may be imaginary: what they are is their reading, and no sign is assumed.
 SINE = Part(
@@ -66,7 +73,8 @@ def derive(builder: LedgerBuilder) -> None:
     lemma = builder.result(Lemma1)
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
     builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, SINE))
-    builder.claim("one_rate.Omega_i", {"Omega_i": "zeta*sn"}, ["10"])
+    rate = compute(SN - RATE / ZETA).apply(solve, RATE, simplify=False)[0]
+    builder.claim("one_rate.Omega_i", {RATE: rate}, ["10"])
     quadratic = {"D(Omega_i)**2": "alpha*(root_j - Omega_i**2)*(root_k - Omega_i**2)"}
     builder.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
 
@@ -90,11 +98,20 @@ def _without_matrices(builder: LedgerBuilder) -> Part:
 
 
 def _halves(builder: LedgerBuilder) -> None:
-    """Prove F1 to F4 by x and y."""
-    builder.root("theorem1_motion.K", "K", "M1**2 + M2**2 + M3**2", ["6", "15"])
-    builder.root("theorem1_motion.F1", "F1", "(1 + x)/2", ["19"])
-    builder.root("theorem1_motion.F2", "F2", "(1 - x)/2", ["19"])
-    builder.root("theorem1_motion.root_y", "root_y", "1 + y**2", ["19"])
-    builder.root("theorem1_motion.root_star", "root_star", "1 + y_star**2", ["19", "Remark 2"])
-    for name, form in (("F3", "1/root_star"), ("F4", "y_star/root_star")):
-        builder.claim(f"theorem1_motion.{name}", {name: form}, ["19", "Remark 2"])
+    """Solve for F1 to F4: cos and sin of phi2/2 by x = cos(phi2), of phi3/2 by their quotient."""
+    x, y, y_star, root_y, root_star, F1, F2, F3, F4 = symbols(
+        "x y y_star root_y root_star F1 F2 F3 F4"
+    )
+    size = builder.result(Dynamics).body.definitions["K_squared"]
+    builder.root("theorem1_motion.K", "K", size, ["6", "15"])
+    halves = compute([F1**2 + F2**2 - 1, F1**2 - F2**2 - x]).apply(solve, [F1**2, F2**2])
+    for half in (F1, F2):
+        builder.root(f"theorem1_motion.{half}", half, halves[half**2].together(), ["19"])
+    # cos = 1/root and sin = tan/root are on the circle
+    for root, tangent, source in ((root_y, y, ["19"]), (root_star, y_star, ["19", "Remark 2"])):
+        circle = compute((1 / root) ** 2 + (tangent / root) ** 2 - 1)
+        square = circle.apply(solve, root**2, simplify=False)[0]
+        builder.root(f"theorem1_motion.{root}", root, square, source)
+    third = compute([F3 * root_star - 1, F4 * root_star - y_star]).apply(solve, [F3, F4])
+    for half in (F3, F4):
+        builder.claim(f"theorem1_motion.{half}", {half: third[half]}, ["19", "Remark 2"])
