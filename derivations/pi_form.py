@@ -253,7 +253,7 @@ def derive(builder: LedgerBuilder) -> None:
 def _abstract(builder: LedgerBuilder) -> None:
     """Open a context on the rate of psi with few names."""
     builder.open(join("arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT))
-    saddle = Lambda - rho * g * mu * GAP
+    saddle = Lambda - rho * g * mu * GAP.subs(k_1**2 * x**2, -n)
     builder.claim("arctangent.saddle", {psi_rate / 2: saddle}, ["33", "34", "36"])
     builder.root("arctangent.T_size", T_size, SQUARE.ordered("z n delta s c"), ["36"])
     turned = parts("D", I * T_rate * whole("T")).values()

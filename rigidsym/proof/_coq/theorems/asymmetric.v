@@ -141,10 +141,13 @@ Section Rates.
     constructor; rewrite ?amplitude_a, ?amplitude_b, ?amplitude_d; unfold regular.lambda_; cbn -[pow];
       rewrite ?rate; try lra; try (rewrite <- Sq; lra); try (now apply inverse);
       try (intros Z; rewrite Z in ab; lra).
-    - now rewrite inverse_d; apply inverse.
-    - rewrite <- Sq.
-      replace (_ + _) with (B_b ^ 2 * (1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2)) by (field; lra).
-      rewrite inverse_b; apply Rgt_not_eq, Rmult_lt_0_compat; [lra | apply Rdiv_lt_0_compat; lra].
+    1-2: match goal with |- ?unit <> 0 => first
+      [ replace unit with (1 / c_d) by (rewrite <- inverse_d; ring); now apply inverse
+      | replace unit with (B_b ^ 2) by (rewrite Sq; ring); lra
+      | replace unit with (B_b ^ 2 * (1 / c_b));
+        [apply Rmult_integral_contrapositive_currified; [lra | now apply inverse] |];
+        rewrite <- inverse_b; transitivity (B_b ^ 2 / c_a + rho * Delta * B_d ^ 2);
+        [field; lra | rewrite Sq; field; lra] ] end.
     - intros t; pose proof (sn_cn m sn cn dn J (lambda * t + u_0)); unfold at_phase; lra.
     - intros t; pose proof (sn_dn m sn cn dn J (lambda * t + u_0)); unfold at_phase; lra.
     - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_sn _ _ _ _ J)) _).
@@ -160,7 +163,7 @@ Section Rates.
     intros t; pose proof (regular.fact_euler X rates_in_ledger t) as E; unfold regular.Omega_a,
       regular.Omega_b, regular.Omega_d in E.
     rewrite moment_a, moment_b, moment_d, amplitude_a, amplitude_b, amplitude_d in E; cbn -[pow] in E.
-    fold tau in E; exact E.
+    change (regular.tau X) with tau in E; unfold w_a, w_b, w_d, at_phase in *; as_euler E.
   Qed.
 
   (* The momentum never is opposite to sigma e_a. *)

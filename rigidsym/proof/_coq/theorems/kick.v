@@ -66,7 +66,8 @@ Section Kick.
     - intros s; unfold potential; rewrite V; unfold kick.U, kick.g1, kick.g2, kick.g3, dot, times_Q.
       cbn -[kick.v1 kick.v2 kick.v3]; field.
     - unfold torque; rewrite V; unfold dot; cbn -[kick.T1 kick.T2 kick.T3 kick.v1 kick.v2 kick.v3].
-      reflexivity.
+      match goal with |- context [kick.T1 ?rest 0] => change (kick.T1 rest 0) with (kick.T1 X t);
+        change (kick.T2 rest 0) with (kick.T2 X t); change (kick.T3 rest 0) with (kick.T3 X t) end; ring.
   Qed.
 
   (* At each attitude, the torque is the only vector with this property. *)

@@ -59,6 +59,11 @@ Definition the_motion (h c_a c_b c_d v_a v_b v_d : R) (p : quaternion)
 Lemma derive_as (f : R -> R) (t u v : R) : is_derive f t u -> @eq R u v -> is_derive f t v.
 Proof. now intros D <-. Qed.
 
+(* Euler's equations, each with its product of rates in any order. *)
+Ltac as_euler E := let Da := fresh in let Db := fresh in let Dd := fresh in
+  destruct E as (Da & Db & Dd); split; [refine (derive_as _ _ _ _ Da _) | split;
+    [refine (derive_as _ _ _ _ Db _) | refine (derive_as _ _ _ _ Dd _)]]; unfold Rdiv; ring.
+
 (* Derivatives of what is made of functions whose derivatives are known. *)
 Ltac derive_known :=
   auto_derive; [repeat split; try (eexists; eassumption) |];

@@ -385,12 +385,18 @@ Section Step.
     - field; lra.
   Qed.
 
+  Lemma f_of t : step.f S t = 1 + step.h S * X t ^ 2.
+  Proof. unfold step.f; change (step.X_ S t) with (X t); ring. Qed.
+  Lemma g_of t : step.g S t = 1 - step.h S * X t ^ 2.
+  Proof. unfold step.g; change (step.X_ S t) with (X t); ring. Qed.
+
   Lemma room_of t : step.room S t = (1 + step.h S * X t ^ 2) ^ 2 - h_a * h_d * n_b ^ 2 * X t ^ 2.
   Proof.
     destruct B as [H2 S2 Ca Cb Cd _ _ _ _], size as (P & _).
     unfold step.room, step.f, h_a, h_d, n_b, step.h_a, step.h_d, step.n_b0.
-    change (step.X_ S t) with (X t); set (hh := step.h S); cbn -[pow]; fold K; apply (f_equal (Rminus _)).
-    transitivity (s ^ 2 * h ^ 2 * ((1 / c_d - 1 / c_b) * (1 / c_b - 1 / c_a) * (c_b * v_b) ^ 2 * X t ^ 2));
+    change (step.X_ S t) with (X t); set (hh := step.h S); cbn -[pow]; fold K.
+    transitivity ((1 + hh * X t ^ 2) ^ 2
+      - s ^ 2 * h ^ 2 * ((1 / c_d - 1 / c_b) * (1 / c_b - 1 / c_a) * (c_b * v_b) ^ 2 * X t ^ 2));
       [rewrite S2, H2; ring | field; lra].
   Qed.
 
@@ -409,7 +415,7 @@ Section Step.
     unfold step.M_a; rewrite Ma, Mb, Md.
     replace (s * _) with (K * (n_a * step.f S t * step.g S t + h_a * n_b * n_d * X t * Y t) / step.room S t).
     - apply Rmult_le_pos; [|left; now apply Rinv_0_lt_compat]; apply Rmult_le_pos; [lra|].
-      unfold step.f, step.g; change (step.X_ S t) with (X t); rewrite F in *.
+      rewrite f_of, g_of, F in *.
       now apply side_kept.
     - unfold h_a, step.h_a; change (step.K S) with K; change (step.X_ S t) with (X t);
       change (step.Y S t) with (Y t).
@@ -419,19 +425,26 @@ Section Step.
         [rewrite S2, H2|]; field; lra.
   Qed.
 
+  Lemma z_of : step.z_re S = n_d / (1 + n_a) /\ step.z_im S = n_b / (1 + n_a).
+  Proof.
+    destruct direction as (_ & N & _ & _), size as (Kp & _), (in_direction 0) as (Ma & Mb & Md & _).
+    pose proof B as [H2 S2 _ _ _ _ _ _ _].
+    unfold step.z_re, step.z_im; rewrite Ma, Mb, Md.
+    change (step.K S) with K; change (step.sigma S) with s; change (step.epsilon S) with h.
+    replace (K + s * (K * s * n_a)) with (K * (1 + n_a)) by ring [S2]; split; [field; lra|].
+    match goal with |- ?above / _ = _ => replace above with (K * n_b) by ring [S2 H2] end; field; lra.
+  Qed.
+
   Lemma G_positive t : 0 < step.G_re S t.
   Proof.
     destruct direction as (U & N & M & G), frequencies as (F & _ & _), size as (Kp & _).
     pose proof B as [H2 S2 Ca Cb Cd _ _ _ _].
     pose proof (g_positive t) as P; pose proof (factor_positive h_a h_d n_a n_b n_d (X t) U N M) as Q.
     rewrite <- F in Q; specialize (Q P).
-    unfold step.G_re, step.nu_re, step.z_re, step.z_im; change (step.X_ S t) with (X t).
-    pose proof (in_direction 0) as (Ma & Mb & Md & _); rewrite Ma, Mb, Md.
-    change (step.K S) with K; change (step.sigma S) with s; change (step.epsilon S) with h.
-    replace (K + s * (K * s * n_a)) with (K * (1 + n_a)) by ring [S2].
-    replace (s * h * (K * s * h * n_b) / (K * (1 + n_a))) with (n_b / (1 + n_a)).
-    - replace (K * n_d / (K * (1 + n_a))) with (n_d / (1 + n_a)) by (field; lra); exact Q.
-    - transitivity (s ^ 2 * h ^ 2 * (n_b / (1 + n_a))); [rewrite S2, H2; ring | field; lra].
+    destruct z_of as (Zr & Zi).
+    replace (step.G_re S t) with (1 - step.h S * ((n_b / (1 + n_a)) ^ 2 - (n_d / (1 + n_a)) ^ 2) * X t ^ 2);
+      [exact Q|].
+    unfold step.G_re, step.nu_re; rewrite Zr, Zi; change (step.X_ S t) with (X t); ring.
   Qed.
 
   Lemma step_in_ledger : step.holds S.
@@ -447,13 +460,14 @@ Section Step.
     - intros t; apply Rgt_not_eq; change (0 < K + s * step.M_a S t); pose proof (kept t); lra.
     - cbn -[pow]; lra.
     - cbn -[pow]; lra.
-    - change (K ^ 2 - (c_a * v_a) ^ 2 - (c_b * v_b) ^ 2 - (c_d * v_d) ^ 2 = 0); lra.
+    - cbn -[pow sqrt]; fold K; lra.
     - intros t; destruct frequencies as (_ & -> & ->).
-      change (Y t ^ 2 - 1 + (2 * step.h S + gap) * X t ^ 2 - step.h S ^ 2 * X t ^ 4 = 0).
-      rewrite (curve _ gap X Y functions t); ring.
+      change (step.X_ S t) with (X t); change (step.Y S t) with (Y t).
+      pose proof (curve _ gap X Y functions t) as C; ring [C].
     - change (0 <= K); lra.
     - apply E.
-    - apply E.
+    - intros t; refine (derive_as _ _ _ _ (derivative_Y _ _ _ _ E t) _).
+      change (step.X_ S t) with (X t); ring.
   Qed.
 
   Lemma moments : step.c_a S = c_a /\ step.c_b S = c_b /\ step.c_d S = c_d.
@@ -462,7 +476,7 @@ Section Step.
   Lemma step_rates : euler h c_a c_b c_d (step.Omega_a S) (step.Omega_b S) (step.Omega_d S).
   Proof.
     intros t; pose proof (step.fact_euler S step_in_ledger t) as D.
-    destruct moments as (Ca & Cb & Cd); rewrite Ca, Cb, Cd in D; exact D.
+    destruct moments as (Ca & Cb & Cd); rewrite Ca, Cb, Cd in D; change (step.epsilon S) with h in D; as_euler D.
   Qed.
 
   Lemma step_rates_start : step.Omega_a S 0 = v_a /\ step.Omega_b S 0 = v_b /\ step.Omega_d S 0 = v_d.
@@ -504,8 +518,10 @@ Section Step.
       unfold scal; cbn -[pow step.G_re step.G_im step.G_re_rate step.G_im_rate]; unfold mult.
       cbn -[pow step.G_re step.G_im step.G_re_rate step.G_im_rate].
       unfold step.G_rate, step.square, step.G_re_rate, step.G_im_rate, Rsqr.
-      assert (Im : step.G_im S t = - step.nu_im S * X t ^ 2) by reflexivity.
-      assert (Re : step.G_re S t = 1 - step.nu_re S * X t ^ 2) by reflexivity.
+      assert (Im : step.G_im S t = - step.nu_im S * X t ^ 2)
+        by (unfold step.G_im; change (step.X_ S t) with (X t); ring).
+      assert (Re : step.G_re S t = 1 - step.nu_re S * X t ^ 2)
+        by (unfold step.G_re; change (step.X_ S t) with (X t); ring).
       change (step.X_ S t) with (X t); change (step.Y S t) with (Y t).
       set (re := step.G_re S t) in *; set (im := step.G_im S t) in *.
       set (nr := step.nu_re S) in *; set (ni := step.nu_im S) in *; clearbody nr ni.
@@ -521,11 +537,12 @@ Section Step.
       pose proof (step.fact_psi_rate_of_point S step_in_ledger t) as A.
       pose proof (step.fact_psi S step_in_ledger t) as P; pose proof (step.fact_turn_0 S step_in_ledger t)
         as T.
-      rewrite A, P, T; set (arg := fun t => atan _) in DG; change (is_derive (fun t => step.psi_0 S / 2 * t
-        + (J t - arg t / 2)) t
-        ((step.K S * step.i_a S + 2 * (step.psi_0 S / 2 - step.K S * step.i_a S / 2
-          + step.J_rate S t - step.G_rate S t / 2)) / 2)).
-      clearbody arg; derive_known; field.
+      set (arg := fun t => atan _) in DG.
+      change (is_derive (fun t => step.psi_0 S / 2 * t + (J t - arg t / 2)) t (step.psi_rate S t / 2)).
+      clearbody arg.
+      apply (derive_as _ t (step.psi_0 S / 2 + (step.J_rate S t - step.G_rate S t / 2))).
+      - derive_known; field.
+      - rewrite A, P, T; field.
     Qed.
 
     Theorem step_motion p : norm_squared p = 1 ->
@@ -559,11 +576,7 @@ Section Step.
     set (T := step.as_turn S); pose proof (turn.fact_projection T (step.models_turn S step_in_ledger) t) as P.
     pose proof (in_direction 0) as (Ma & Mb & Md & _).
     assert (Z : turn.z_re T = step.z_re S /\ turn.z_im T = step.z_im S).
-    { unfold step.z_re, step.z_im; rewrite Ma, Mb, Md; change (step.K S) with K; change (step.sigma S) with s;
-        change (step.epsilon S) with h; change (turn.z_re T) with (n_d / (1 + n_a));
-        change (turn.z_im T) with (n_b / (1 + n_a)).
-      replace (K + s * (K * s * n_a)) with (K * (1 + n_a)) by ring [S2]; split; [field; lra|].
-      transitivity (s ^ 2 * h ^ 2 * (n_b / (1 + n_a))); [rewrite S2, H2; ring | field; lra]. }
+    { destruct z_of as (-> & ->); split; reflexivity. }
     destruct Z as (Zr & Zi).
     assert (Q : turn.zr_re T = step.zr_re S /\ turn.zr_im T = step.zr_im S).
     { unfold step.zr_re, step.zr_im; rewrite <- Zr, <- Zi, Ma, Mb, Md; unfold turn.zr_re, turn.zr_im.
@@ -580,19 +593,24 @@ Section Step.
           - h ^ 2 * s ^ 2 * (zi * (K * (1 / c_d - 1 / c_b)) * n_b)) / (1 + n_a));
           [rewrite H2, S2; field; lra | field; lra]. }
     destruct Q as (Qr & Qi).
+    assert (Th : turn.h T = step.h S).
+    { rewrite F; unfold turn.h, turn.h_b; change (turn.h_a T) with h_a; change (turn.h_d T) with h_d;
+        change (turn.n_b0 T) with n_b; change (turn.n_d0 T) with n_d; field. }
+    assert (Tf : turn.f T t = step.f S t)
+      by (rewrite f_of; unfold turn.f; rewrite Th; change (turn.X_ T t) with (X t); ring).
+    assert (Tg : turn.g T t = step.g S t)
+      by (rewrite g_of; unfold turn.g; rewrite Th; change (turn.X_ T t) with (X t); ring).
+    assert (Room : turn.room T t = step.room S t).
+    { rewrite room_of; unfold turn.room; rewrite Tf, f_of; change (turn.X_ T t) with (X t);
+        change (turn.h_a T) with h_a; change (turn.h_d T) with h_d; change (turn.n_b0 T) with n_b; ring. }
     assert (W : turn.w_re T t = step.w_re S t /\ turn.w_im T t = step.w_im S t).
     { unfold turn.w_re, turn.w_im, turn.F_re, turn.F_im, turn.square, turn.G_re, turn.G_im, turn.nu_re,
       turn.nu_im.
-      rewrite Qr, Qi, Zr, Zi; change (turn.h T) with (h_a * (h_d * n_b ^ 2 - (- h_a - h_d) * n_d ^ 2) / 4).
-      rewrite <- F; split; reflexivity. }
+      rewrite Qr, Qi, Zr, Zi, Th; split; reflexivity. }
     destruct W as (Wr & Wi); rewrite Wr, Wi in P; destruct P as (Pr & Pi).
     assert (A : turn.n_a T t = s * step.M_a S t / K /\ turn.n_b T t = s * h * step.M_b S t / K /\
       turn.n_d T t = step.M_d S t / K).
-    { unfold turn.n_a, turn.n_b, turn.n_d, step.M_a, step.M_b, step.M_d, turn.room, turn.f, turn.g.
-      change (turn.h T) with (h_a * (h_d * n_b ^ 2 - (- h_a - h_d) * n_d ^ 2) / 4); rewrite <- F.
-      change ((1 + step.h S * turn.X_ T t ^ 2) ^ 2 - turn.h_a T * turn.h_d T * turn.n_b0 T ^ 2
-        * turn.X_ T t ^ 2)
-        with ((1 + step.h S * X t ^ 2) ^ 2 - h_a * h_d * n_b ^ 2 * X t ^ 2); rewrite <- room_of.
+    { unfold turn.n_a, turn.n_b, turn.n_d, step.M_a, step.M_b, step.M_d; rewrite Room, Tf, Tg, f_of, g_of.
       pose proof (room_not_zero t) as R; rewrite Ma, Mb, Md.
       unfold turn.h_b; change (turn.h_a T) with (K * (1 / c_d - 1 / c_b));
         change (turn.h_d T) with (K * (1 / c_b - 1 / c_a)).
@@ -601,7 +619,6 @@ Section Step.
       change (step.X_ S t) with (X t); change (step.Y S t) with (Y t); change (step.epsilon S) with h.
       change (step.i_a S) with (1 / c_a); change (step.i_b S) with (1 / c_b);
         change (step.i_d S) with (1 / c_d).
-      change (step.f S t) with (1 + step.h S * X t ^ 2); change (step.g S t) with (1 - step.h S * X t ^ 2).
       set (room := step.room S t) in *; set (hh := step.h S) in *; clearbody room hh.
       clearbody K n_a n_b n_d; repeat split.
       - transitivity ((s ^ 2 * (n_a * (1 + hh * X t ^ 2) * (1 - hh * X t ^ 2))
@@ -771,13 +788,14 @@ Section Restart.
         unfold plus; cbn -[step.J_rate step.G_rate step.turn_0 step.K step.i_a]; field. }
       assert (arg_0 : arg 0 = 0).
       { unfold arg, step.G_im; change (step.X_ S' 0) with (X 0); rewrite (X_0 _ _ _ _ E).
-        replace (- step.nu_im S' * 0 ^ 2 / step.G_re S' 0) with 0 by (unfold Rdiv; ring); apply atan_0. }
+        match goal with |- atan ?u = 0 => replace u with 0 by (unfold Rdiv; ring) end; apply atan_0. }
       assert (angle_0 : angle 0 = 0).
       { unfold angle, half_psi, bent.
         rewrite J_0; unfold step.G_im; change (step.X_ (stepping h s c_a c_b c_d v_a v_b v_d X Y) 0)
           with (X 0).
-        rewrite (X_0 _ _ _ _ E); unfold Rdiv; rewrite !Rmult_0_r; replace (0 ^ 2) with 0 by ring.
-        rewrite !Rmult_0_r, Rmult_0_l, atan_0; ring. }
+        rewrite (X_0 _ _ _ _ E).
+        match goal with |- context [atan ?u] => replace u with 0 by (unfold Rdiv; ring) end.
+        rewrite atan_0; field. }
       rewrite arg_0, Rplus_0_r, Rminus_0_r, Rminus_diag_eq, angle_0 in Z by reflexivity.
       rewrite !Rplus_0_r in Z; replace (tau + tau) with (2 * tau) in Z by ring.
       fold (arg tau); unfold angle, half_psi in Z; change (bent h s c_a c_b c_d v_a v_b v_d X Y J)
@@ -808,9 +826,10 @@ Section Restart.
           field; lra. }
       assert (Zi : step.z_im S' = step.w_im S tau).
       { apply (Rmult_eq_reg_r (step.K S' + s * (c_a * w_a))); [|lra]; rewrite Pi.
-        change (s * h * (c_b * w_b) / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a))
+        change (h * s * (c_b * w_b) / (step.K S' + s * (c_a * w_a)) * (step.K S' + s * (c_a * w_a))
           = s * h * (c_b * w_b)); field; lra. }
-      unfold step.G_re, step.G_im, step.nu_re, step.nu_im; rewrite Hh, Zr, Zi; split; reflexivity.
+      unfold step.G_re, step.G_im, step.nu_re, step.nu_im; rewrite Hh, Zr, Zi.
+      change (step.X_ S' tau) with (X tau); split; ring.
     Qed.
   End Angle.
 End Restart.
@@ -995,8 +1014,9 @@ Section Computed.
     unfold attitude_after, from_start, pulled_back, about_a; cbn [at_X at_Y at_re at_im progress_at].
     assert (Z : half_psi h s c_a c_b c_d v_a v_b v_d X Y J 0 = 0).
     { unfold half_psi, bent; rewrite J_0; unfold step.G_im; fold names S.
-      change (step.X_ S 0) with (X 0); rewrite (X_0 _ _ _ _ E); unfold Rdiv; rewrite !Rmult_0_r.
-      replace (0 ^ 2) with 0 by ring; rewrite !Rmult_0_r, Rmult_0_l, atan_0; ring. }
+      change (step.X_ S 0) with (X 0); rewrite (X_0 _ _ _ _ E).
+      match goal with |- context [atan ?u] => replace u with 0 by (unfold Rdiv; ring) end.
+      rewrite atan_0; field. }
     rewrite Z; replace (2 * 0 / 2) with 0 by field; rewrite cos_0, sin_0.
     destruct (step_rates_start h s c_a c_b c_d v_a v_b v_d X Y B E) as (Sa & Sb & Sd); rewrite Sa, Sb, Sd.
     apply (f_equal2 (product h)).
