@@ -55,7 +55,7 @@ s, c, d, n, psi, psi_0, kappa, J, J_0 = symbols("s c d n psi psi_0 kappa J J_0")
 K_SQUARED = B_a**2 + B_d**2
 # k' is k_c: m = 1 - k'^2, and k_1 is what Landen makes of it.
 DESCENDED = (1 - k_c) / (1 + k_c)
-COMPLEMENT = compute(k_1 - DESCENDED).apply(solve, k_c, simplify=False)[0]
+COMPLEMENT = compute(k_1 - DESCENDED).apply(solve, k_c, simplify=False)[0].together()
 MODULUS = (1 - COMPLEMENT**2).factor()
 BELOW = 1 + k_1 * s**2
 SN = (1 + k_1) * s / BELOW

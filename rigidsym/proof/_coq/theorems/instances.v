@@ -32,7 +32,7 @@ Section Instance.
   Let c t := cn (mu * t + phase).
   Let d t := dn (mu * t + phase).
   Let root t := 2 * K * (K * (1 + k * s t ^ 2) + B_a * (1 - k * s t ^ 2)) * (1 + k * s t ^ 2).
-  Let n := - k * (K - B_a) / (K + B_a).
+  Let n := k * (B_a - K) / (B_a + K).
   Let J := RInt (fun t => mu * s t ^ 2 / (1 - n * s t ^ 2)) 0.
 
   (* The names of the ledger, for an angle psi and a factor p in front. *)
@@ -67,7 +67,7 @@ Section Instance.
     destruct (size_bounds t) as (A & B); pose proof K_at_least as L.
     assert (N : n <= 0).
     { unfold n; apply Ropp_le_cancel; rewrite Ropp_0.
-      replace (- (- k * (K - B_a) / (K + B_a))) with (k * (K - B_a) * / (K + B_a)) by (field; lra).
+      replace (- (k * (B_a - K) / (B_a + K))) with (k * (K - B_a) * / (K + B_a)) by (field; lra).
       apply Rmult_le_pos; [apply Rmult_le_pos; lra | left; apply Rinv_0_lt_compat; lra]. }
     repeat split; [lra | | pose proof (pow2_ge_0 (s t)); nra].
     pose proof (Rmult_lt_0_compat K (1 + k * s t ^ 2) Kpos ltac:(lra)).
@@ -180,7 +180,9 @@ Section Instance.
     - intros t; apply (functions_derive t).
     - intros t; apply (functions_derive t).
     - intros t; exact (derive_root t).
-    - intros t; exact (derive_J t).
+    - intros t; refine (derive_as _ t _ _ (derive_J t) _).
+      change (descended.n (names psi p)) with n; change (descended.mu (names psi p)) with mu.
+      replace (s t ^ 2 * n) with (n * s t ^ 2) by ring; unfold Rdiv; ring.
     - intros t; pose proof (derive_psi t) as D; change (descended.psi_rate (names psi p) t) with (rate t).
       set (f := psi) in *; clearbody f; derive_known; change (f t * / 2) with (f t / 2); field.
     - intros t; pose proof (derive_psi t) as D; change (descended.psi_rate (names psi p) t) with (rate t).
@@ -303,11 +305,11 @@ Proof.
   { rewrite <- Sa; unfold descended.Omega_a, descended.A_a, descended.dn; rewrite Ma, S0.
     change (descended.sigma X) with sigma; change (descended.k_1 X) with k;
       change (descended.B_a X) with (c_a * A_a).
-    fold x; replace (c_a * A_a / c_a) with A_a by (field; lra); reflexivity. }
+    fold x; replace (c_a * A_a / c_a) with A_a by (field; lra); unfold Rdiv; ring. }
   assert (Wb : descended.Omega_b X 0 = v_b).
   { rewrite <- Sb; unfold descended.Omega_b, descended.A_b, descended.sn; rewrite Mb, Bb, S0.
     change (descended.chi X) with chi; change (descended.k_1 X) with k.
-    fold x; replace (c_b * A_b / c_b) with A_b by (field; lra); reflexivity. }
+    fold x; replace (c_b * A_b / c_b) with A_b by (field; lra); unfold Rdiv; ring. }
   assert (Wd : descended.Omega_d X 0 = v_d).
   { rewrite <- Sd; unfold descended.Omega_d, descended.A_d, descended.cn, descended.tau;
     rewrite Md, S0, C0, D0.
@@ -342,6 +344,11 @@ Proof.
   apply instance_holds; trivial; [lra | | lra | transitivity (4 * K ^ 2); [ring | rewrite K2; ring]].
   replace (1 ^ 2) with 1 by ring; exact jacobi_at_1.
 Qed.
+
+(* What an instance of the descended form already supposes, in whatever order. *)
+Ltac of_descended N := clear - N; destruct N; first [assumption |
+  intros t; unfold separatrix_form.nu, symmetric_form.nu; rewrite (Rmult_comm (_ ^ 2));
+    match goal with H : forall t : R, _ |- _ => exact (H t) end].
 
 (* On the separatrix, for bodies of any moments: the forms by theta functions, which are elementary there. *)
 Section Separatrix.
@@ -384,69 +391,36 @@ Section Separatrix.
       destruct S as [S|S]; [exact S|]; exfalso; apply W; unfold descended.nu in S.
       apply (Rmult_eq_reg_r (/ (1 + descended.k_1 D * descended.s D t ^ 2))); [rewrite Rmult_0_l; symmetry;
         exact S | now apply Rinv_neq_0_compat]. }
-    constructor.
+    assert (Quotient : forall t, 0 < separatrix_form.R_ separatrix_instance t).
+    { intros t; unfold separatrix_form.R_, separatrix_form.s_0, separatrix_form.nu; rewrite (Rmult_comm (_ ^ 2)).
+      exact (Rdiv_lt_0_compat _ _ (Rmult_lt_0_compat _ _ (proj1 (Rp t)) (S0 t)) (Cp t)). }
+    constructor; try of_descended N.
     - intros t; apply Rgt_not_eq, Cp.
     - intros t; apply Rgt_not_eq, (Rp t).
-    - exact (descended.unit_0 D N).
-    - exact (descended.unit_1 D N).
-    - exact (descended.unit_2 D N).
-    - exact (descended.unit_3 D N).
-    - exact (descended.unit_4 D N).
-    - exact (descended.unit_5 D N).
-    - exact (descended.unit_6 D N).
-    - exact (descended.unit_7 D N).
-    - exact (descended.unit_8 D N).
-    - exact (descended.unit_9 D N).
-    - exact (descended.unit_10 D N).
-    - exact (descended.unit_11 D N).
-    - exact (descended.unit_12 D N).
-    - exact (descended.unit_13 D N).
-    - exact (descended.unit_14 D N).
     - exact R1_neq_R0.
     - apply Rgt_not_eq; exact Yp.
-    - intros t; apply Rgt_not_eq; exact (Rdiv_lt_0_compat _ _ (Rmult_lt_0_compat _ _ (S0 t) (proj1 (Rp t)))
-      (Cp t)).
-    - exact (descended.relation_0 D N).
-    - exact (descended.relation_1 D N).
-    - exact (descended.relation_2 D N).
-    - exact (descended.relation_3 D N).
-    - exact (descended.relation_5 D N).
-    - exact (descended.relation_7 D N).
-    - exact (descended.relation_8 D N).
+    - intros t; apply Rgt_not_eq, Quotient.
     - unfold norm_squared in Unit; cbn -[pow]; lra.
-    - change (sqrt ((K + B_a) * (K - B_a + 1 * (K + B_a))) ^ 2 - (K + B_a) * (K - B_a + 1 * (K + B_a)) = 0);
-      lra.
+    - change (sqrt ((K + B_a) * (K - B_a + 1 * (K + B_a))) ^ 2 - (B_a + K) * (K - B_a + 1 * (B_a + K)) = 0);
+      rewrite Y2; ring.
     - intros t; pose proof (sin2_cos2 (Lambda * t)) as S; unfold Rsqr in S; cbn -[pow Lambda]; lra.
     - intros t; pose proof (proj2 (Rp t)) as S; cbn -[pow descended.s sqrt] in *; lra.
-    - exact (descended.sign_0 D N).
-    - exact (descended.sign_1 D N).
-    - exact (descended.sign_2 D N).
-    - exact (descended.sign_3 D N).
-    - exact (descended.sign_4 D N).
-    - exact (descended.sign_5 D N).
-    - exact (descended.sign_6 D N).
-    - exact (descended.sign_7 D N).
     - exact Rle_0_1.
     - left; exact Yp.
     - left; exact Ba.
     - change (0 <= 2 * K); lra.
-    - intros t; left; exact (Rdiv_lt_0_compat _ _ (Rmult_lt_0_compat _ _ (S0 t) (proj1 (Rp t))) (Cp t)).
+    - intros t; left; apply Quotient.
     - intros t; left; apply Cp.
     - intros t; left; apply (Rp t).
-    - exact (descended.rate_t_ D N).
-    - exact (descended.rate_s D N).
-    - exact (descended.rate_c D N).
-    - exact (descended.rate_w D N).
-    - exact (descended.rate_J D N).
-    - intros t; change (is_derive (fun t => cos (Lambda * t)) t (- Lambda * sin (Lambda * t)));
+    - intros t; change (is_derive (fun t => cos (Lambda * t)) t (- sin (Lambda * t) * Lambda));
       clearbody Lambda.
       auto_derive; [easy | ring].
-    - intros t; change (is_derive (fun t => sin (Lambda * t)) t (Lambda * cos (Lambda * t)));
+    - intros t; change (is_derive (fun t => sin (Lambda * t)) t (cos (Lambda * t) * Lambda));
       clearbody Lambda.
       auto_derive; [easy | ring].
-    - intros t; pose proof (descended.rate_s D N t) as E; destruct (Rp t) as (R1 & R2).
+    - intros t; clear Quotient; pose proof (descended.rate_s D N t) as E; destruct (Rp t) as (R1 & R2).
       change (is_derive (fun t => sqrt (1 + descended.s D t ^ 2)) t
-        (descended.mu D * descended.s D t * descended.c D t ^ 2 / sqrt (1 + descended.s D t ^ 2))).
+        (descended.s D t * descended.c D t ^ 2 * descended.mu D / sqrt (1 + descended.s D t ^ 2))).
       change (descended.d D t) with (descended.c D t) in E; pose proof (pow2_ge_0 (descended.s D t)).
       set (m := descended.mu D) in *; set (s := descended.s D) in *; set (c := descended.c D t) in *;
         clearbody m s c.
@@ -505,49 +479,14 @@ Section Symmetric.
     pose proof (descended_by_sines h sigma rho chi i_a Delta B_a B_d phase p H2 Sigma Rho Chi Ia Id De Ba Bd
       Unit
       : descended.holds D) as N.
-    constructor.
-    - exact (descended.unit_0 D N).
-    - exact (descended.unit_1 D N).
-    - exact (descended.unit_2 D N).
-    - exact (descended.unit_3 D N).
-    - exact (descended.unit_4 D N).
-    - exact (descended.unit_5 D N).
-    - exact (descended.unit_6 D N).
-    - exact (descended.unit_7 D N).
-    - exact (descended.unit_8 D N).
-    - exact (descended.unit_9 D N).
-    - exact (descended.unit_10 D N).
-    - exact (descended.unit_11 D N).
-    - exact (descended.unit_12 D N).
-    - exact (descended.unit_13 D N).
-    - exact (descended.unit_14 D N).
-    - exact (descended.relation_0 D N).
-    - exact (descended.relation_1 D N).
-    - exact (descended.relation_2 D N).
-    - exact (descended.relation_3 D N).
-    - exact (descended.relation_5 D N).
-    - exact (descended.relation_7 D N).
-    - exact (descended.relation_8 D N).
+    constructor; try of_descended N.
     - unfold norm_squared in Unit; cbn -[pow]; lra.
     - intros t; pose proof (sin2_cos2 (Lambda * t)) as S; unfold Rsqr in S; cbn -[pow Lambda]; lra.
-    - exact (descended.sign_0 D N).
-    - exact (descended.sign_1 D N).
-    - exact (descended.sign_2 D N).
-    - exact (descended.sign_3 D N).
-    - exact (descended.sign_4 D N).
-    - exact (descended.sign_5 D N).
-    - exact (descended.sign_6 D N).
-    - exact (descended.sign_7 D N).
     - left; exact Bd.
-    - exact (descended.rate_t_ D N).
-    - exact (descended.rate_s D N).
-    - exact (descended.rate_c D N).
-    - exact (descended.rate_w D N).
-    - exact (descended.rate_J D N).
-    - intros t; change (is_derive (fun t => cos (Lambda * t)) t (- Lambda * sin (Lambda * t)));
+    - intros t; change (is_derive (fun t => cos (Lambda * t)) t (- sin (Lambda * t) * Lambda));
       clearbody Lambda.
       auto_derive; [easy | ring].
-    - intros t; change (is_derive (fun t => sin (Lambda * t)) t (Lambda * cos (Lambda * t)));
+    - intros t; change (is_derive (fun t => sin (Lambda * t)) t (cos (Lambda * t) * Lambda));
       clearbody Lambda.
       auto_derive; [easy | ring].
   Qed.
@@ -581,8 +520,8 @@ Section Near.
   Let V_im := pi_near.V_im base.
   Let size t := V_re t ^ 2 + V_im t ^ 2.
   Let angle := RInt (fun t => pi_near.psi_rate base t / 2 - pi_near.T_rate base t) 0.
-  Definition near_instance := names (RInt (fun t => pi_near.mu base * descended.s D t ^ 2
-    / (1 - pi_near.n_2 base * descended.s D t ^ 2)) 0) (fun t => sqrt (size t))
+  Definition near_instance := names (RInt (fun t => descended.s D t ^ 2 * pi_near.mu base
+    / (1 - descended.s D t ^ 2 * pi_near.n_2 base)) 0) (fun t => sqrt (size t))
     (fun t => cos (angle t)) (fun t => sin (angle t)).
 
   Lemma near_holds : descended.holds D.
@@ -597,10 +536,10 @@ Section Near.
   Lemma z_positive : 0 < pi_near.z base.
   Proof. apply Rdiv_lt_0_compat; [exact Cp | apply Y_positive]. Qed.
 
-  Lemma near_inside t : 0 < 1 - pi_near.n base * descended.s D t ^ 2 /\
-    0 < 1 - pi_near.n_2 base * descended.s D t ^ 2.
+  Lemma near_inside t : 0 < 1 - descended.s D t ^ 2 * pi_near.n base /\
+    0 < 1 - descended.s D t ^ 2 * pi_near.n_2 base.
   Proof.
-    split; [exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra)
+    rewrite !(Rmult_comm (_ ^ 2)); split; [exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra)
       Jac Kpos K2 t)))|].
     assert (P : 0 <= pi_near.delta base).
     { unfold pi_near.delta, pi_near.m_c; change (pi_near.k_1 base) with k; apply Rmult_le_pos; [nra|].
@@ -622,10 +561,9 @@ Section Near.
   Proof.
     unfold size; pose proof (pow2_ge_0 (V_im t)).
     assert (N : V_re t <> 0).
-    { change (C_b * (K + B_a) * dn (descended.mu D * t + phase) <> 0);
+    { change (C_b * dn (descended.mu D * t + phase) * (B_a + K) <> 0);
       pose proof (Dn (descended.mu D * t + phase)).
-      apply Rmult_integral_contrapositive_currified; [apply Rgt_not_eq, Rmult_lt_0_compat;
-        lra | assumption]. }
+      repeat apply Rmult_integral_contrapositive_currified; lra || assumption. }
     pose proof (pow2_gt_0 _ N); lra.
   Qed.
 
@@ -661,22 +599,7 @@ Section Near.
     assert (Rk : 0 < sqrt k /\ sqrt k ^ 2 = k) by (apply root_of; lra).
     assert (Rp : forall t, 0 < sqrt (size t) /\ sqrt (size t) ^ 2 = size t) by (intros t;
       apply root_of, size_positive).
-    constructor.
-    - exact (descended.unit_0 D N).
-    - exact (descended.unit_1 D N).
-    - exact (descended.unit_2 D N).
-    - exact (descended.unit_3 D N).
-    - exact (descended.unit_4 D N).
-    - exact (descended.unit_5 D N).
-    - exact (descended.unit_6 D N).
-    - exact (descended.unit_7 D N).
-    - exact (descended.unit_8 D N).
-    - exact (descended.unit_9 D N).
-    - exact (descended.unit_10 D N).
-    - exact (descended.unit_11 D N).
-    - exact (descended.unit_12 D N).
-    - exact (descended.unit_13 D N).
-    - exact (descended.unit_14 D N).
+    constructor; try of_descended N.
     - apply Rgt_not_eq; exact (proj1 Rk).
     - apply Rgt_not_eq; exact Yp.
     - apply Rgt_not_eq; exact Z.
@@ -684,45 +607,21 @@ Section Near.
       pose proof (Rmult_le_pos k _ ltac:(lra) (pow2_ge_0 (pi_near.x base))); lra.
     - intros t; apply Rgt_not_eq; exact (proj2 (near_inside t)).
     - intros t; apply Rgt_not_eq; exact (proj1 (Rp t)).
-    - exact (descended.relation_0 D N).
-    - exact (descended.relation_1 D N).
-    - exact (descended.relation_2 D N).
-    - exact (descended.relation_3 D N).
-    - exact (descended.relation_4 D N).
-    - exact (descended.relation_5 D N).
-    - exact (descended.relation_6 D N).
-    - exact (descended.relation_7 D N).
-    - exact (descended.relation_8 D N).
-    - exact (descended.relation_9 D N).
-    - change (sqrt k ^ 2 - k = 0); lra.
-    - change (pi_near.Y base ^ 2 - (K + B_a) * (K - B_a + k * (K + B_a)) = 0); lra.
+    - change (- k + sqrt k ^ 2 = 0); lra.
+    - change (pi_near.Y base ^ 2 - (B_a + K) * (K - B_a + k * (B_a + K)) = 0); rewrite Y2; ring.
     - intros t; change (sqrt (size t) ^ 2 - V_re t ^ 2 - V_im t ^ 2 = 0); rewrite (proj2 (Rp t));
       unfold size; ring.
-    - intros t; change (sin (angle t) ^ 2 + cos (angle t) ^ 2 - 1 = 0).
+    - intros t; change (-1 + cos (angle t) ^ 2 + sin (angle t) ^ 2 = 0).
       pose proof (sin2_cos2 (angle t)) as S; unfold Rsqr in S; lra.
-    - exact (descended.sign_0 D N).
-    - exact (descended.sign_1 D N).
-    - exact (descended.sign_2 D N).
-    - exact (descended.sign_3 D N).
-    - exact (descended.sign_4 D N).
-    - exact (descended.sign_5 D N).
-    - exact (descended.sign_6 D N).
-    - exact (descended.sign_7 D N).
     - left; exact (proj1 Rk).
     - left; exact Yp.
     - left; exact Ba.
     - left; exact Cp.
     - intros t; left; exact (proj1 (Rp t)).
-    - intros t; left; change (0 < sqrt (size t) / (pi_near.Y base * (K + B_a))).
+    - intros t; left; change (0 < sqrt (size t) / (pi_near.Y base * (B_a + K))).
       apply Rdiv_lt_0_compat; [exact (proj1 (Rp t)) | apply Rmult_lt_0_compat; lra].
-    - exact (descended.rate_t_ D N).
-    - exact (descended.rate_s D N).
-    - exact (descended.rate_c D N).
-    - exact (descended.rate_d D N).
-    - exact (descended.rate_w D N).
-    - exact (descended.rate_J D N).
-    - intros t; apply (derive_integral (fun t => pi_near.mu base * descended.s D t ^ 2
-        / (1 - pi_near.n_2 base * descended.s D t ^ 2))); intros x.
+    - intros t; apply (derive_integral (fun t => descended.s D t ^ 2 * pi_near.mu base
+        / (1 - descended.s D t ^ 2 * pi_near.n_2 base))); intros x.
       pose proof (descended.rate_s D N x) as E; pose proof (proj2 (near_inside x)).
       set (a := pi_near.mu base); set (b := pi_near.n_2 base) in *; set (f := descended.s D) in *;
         clearbody a b f.
@@ -730,33 +629,32 @@ Section Near.
     - intros t; destruct (Rp t) as (R1 & R2).
       pose proof (descended.rate_s D N t) as Es; pose proof (descended.rate_c D N t) as Ec;
         pose proof (descended.rate_d D N t) as Ed.
-      change (is_derive (fun t => sqrt (size t)) t (- pi_near.mu base * (V_re t * C_b * (K + B_a)
-        * k ^ 2 * descended.s D t * descended.c D t
-        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2)
-          * descended.d D t) / sqrt (size t))).
-      assert (E : is_derive size t (2 * (- pi_near.mu base * (V_re t * C_b * (K + B_a)
-        * k ^ 2 * descended.s D t * descended.c D t
-        + V_im t * rho * k * B_d * (K - B_a + k * (K + B_a)) * (descended.c D t ^ 2 - descended.s D t ^ 2)
-          * descended.d D t)))).
-      { change size with (fun t => (C_b * (K + B_a) * descended.d D t) ^ 2
-          + (- rho * k * B_d * (K - B_a + k * (K + B_a)) * descended.s D t * descended.c D t) ^ 2).
-        change (V_re t) with (C_b * (K + B_a) * descended.d D t).
-        change (V_im t) with (- rho * k * B_d * (K - B_a + k * (K + B_a))
-          * descended.s D t * descended.c D t).
-        change (pi_near.mu base) with (descended.mu D); change (descended.k_1 D) with k in *.
+      set (rate := (- k ^ 2 * C_b * descended.s D t * descended.c D t * descended.mu D * V_re t * (B_a + K)
+        + V_im t * (rho * B_d * k * descended.s D t ^ 2 * descended.d D t * descended.mu D
+            * (K - B_a + k * (B_a + K))
+          - rho * B_d * k * descended.c D t ^ 2 * descended.d D t * descended.mu D * (K - B_a + k * (B_a + K))))).
+      change (is_derive (fun t => sqrt (size t)) t (rate / sqrt (size t))).
+      assert (E : is_derive size t (2 * rate)).
+      { unfold rate; change size with (fun t => (C_b * descended.d D t * (B_a + K)) ^ 2
+          + (- rho * B_d * k * descended.s D t * descended.c D t * (K - B_a + k * (B_a + K))) ^ 2).
+        change (V_re t) with (C_b * descended.d D t * (B_a + K)).
+        change (V_im t) with (- rho * B_d * k * descended.s D t * descended.c D t
+          * (K - B_a + k * (B_a + K))).
+        change (descended.k_1 D) with k in *.
         set (m := descended.mu D) in *; set (fs := descended.s D) in *; set (fc := descended.c D) in *;
           set (fd := descended.d D) in *.
         clearbody m fs fc fd; derive_known; ring. }
-      pose proof (size_positive t) as P; clearbody size; set (v := 2 * _) in E.
-      replace (_ / sqrt (size t)) with (v / (2 * sqrt (size t))) by (unfold v; field; lra); clearbody v.
+      clearbody rate.
+      pose proof (size_positive t) as P; clearbody size.
       derive_known; [exact P | field; lra].
     - intros t; pose proof (derive_angle t) as E.
-      change (is_derive (fun t => cos (angle t)) t (- (pi_near.psi_rate base t / 2 - pi_near.T_rate base t)
-        * sin (angle t))).
-      clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
+      change (is_derive (fun t => cos (angle t)) t
+        (sin (angle t) * (pi_near.T_rate base t - pi_near.psi_rate base t / 2))).
+      set (v := pi_near.psi_rate base t / 2) in *; set (w := pi_near.T_rate base t) in *;
+        clearbody angle v w; derive_known; ring.
     - intros t; pose proof (derive_angle t) as E.
-      change (is_derive (fun t => sin (angle t)) t ((pi_near.psi_rate base t / 2 - pi_near.T_rate base t)
-        * cos (angle t))).
+      change (is_derive (fun t => sin (angle t)) t
+        (cos (angle t) * (pi_near.psi_rate base t / 2 - pi_near.T_rate base t))).
       clearbody angle; set (v := pi_near.psi_rate base t / 2 - _) in *; clearbody v; derive_known; ring.
   Qed.
 End Near.
@@ -796,8 +694,8 @@ Section Far.
     pi_far.root_k := sqrt k; pi_far.Y := sqrt ((K + B_a) * (K - B_a + k * (K + B_a))); pi_far.zeta := 0;
     pi_far.L := L; pi_far.X_re := descended.cos_half_psi D; pi_far.X_im := descended.sin_half_psi D |}.
   Let base := names (fun _ => 0).
-  Let L_rate t := - pi_far.mu base * pi_far.z base ^ 2 * descended.c D t ^ 2
-    / (pi_far.m_c base * (1 - pi_far.n base * descended.s D t ^ 2)).
+  Let L_rate t := - descended.c D t ^ 2 * pi_far.mu base * pi_far.z base ^ 2
+    / (pi_far.m_c base * (1 - descended.s D t ^ 2 * pi_far.n base)).
   Definition far_instance := names (RInt L_rate 0).
 
   Theorem pi_far_instance : pi_far.holds far_instance.
@@ -812,22 +710,7 @@ Section Far.
     assert (I : forall t, 0 < 1 - pi_far.n base * descended.s D t ^ 2).
     { intros t; exact (proj2 (proj2 (inside_positive Delta B_a B_d k K C_b phase sn cn dn Ba Bd ltac:(lra)
       Jac Kpos K2 t))). }
-    constructor.
-    - exact (descended.unit_0 D N).
-    - exact (descended.unit_1 D N).
-    - exact (descended.unit_2 D N).
-    - exact (descended.unit_3 D N).
-    - exact (descended.unit_4 D N).
-    - exact (descended.unit_5 D N).
-    - exact (descended.unit_6 D N).
-    - exact (descended.unit_7 D N).
-    - exact (descended.unit_8 D N).
-    - exact (descended.unit_9 D N).
-    - exact (descended.unit_10 D N).
-    - exact (descended.unit_11 D N).
-    - exact (descended.unit_12 D N).
-    - exact (descended.unit_13 D N).
-    - exact (descended.unit_14 D N).
+    constructor; try of_descended N.
     - apply Rgt_not_eq; exact (proj1 Rk).
     - apply Rgt_not_eq; exact Yp.
     - apply Rgt_not_eq; exact (Rdiv_lt_0_compat _ _ Cp Yp).
@@ -838,44 +721,25 @@ Section Far.
       rewrite Z in B; change (descended.k_1 D) with k in B; pose proof (pow2_ge_0 (descended.c D t)).
       assert (k ^ 2 < 1) by nra; pose proof (pow2_ge_0 (descended.s D t)); pose proof (pow2_ge_0 k); nra.
     - change (1 - k <> 0); lra.
-    - exact (descended.relation_0 D N).
-    - exact (descended.relation_1 D N).
-    - exact (descended.relation_2 D N).
-    - exact (descended.relation_3 D N).
-    - exact (descended.relation_4 D N).
-    - exact (descended.relation_5 D N).
-    - exact (descended.relation_6 D N).
-    - exact (descended.relation_7 D N).
-    - exact (descended.relation_8 D N).
-    - exact (descended.relation_9 D N).
-    - change (sqrt k ^ 2 - k = 0); lra.
-    - change (pi_far.Y base ^ 2 - (K + B_a) * (K - B_a + k * (K + B_a)) = 0); lra.
-    - exact (descended.relation_10 D N).
-    - exact (descended.sign_0 D N).
-    - exact (descended.sign_1 D N).
-    - exact (descended.sign_2 D N).
-    - exact (descended.sign_3 D N).
-    - exact (descended.sign_4 D N).
-    - exact (descended.sign_5 D N).
-    - exact (descended.sign_6 D N).
-    - exact (descended.sign_7 D N).
+    - change (- k + sqrt k ^ 2 = 0); lra.
+    - change (pi_far.Y base ^ 2 - (B_a + K) * (K - B_a + k * (B_a + K)) = 0); rewrite Y2; ring.
+    - intros t; pose proof (descended.relation_10 D N t).
+      change (-1 + descended.cos_half_psi D t ^ 2 + descended.sin_half_psi D t ^ 2 = 0); lra.
     - left; exact (proj1 Rk).
     - left; exact Yp.
     - left; exact Ba.
     - left; exact Cp.
-    - exact (descended.rate_t_ D N).
-    - exact (descended.rate_s D N).
-    - exact (descended.rate_c D N).
-    - exact (descended.rate_d D N).
-    - exact (descended.rate_w D N).
-    - exact (descended.rate_J D N).
     - intros t; apply (derive_integral L_rate); intros x; specialize (I x).
       pose proof (descended.rate_s D N x) as Es; pose proof (descended.rate_c D N x) as Ec; unfold L_rate.
       set (a := pi_far.mu base); set (b := pi_far.z base); set (m := pi_far.m_c base) in *;
         set (n := pi_far.n base) in *.
       set (fs := descended.s D) in *; set (fc := descended.c D) in *; clearbody a b m n fs fc.
       auto_derive; repeat split; try (eexists; eassumption); apply Rgt_not_eq, Rmult_lt_0_compat; lra.
-    - exact (descended.rate_cos_half_psi D N).
-    - exact (descended.rate_sin_half_psi D N).
+    - intros t; refine (derive_as _ t _ _ (descended.rate_cos_half_psi D N t) _).
+      change (- (descended.psi_rate D t / 2) * descended.sin_half_psi D t
+        = - descended.sin_half_psi D t * descended.psi_rate D t / 2); field.
+    - intros t; refine (derive_as _ t _ _ (descended.rate_sin_half_psi D N t) _).
+      change (descended.psi_rate D t / 2 * descended.cos_half_psi D t
+        = descended.cos_half_psi D t * descended.psi_rate D t / 2); field.
   Qed.
 End Far.
