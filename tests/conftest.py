@@ -80,8 +80,10 @@ def sealed_ledger():
 
 @pytest.fixture(scope="session")
 def _checked():
-    from rigidsym._cli import proofs
+    # Both, before anything is replaced: one keeps a name of the other.
+    from rigidsym._cli import code, proofs
 
+    assert code.replayed is proofs.replayed
     return cache(proofs.replayed)
 
 

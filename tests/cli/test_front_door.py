@@ -120,7 +120,7 @@ def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, run, r
 
 
 @pytest.fixture
-def replayed(monkeypatch):
+def replayed(monkeypatch, _checked):
     """Skip the replay of the sealed ledger, which other tests do."""
     monkeypatch.setattr("rigidsym._cli.proofs.replayed", ledger_text)
 
