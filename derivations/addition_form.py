@@ -143,7 +143,7 @@ def derive(builder: LedgerBuilder) -> None:
     builder.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
     squares = named(map(rate_of, (I_a, I_b, I_d)), (w**2 for w in OMEGA))
     builder.claim("addition_integrals.squares", squares, ["10"])
-    still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
+    still = [Part(part.names, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
     parts = (COEFFICIENTS, GIVEN, *still, RATES, INTEGRALS, START)
     builder.open(join("addition_start", *parts, static=True))
     builder.evaluate("addition_start.rates", [*OMEGA, I_a, I_b, I_d], ["12"])

@@ -141,6 +141,6 @@ def _poles_of_34(builder: LedgerBuilder) -> None:
 
 def _amplitude_at_rest(builder: LedgerBuilder) -> None:
     """Prove that theta' = 0 for dn = 0, so that (36) cannot replace t by theta there."""
-    rest = Part({"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
+    rest = Part(witness={"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
     builder.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
     builder.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])

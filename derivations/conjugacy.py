@@ -56,7 +56,7 @@ def turns(setting: Setting) -> tuple[Part, ...]:
     """Return the three angles by the cosine and sine in exp(phi A)."""
     angle = half_angle if setting.factor < 1 else double_angle
     plain = [angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3)]
-    tilted = [dict(zip(part.witness, ("4/5", "3/5"), strict=True)) for part in plain]
+    tilted = [dict(zip(part.names, ("4/5", "3/5"), strict=True)) for part in plain]
     return tuple(replace(part, witness=w) for part, w in zip(plain, tilted, strict=True))
 
 
@@ -70,7 +70,7 @@ def circles(setting: Setting) -> tuple[Part, Part]:
         circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
     )
     along, across = (f"{x.func}_phi2" for x in setting.nutation(PHI[1]))
-    return replace(phi2, witness={x: phi2.witness[x] for x in (across, along)}), phi3
+    return replace(phi2, names=(across, along)), phi3
 
 
 def exponential(setting: Setting, axis: int, angle: sympy.Symbol) -> ImmutableMatrix:

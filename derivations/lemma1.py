@@ -118,7 +118,7 @@ def _on_axes(builder: LedgerBuilder) -> Part:
     }
     momenta = {symbol(f"M{k}"): known[f"M{k}"] for k in (1, 2, 3)}
     return Part(
-        witness=dict(zip(lettered[3:], body.witness.values(), strict=True)),
+        lettered[3:],
         definitions={
             H: known["H"].factor(),
             K_SQUARED: known["K_squared"].subs(momenta),

@@ -40,7 +40,7 @@ from rigidsym.proof.steps._names import collected, read, symbol, symbols
 EPSILON = symbol("epsilon")
 p, r, S, C, D, E, F = symbols("p r S_t C_t D_t E_t F_t")
 dp, dr, *VARIED = symbols("dp dr dS_t dC_t dD_t")
-MOVED = (*GIVEN.witness, *FORCES, *FUNCTIONS.witness)
+MOVED = (*GIVEN.names, *FORCES, *FUNCTIONS.names)
 MODULI = Part(witness={p: "2", r: "1"}, reading={p: "lambda^2", r: "m lambda^2"})
 PARAMETERS = Part(
     witness={**MODULI.witness, dp: "1", dr: "1"},
@@ -59,7 +59,7 @@ def small(*names: Any, value: str = "1") -> Part:
 
 def still(*parts: Part) -> list[Part]:
     """Return the names of parts without hypotheses about them, as at one instant."""
-    return [Part(x.witness, x.units, reading=x.reading) for x in parts]
+    return [Part(x.names, x.units, reading=x.reading) for x in parts]
 
 
 def at_start(part: Part) -> dict[Any, Any]:
@@ -173,13 +173,13 @@ def derive(builder: LedgerBuilder) -> None:
 def _perturbed(builder: LedgerBuilder) -> None:
     """Prove that the changes are derivatives by a parameter D."""
     along = Part(rates={x: f"d{x}" for x in MOVED}, definitions=CHANGES)
-    fixed = Part(FUNCTIONS.witness, reading=FUNCTIONS.reading)
+    fixed = Part(FUNCTIONS.names, reading=FUNCTIONS.reading)
     builder.open(join("perturbed", COEFFICIENTS, GIVEN, fixed, RATES, small(*MOVED), along))
     builder.claim("perturbed.changes", {f"D({name[1:]})": name for name in CHANGES}, ["5"])
     forces = defined(HANDEDNESS, INERTIA, Part(definitions=FORCES))
     by_moments = {f"d{name}": change_of(name, value) for name, value in forces.items()}
-    along = Part(rates={c: f"d{c}" for c in INERTIA.witness}, definitions={**FORCES, **by_moments})
-    moments = (HANDEDNESS, INERTIA, small(*INERTIA.witness))
+    along = Part(rates={c: f"d{c}" for c in INERTIA.names}, definitions={**FORCES, **by_moments})
+    moments = (HANDEDNESS, INERTIA, small(*INERTIA.names))
     builder.open(join("perturbed_moments", *moments, along))
     claims = {f"D({name})": f"d{name}" for name in FORCES}
     builder.claim("perturbed_moments.changes", claims, ["5"])
@@ -188,8 +188,8 @@ def _perturbed(builder: LedgerBuilder) -> None:
 def _moving(builder: LedgerBuilder) -> None:
     """Prove that the changes satisfy the variation of Euler's equations in time."""
     given = (COEFFICIENTS, GIVEN)
-    constant = small(*GIVEN.witness, *FORCES)
-    functions = small(*FUNCTIONS.witness, value="0")
+    constant = small(*GIVEN.names, *FORCES)
+    functions = small(*FUNCTIONS.names, value="0")
     rates = (RATES, constant, functions, Part(definitions=CHANGES))
     builder.open(join("varied", *given, FUNCTIONS, *rates, VARIED_FUNCTIONS))
     builder.claim("varied.euler", EULER, ["5"])

@@ -45,7 +45,7 @@ def excess(form: Expr) -> Computation:
 BY_RATES = {name: excess(form) for name, form in EXCESSES.items()}
 SQUARES_SUM = Omega_1**2 + Omega_2**2 + Omega_3**2
 BODY = Part(
-    witness={c_3: 1, c_13: 2, c_23: 1, Omega_1: 1, Omega_2: 1, Omega_3: "1/2"},
+    (c_3, c_13, c_23, *OMEGA),
     units=(c_3, c_2, c_1),
     definitions={
         c_12: c_13 - c_23,
@@ -64,29 +64,20 @@ BODY = Part(
         **{f"Omega_{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
     },
 )
-SPIN = {"Omega_1": "0", "Omega_2": "0", "Omega_3": "0"}
-PROLATE, OBLATE = {"c_23": "2"}, {"c_23": "0"}
-SEPARATRIX = {"c_13": "5/4", "Omega_1": "1", "Omega_3": "3/4"}
-# Context, the quantity whose sign is decided, and the cases 0, > 0, < 0 with their witnesses.
+# Context, the quantity whose sign is decided, and the cases 0, > 0, < 0.
 TREE = (
-    ("sorted_body", "turning", ("rest", SPIN), ("motion", {})),
-    ("motion", "c_13", ("spherical", {"c_13": "0", "c_23": "0"}), ("nonspherical", {})),
-    ("nonspherical", "c_12", ("prolate", PROLATE), ("unequal_large", {})),
-    ("unequal_large", "c_23", ("oblate", OBLATE), ("asymmetric", {})),
-    ("prolate", "E_1", ("prolate_equatorial", {"Omega_3": "0"}), ("prolate_off_1", {})),
-    ("prolate_off_1", "E_3", ("prolate_polar", SPIN | {"Omega_3": "1"}), ("prolate_motion", {})),
-    ("oblate", "E_1", ("oblate_polar", SPIN | {"Omega_1": "1"}), ("oblate_off_1", {})),
-    ("oblate_off_1", "E_3", ("oblate_equatorial", {"Omega_1": "0"}), ("oblate_motion", {})),
-    ("asymmetric", "E_1", ("spin_1", SPIN | {"Omega_1": "1"}), ("off_1", {})),
-    ("off_1", "E_3", ("spin_3", SPIN | {"Omega_3": "1"}), ("off_1_and_3", {})),
-    (
-        "off_1_and_3",
-        "E_2",
-        ("on_separatrix", SEPARATRIX),
-        ("largest", {}),
-        ("smallest", {"Omega_3": "4"}),
-    ),
-    ("on_separatrix", "off_middle", ("spin_2", SPIN | {"Omega_2": "1"}), ("separatrix_motion", {})),
+    ("sorted_body", "turning", "rest", "motion"),
+    ("motion", "c_13", "spherical", "nonspherical"),
+    ("nonspherical", "c_12", "prolate", "unequal_large"),
+    ("unequal_large", "c_23", "oblate", "asymmetric"),
+    ("prolate", "E_1", "prolate_equatorial", "prolate_off_1"),
+    ("prolate_off_1", "E_3", "prolate_polar", "prolate_motion"),
+    ("oblate", "E_1", "oblate_polar", "oblate_off_1"),
+    ("oblate_off_1", "E_3", "oblate_equatorial", "oblate_motion"),
+    ("asymmetric", "E_1", "spin_1", "off_1"),
+    ("off_1", "E_3", "spin_3", "off_1_and_3"),
+    ("off_1_and_3", "E_2", "on_separatrix", "largest", "smallest"),
+    ("on_separatrix", "off_middle", "spin_2", "separatrix_motion"),
 )
 # The regular form's axes, its differences of moments and its E's in terms of those above, of which
 # all but E_2 are nonnegative.  Here it is -E_2 that is, if a is the axis of the smallest moment.
@@ -119,7 +110,7 @@ def derive(builder: LedgerBuilder) -> None:
     for leaf in ("smallest", "prolate_motion"):
         _moving(builder, leaf, 3)
     for context, name, *cases in reversed(TREE):
-        builder.partition(context, name, *(case for case, _ in cases))
+        builder.partition(context, name, *cases)
 
 
 def _steady(builder: LedgerBuilder) -> None:

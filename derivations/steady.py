@@ -66,10 +66,10 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _start(builder: LedgerBuilder) -> None:
     """Prove that q = p at t = 0."""
-    rates = Part(witness=CONSTANT.witness)
-    attitude = Part(witness=AXIS.witness, definitions=AXIS.definitions)
+    rates = Part(CONSTANT.names)
+    attitude = Part(AXIS.names, definitions=AXIS.definitions)
     turn = half_angle("theta")
-    angle = Part(turn.witness, reading=turn.reading)
+    angle = Part(turn.names, reading=turn.reading)
     parts = (INERTIA, rates, SPIN, attitude, angle, PULL_BACK, START)
     builder.open(join("steady_start", *parts, static=True))
     builder.root("steady_start.omega", OMEGA, SIZE, ["3"])

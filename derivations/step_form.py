@@ -306,11 +306,9 @@ ANY_G = Part(
     rates={G_re: G_re_rate, G_im: G_im_rate, G_re_rate: "?", G_im_rate: "?"},
     definitions={square: SQUARE, G_rate: TURN_OF_G},
 )
-ANY_BEFORE = Part({before: "1"}, rates={before: "?"}, definitions={after: before - G_rate})
-ANY_J = Part(
-    {J_rate: "0"}, rates={J_rate: "?"}, definitions={psi_rate: psi_0 + 2 * J_rate - G_rate}
-)
-CONSTANT = Part({psi_0: "1"})
+ANY_BEFORE = Part(witness={before: "1"}, rates={before: "?"}, definitions={after: before - G_rate})
+ANY_J = Part((J_rate,), rates={J_rate: "?"}, definitions={psi_rate: psi_0 + 2 * J_rate - G_rate})
+CONSTANT = Part(witness={psi_0: "1"})
 
 
 # psi/2 by three turns: T at the start's rate, E at that of J, and U, by half the angle of G: R + G
@@ -429,7 +427,7 @@ AIMED = Part(
 )
 # The shortest rotation that takes the momentum to its axis.
 SHORTEST_TURN = Part(
-    {nu: "6"},
+    (nu,),
     (nu,),
     SHORTEST.definitions,
     SHORTEST.relations[1:],

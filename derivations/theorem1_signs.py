@@ -89,7 +89,7 @@ def _inner_halves(builder: LedgerBuilder) -> None:
         ["19", "Remark 2"],
     )
     builder.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
-    half_turn = Part({"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
+    half_turn = Part(witness={"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
     builder.open(join("half_turn", TANGENT, half_turn, static=True))
     builder.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
     right = Part(

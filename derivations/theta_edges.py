@@ -152,6 +152,7 @@ def given(parts: Iterable[Part], values: Iterable[Any], shown: Iterable[Any]) ->
     return [
         replace(
             part,
+            names=tuple(x for x in part.names if str(x) not in known),
             witness=rest(part.witness),
             rates=rest(part.rates),
             reading=rest(part.reading),

@@ -268,7 +268,7 @@ def _assemble(builder: LedgerBuilder) -> None:
         },
         relations=(s_0**2 * (1 + root_k**2 * (SN_re**2 + SN_im**2)) - 1,),
     )
-    values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
+    values = Part(VALUES.names, VALUES.units, {}, VALUES.relations)
     signs = (HANDEDNESS, SENSE, HALF)
     builder.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
     builder.root("quotient.N", N, NORM_SQUARED, ["1"])

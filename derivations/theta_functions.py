@@ -180,7 +180,7 @@ def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
         thetas={**norm.family.declared(), **norm.declared},
     )
     made = Part(
-        {"w": "40"},
+        ("w",),
         definitions={**BODY, **SHIFTED_TIME, "W": norm.form},
         rates=RATES,
         reading=READINGS,

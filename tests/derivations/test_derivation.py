@@ -203,7 +203,7 @@ def test_trying_equations_left_the_ledger_alone(sealed_ledger, decide):
 # Mutants by the thousand: each is refuted, refused or equivalent, and the ledger has their counts.
 
 FATES = {"refuted", "refused", "equivalent"}
-PART = Part({"c1": "1", "x1": "1", "x2": "1"}, units=("c1",))
+PART = Part(witness={"c1": "1", "x1": "1", "x2": "1"}, units=("c1",))
 SQUARE = {"(x1 + x2)**2/c1": "(x1**2 + 2*x1*x2 + x2**2)/c1"}
 
 
@@ -230,7 +230,7 @@ def test_all_mutants_counted_again_have_the_sealed_fates(sealed_ledger):
 
 @pytest.fixture
 def builder():
-    return opened(Part({"c1": "1", "c2": "2", "x1": "1", "x2": "1"}, units=("c1",)))
+    return opened(Part(witness={"c1": "1", "c2": "2", "x1": "1", "x2": "1"}, units=("c1",)))
 
 
 def opened(part):

@@ -182,7 +182,7 @@ def test_the_angle_of_theta_4_off_the_real_line(rho):
 @pytest.mark.parametrize("wrong", ["x/(1 + e*x**2)", "2*x/(1 - x**2)", "x**2/(1 - e*x**2)", "x"])
 def test_other_coefficients_are_none(wrong):
     """Refute other coefficients by the step, whose remainder is not homogeneous in a."""
-    part = Part(COEFFICIENT.witness, (*COEFFICIENT.units, "1 + e*x**2", "1 - x**2"), {"a": wrong})
+    part = Part(COEFFICIENT.names, (*COEFFICIENT.units, "1 + e*x**2", "1 - x**2"), {"a": wrong})
     builder = LedgerBuilder()
     builder.open(join("terms", sign("e", "a sign"), part, TERMS, static=True))
     with pytest.raises(KernelError, match="undecided"):
@@ -192,7 +192,7 @@ def test_other_coefficients_are_none(wrong):
 def test_a_term_of_another_size_has_another_rate():
     builder = LedgerBuilder()
     wrong = {**PHASE.definitions, "rest_k": "-rho*a*sinh_b/k"}
-    part = Part(PHASE.witness, PHASE.units, wrong, PHASE.relations, PHASE.rates, PHASE.nonnegative)
+    part = Part(PHASE.names, PHASE.units, wrong, PHASE.relations, PHASE.rates, PHASE.nonnegative)
     builder.open(join("phase", CIRCULATION, COEFFICIENT, part))
     with pytest.raises(KernelError, match="undecided"):
         builder.claim("phase.term", {"D(rest_k*sine)": "rate*(4*a*shifted_im)"})

@@ -53,17 +53,17 @@ def test_bases_exceptions_and_what_is_new_are_the_whole_context(contexts):
 
 def test_what_moves_here_and_was_constant_before_is_an_exception():
     point = dict.fromkeys("abcdefgh", "1")
-    before = join("before", Part(point, rates={"a": "b"}))
-    after = join("after", Part(point, rates={"a": "b", "c": "a"}))
+    before = join("before", Part(witness=point, rates={"a": "b"}))
+    after = join("after", Part(witness=point, rates={"a": "b", "c": "a"}))
     assert described(after, [before]).names == ("c",)
     assert ("rate", "c", "a") in described(after, [before]).new
 
 
 def test_another_meaning_is_an_exception_and_a_missing_one_is_not():
     point = dict.fromkeys("abcdefgh", "1")
-    before = join("before", Part(point, reading={"a": "one thing"}))
-    other = join("other", Part(point, reading={"a": "another thing"}))
-    silent = join("silent", Part(point))
+    before = join("before", Part(witness=point, reading={"a": "one thing"}))
+    other = join("other", Part(witness=point, reading={"a": "another thing"}))
+    silent = join("silent", Part(witness=point))
     assert described(other, [before]).names == ("a",)
     assert described(silent, [before]).names == ()
 
@@ -79,7 +79,7 @@ def told(context, *known):
 def test_an_introduction_has_every_name_and_hypothesis():
     x, y = symbols("x y")
     part = Part(
-        {"x": "2", "y": "1", "z": "1"},
+        witness={"x": "2", "y": "1", "z": "1"},
         units=("x",),
         definitions={"double": compute(x + y).subs(y, x), "other": "x + 1"},
         relations=("y**2 - 1",),
@@ -106,7 +106,7 @@ def test_an_introduction_has_every_name_and_hypothesis():
 
 def opened():
     builder = LedgerBuilder()
-    part = Part({"x": "1", "y": "1"}, relations=("y**2 - x**2",), nonnegative=("y",))
+    part = Part(witness={"x": "1", "y": "1"}, relations=("y**2 - x**2",), nonnegative=("y",))
     builder.open(join("plane", part, static=True))
     return builder
 

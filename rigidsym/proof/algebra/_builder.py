@@ -4,6 +4,7 @@ Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel de
 """
 
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import replace
 from functools import reduce
 from operator import mul, truediv
@@ -15,6 +16,7 @@ from rigidsym.proof.algebra import _parts
 from rigidsym.proof.algebra._computation import Computation, Printed
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
+from rigidsym.proof.algebra._witness import witness
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel._rules import differences
 
@@ -23,8 +25,6 @@ Result = TypeVar("Result")
 Side: TypeAlias = str | int | Element | Expr | Computation
 Equations: TypeAlias = Mapping[Any, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
-# The name of a case, and the values of its witness that differ from the whole context's.
-Case: TypeAlias = tuple[str, Point]
 # A published formula: {"fact": id}, or a name that a context defines or reads as a function,
 # {"context": name, "definition" or "reading": name, "source": equations of the paper}.
 Entry: TypeAlias = Mapping[str, str | list[str]]
@@ -63,9 +63,14 @@ class LedgerBuilder:
     def open(self, context: Context) -> Ring:
         """Add a context to the ledger and return its ring.
 
+        Its witness is found; the one given has values to prefer.
         Raises KernelError if the kernel refuses the context.
         """
-        return self.ledger.open(context)
+        try:
+            point = witness(context, context.ring())
+        except KernelError as error:
+            raise KernelError(f"context {context.name}: {error}") from None
+        return self.ledger.open(replace(context, witness=point))
 
     def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
         """Prove equations by their normal form.
@@ -142,9 +147,15 @@ class LedgerBuilder:
     ) -> Fact:
         """Refute equations at a rational point.
 
-        `point` overrides values of the context's witness.
+        `point` overrides values of the context's witness.  If the sides agree there, the search
+        goes on for a point where they do not.
         """
         fact = self._fact(fact_id, "unequal", equations, "counterexample", source)
+        context, ring = self.ledger.contexts[fact.context], self.ledger.rings[fact.context]
+        near = replace(context, witness={**context.witness, **point})
+        for difference in differences(ring, fact):
+            with suppress(KernelError):
+                return self._refute(fact, witness(near, ring, difference))
         return self._refute(fact, point)
 
     def _refute(self, fact: Fact, point: Point) -> Fact:
@@ -220,15 +231,14 @@ class LedgerBuilder:
         grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
-    def split(self, context: str, name: str, *cases: Case) -> None:
+    def split(self, context: str, name: str, *cases: str) -> None:
         """Split a context into cases by the sign of a named quantity.
 
         The cases are name = 0, name > 0 and, if given, name < 0.
-        Each case comes with its name and the values of its witness that differ from the context's.
         """
         whole = self.ledger.contexts[context]
-        for (case, witness), part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
-            self.open(replace(part, name=case, witness={**whole.witness, **witness}))
+        for case, part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
+            self.open(replace(part, name=case))
 
     def partition(self, context: str, name: str, *cases: str) -> Fact:
         """Prove that each point of a context lies in exactly one of its cases.

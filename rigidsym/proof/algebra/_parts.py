@@ -19,11 +19,14 @@ from rigidsym.proof.kernel import Context
 class Part:
     """Part of a context: names with hypotheses about them.
 
-    The keys of `witness` are the generators, in order.  Names are texts or symbols, and expressions
-    are texts, SymPy's or computations; `join` prints them with the names in the context's order.
+    `names` are the generators, in order, with their meanings if they have some; `reading` has the
+    meanings of other names.  Names are texts or symbols, and expressions are texts, SymPy's or
+    computations; `join` prints them with the names in the context's order.
+    The builder of a ledger finds a rational point that satisfies all hypotheses.  `witness` has
+    values that it should prefer; further names there are generators, too.
     """
 
-    witness: Mapping[Any, Any] = field(default_factory=dict)
+    names: Mapping[Any, str] | tuple[Any, ...] = ()
     units: tuple[Any, ...] = ()
     definitions: Mapping[Any, Any] = field(default_factory=dict)
     relations: tuple[Any, ...] = ()
@@ -32,9 +35,16 @@ class Part:
     start: tuple[Any, ...] = ()
     thetas: Mapping[Any, str] = field(default_factory=dict)
     reading: Mapping[Any, str] = field(default_factory=dict)
+    witness: Mapping[Any, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Keep the generators in `names`, and all meanings in `reading`."""
+        meant = self.names if isinstance(self.names, Mapping) else {}
+        object.__setattr__(self, "names", (*dict.fromkeys((*self.names, *self.witness)),))
+        object.__setattr__(self, "reading", {**meant, **self.reading})
 
 
-_TABLES = ("witness", "definitions", "rates", "thetas", "reading")
+_TABLES = ("definitions", "rates", "thetas", "reading", "witness")
 _LISTS = ("units", "relations", "nonnegative", "start")
 
 
@@ -48,29 +58,30 @@ def part_of(context: Context, *names: str) -> Part:
     for key in _TABLES:
         table = getattr(context, key) or {}
         found[key] = {name: text for name, text in table.items() if name in chosen}
-    return Part(**found)
+    return Part(tuple(x for x in context.generators if x in chosen), **found)
 
 
 def join(name: str, *parts: Part, static: bool = False) -> Context:
     """Join parts into one context.
 
-    `static` leaves out the time derivative.
+    `static` leaves out the time derivative.  Its witness has the preferred values only.
     """
     tables = tuple(key for key in _TABLES if not (static and key == "rates"))
     merged: dict[str, Any] = {
         key: {str(x): text for part in parts for x, text in getattr(part, key).items()}
         for key in tables
     }
+    generators = tuple(dict.fromkeys(str(x) for part in parts for x in part.names))
     for key in _LISTS:
         merged[key] = [x for part in parts for x in getattr(part, key)]
-    names = (*merged["witness"], *merged["definitions"])
+    names = (*generators, *merged["definitions"])
     for key in tables:
         merged[key] = {x: text(side, names) for x, side in merged[key].items()}
     for key in _LISTS:
         merged[key] = tuple(dict.fromkeys(text(x, names) for x in merged[key]))
     if static:
         merged["rates"] = None
-    return Context(name, tuple(merged["witness"]), **merged)
+    return Context(name, generators, **merged)
 
 
 def text(side: Any, names: Iterable[str]) -> str:
@@ -100,7 +111,7 @@ def extend(name: str, context: Context, *parts: Part) -> Context:
 
 def sign(name: str, reading: str) -> Part:
     """Return the part that introduces a constant equal to +1 or -1."""
-    return Part({name: "1"}, relations=(f"{name}**2 - 1",), reading={name: reading})
+    return Part({name: reading}, relations=(f"{name}**2 - 1",))
 
 
 def half_angle(name: str, rate: str = "") -> Part:
@@ -122,29 +133,21 @@ def double_angle(name: str, rate: str = "") -> Part:
 def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
     cosine, sine = f"cos_{name}", f"sin_{name}"
     return Part(
-        witness={cosine: "1", sine: "0"},
+        {cosine: f"cos({angle})", sine: f"sin({angle})"},
         definitions={
             f"cos_{double}": f"{cosine}**2 - {sine}**2",
             f"sin_{double}": f"2*{sine}*{cosine}",
         },
         relations=(f"{sine}**2 + {cosine}**2 - 1",),
         rates={cosine: f"-({rate})*{sine}", sine: f"({rate})*{cosine}"} if rate else {},
-        reading={
-            cosine: f"cos({angle})",
-            sine: f"sin({angle})",
-            f"cos_{double}": f"cos({twice})",
-            f"sin_{double}": f"sin({twice})",
-        },
+        reading={f"cos_{double}": f"cos({twice})", f"sin_{double}": f"sin({twice})"},
     )
 
 
 def circle(cosine: str, sine: str, angle: str) -> Part:
     """Return the part that introduces cos and sin of an angle at one instant."""
-    return Part(
-        witness={sine: "4/5", cosine: "3/5"},
-        relations=(f"{cosine}**2 + {sine}**2 - 1",),
-        reading={cosine: f"cos({angle})", sine: f"sin({angle})"},
-    )
+    names = {sine: f"sin({angle})", cosine: f"cos({angle})"}
+    return Part(names, relations=(f"{cosine}**2 + {sine}**2 - 1",))
 
 
 def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) -> Part:
@@ -154,16 +157,15 @@ def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) 
     `rate` is the time derivative of the argument.
     """
     return Part(
-        witness={sn: "0", cn: "1", dn: "1"},
+        {
+            sn: f"jacobi_sn({argument}, {parameter})",
+            cn: f"jacobi_cn({argument}, {parameter})",
+            dn: f"jacobi_dn({argument}, {parameter})",
+        },
         relations=(f"{cn}**2 + {sn}**2 - 1", f"{dn}**2 + ({parameter})*{sn}**2 - 1"),
         rates={
             sn: f"({rate})*{cn}*{dn}",
             cn: f"-({rate})*{sn}*{dn}",
             dn: f"-({rate})*({parameter})*{sn}*{cn}",
-        },
-        reading={
-            sn: f"jacobi_sn({argument}, {parameter})",
-            cn: f"jacobi_cn({argument}, {parameter})",
-            dn: f"jacobi_dn({argument}, {parameter})",
         },
     )

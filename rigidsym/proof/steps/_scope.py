@@ -55,6 +55,7 @@ class Scope:
         for matrix, value in (matrices or {}).items():
             scope._define(matrix, value)
         builder.open(scope.context)
+        scope.context = builder.ledger.contexts[name]
         builder.matrices[name] = dict(matrices or {})
         return scope
 
@@ -86,7 +87,7 @@ class Scope:
         narrower = replace(self.context, name=name, units=(*self.context.units, *units))
         self.builder.open(narrower)
         self.builder.matrices[name] = self.builder.matrices.get(self.name, {})
-        return Scope(self.builder, narrower, self.matrices)
+        return Scope(self.builder, self.builder.ledger.contexts[name], self.matrices)
 
     @property
     def name(self) -> str:

@@ -58,7 +58,7 @@ def vary(
     momenta = tuple(sympy.diff(lagrangian, rate) for rate in RATES)
     change = sympy.expand(sum(m * t for m, t in zip(MOMENTA, turned, strict=True)))
     moments = tuple(sympy.factor(change.coeff(eta)) for eta in etas)
-    strange = lagrangian.free_symbols - {*RATES} - {*map(symbol, parameters.witness)}
+    strange = lagrangian.free_symbols - {*RATES} - {*map(symbol, parameters.names)}
     if strange:
         raise StepError(f"vary: {name}: the Lagrangian has {min(map(str, strange))} in it")
     pairs = zip(RATES, turned, strict=True)

@@ -181,7 +181,7 @@ def test_a_point_gives_free_generators_only(name):
 )
 def test_a_point_has_to_be_one_of_the_context(equation, point):
     relations = ("K**2 - x**2 - 16", "rho**2 - 1")
-    part = Part({"K": "5", "x": "3", "rho": "1"}, units=("x",), relations=relations)
+    part = Part(witness={"K": "5", "x": "3", "rho": "1"}, units=("x",), relations=relations)
     fact = Fact("c.f", "c", "equal", *((side,) for side in equation), "assumption")
     with pytest.raises(KernelError, match="not one of the context"):
         agree_at(join("c", part), fact, {"x": "3"} | point if "K" in point else point)
@@ -272,7 +272,7 @@ def test_the_precision_is_given_back(text):
 
 def test_an_assumption_is_graded_by_its_points_and_replays_with_the_same_balls():
     builder = LedgerBuilder()
-    part = Part({"u": "0", "s": "0"}, reading={"s": "jacobi_sn(u, 1/2)"})
+    part = Part(witness={"u": "0", "s": "0"}, reading={"s": "jacobi_sn(u, 1/2)"})
     builder.open(join("c", part, static=True))
     points = [{"u": "3/2"}]
     right = "2*s*jacobi_cn(u, 1/2)"

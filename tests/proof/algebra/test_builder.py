@@ -8,7 +8,7 @@ from rigidsym.proof.algebra._computation import Standing, standing
 from rigidsym.proof.kernel import Grade, KernelError
 
 A = Part(
-    {"x": "1", "y": "2"},
+    witness={"x": "1", "y": "2"},
     units=("x",),
     definitions={"d": "x*y"},
     relations=("y - 2*x",),
@@ -16,7 +16,7 @@ A = Part(
     nonnegative=("x",),
     reading={"x": "first"},
 )
-B = Part({"z": "3"}, units=("z", "d"), definitions={"e": "d*z"}, reading={"z": "last"})
+B = Part(witness={"z": "3"}, units=("z", "d"), definitions={"e": "d*z"}, reading={"z": "last"})
 
 
 def test_join_concatenates_in_order():
@@ -31,7 +31,7 @@ def test_join_concatenates_in_order():
 
 
 def test_later_parts_override_values_but_keep_the_order():
-    context = join("both", A, Part({"x": "5", "y": "10"}, reading={"x": "again"}))
+    context = join("both", A, Part(witness={"x": "5", "y": "10"}, reading={"x": "again"}))
     assert context.generators == ("x", "y")
     assert context.witness == {"x": "5", "y": "10"}
     assert context.reading["x"] == "again"
@@ -67,7 +67,7 @@ def test_sign_squares_to_one_and_need_not_be_one():
 )
 def test_half_angle_moves_like_an_angle(name, right, wrong):
     builder = LedgerBuilder()
-    builder.open(join("turn", Part({"w": "1"}, rates={"w": "?"}), half_angle("a", "w")))
+    builder.open(join("turn", Part(witness={"w": "1"}, rates={"w": "?"}), half_angle("a", "w")))
     builder.claim(f"turn.{name}", right)
     with pytest.raises(KernelError, match="undecided"):
         builder.claim(f"turn.no_{name}", wrong)
@@ -83,7 +83,7 @@ def test_half_angle_moves_like_an_angle(name, right, wrong):
 def test_jacobi_sn_solves_its_differential_equation(right, wrong):
     builder = LedgerBuilder()
     functions = jacobi("sn", "cn", "dn", "u", "m", "1")
-    builder.open(join("elliptic", Part({"m": "1/2"}), functions))
+    builder.open(join("elliptic", Part(witness={"m": "1/2"}), functions))
     builder.claim("elliptic.square", {"D(sn)**2": right})
     with pytest.raises(KernelError, match="undecided"):
         builder.claim("elliptic.wrong", {"D(sn)**2": wrong})
@@ -91,8 +91,8 @@ def test_jacobi_sn_solves_its_differential_equation(right, wrong):
 
 def test_carry_keeps_the_statement_and_its_weakest_grade():
     builder = LedgerBuilder()
-    builder.open(join("general", Part({"x": "1", "y": "1"})))
-    builder.open(join("special", Part({"x": "1"}, definitions={"y": "x"})))
+    builder.open(join("general", Part(witness={"x": "1", "y": "1"})))
+    builder.open(join("special", Part(witness={"x": "1"}, definitions={"y": "x"})))
     builder.claim("general.square", {"(x + y)**2": "x**2 + 2*x*y + y**2"})
     builder.model("special", "general")
     builder.carry("special", ["general.square"])
@@ -114,7 +114,9 @@ def test_carry_keeps_the_statement_and_its_weakest_grade():
 )
 def test_only_proved_facts_definitions_and_readings_are_published(entry):
     builder = LedgerBuilder()
-    builder.open(join("c", Part({"x": "1"}, definitions={"d": "2*x"}, reading={"x": "sin(1)"})))
+    builder.open(
+        join("c", Part(witness={"x": "1"}, definitions={"d": "2*x"}, reading={"x": "sin(1)"}))
+    )
     builder.claim("c.one", {"x - x": "0"})
     builder.refute("c.refuted", {"x": "2"}, {})
     good = [*facts("c", "one"), *definitions("c", "d", "2", "3"), *readings("c", "x", "1")]
@@ -132,7 +134,7 @@ def test_only_proved_facts_definitions_and_readings_are_published(entry):
 # Comparisons.
 
 CIRCLE = Part(
-    {"c": "1", "s": "0", "w": "2"},
+    witness={"c": "1", "s": "0", "w": "2"},
     units=("w",),
     relations=("s**2 + c**2 - 1",),
     rates={"c": "-w*s", "s": "w*c"},
@@ -182,7 +184,9 @@ def test_a_text_without_meaning_is_an_error(builder):
 
 def test_a_context_is_extended_and_what_parts_define_comes_last(builder):
     given = join("given", CIRCLE, Part(definitions={"twice": "2*s"}))
-    more = extend("more", given, Part({"t": "0"}, definitions={"twice": "s + s"}, rates={"t": "1"}))
+    more = extend(
+        "more", given, Part(witness={"t": "0"}, definitions={"twice": "s + s"}, rates={"t": "1"})
+    )
     assert more.generators == ("c", "s", "w", "t")
     assert more.definitions == {"twice": "s + s"}
     assert more.rates == {"c": "-w*s", "s": "w*c", "t": "1"}

@@ -8,7 +8,7 @@ from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._repairs import Instant, Jet, repairs
 
 CIRCLE = Part(
-    {"c": "3/5", "s": "4/5", "w": "2", "k1": "3", "k2": "5"},
+    witness={"c": "3/5", "s": "4/5", "w": "2", "k1": "3", "k2": "5"},
     units=("w", "k1"),
     relations=("s**2 + c**2 - 1",),
     rates={"c": "-w*s", "s": "w*c"},

@@ -188,7 +188,7 @@ def test_coordinates_are_in_whole_angles_where_they_can_be(builder):
     parts = (half_angle("phi1", "w"), Part(witness={"w": "1"}))
     parts += (circle("cos_phi1", "sin_phi1", "phi1"),)
     turn = sympy.cos(symbol("phi1") / 2) * sympy.eye(2) + 2 * HALF * sympy.sin(symbol("phi1") / 2)
-    known = {name for part in parts for name in part.witness}
+    known = {name for part in parts for name in part.names}
     assert {"cos_phi1", "sin_phi1"} <= known
     matrices = {**BASIS, "E": ImmutableMatrix(turn)}
     scope = Scope.open(builder, "turned", *parts[:2], matrices=matrices)
