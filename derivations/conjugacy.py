@@ -15,7 +15,7 @@ from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import UNITS, A, Algebra, M, R, combination
 from derivations.setting import Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, double_angle, half_angle, join
-from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import (
     Rate,
     Scope,
@@ -50,6 +50,14 @@ class Reduction:
     matrices: dict[str, ImmutableMatrix | MatrixExpr]
     angles: tuple[Part, ...]
     circles: tuple[Part, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Angles:
+    """Results of this chapter: a function of phi2 and the tangent of phi3, by the rates."""
+
+    along: Computation
+    tangent: Computation
 
 
 def turns(setting: Setting) -> tuple[Part, ...]:
@@ -179,13 +187,13 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)
     M_last, M_middle, M_third = (MOMENTA[axis] for axis in axes)
     why = "the component along the last axis gives phi2"
-    solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, ["27"])
+    nutation = solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, ["27"])
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
     found = solve(scope, "compared.phi3", equations, unknown[1:], why, ["28"])
     cosine, sine = unknown[1:]
-    quotient = sympy.cancel(found[sine] / found[cosine]).subs(
-        dict(zip(MOMENTA, reduction.momenta, strict=True))
-    )
+    momenta = dict(zip(MOMENTA, reduction.momenta, strict=True))
+    quotient = (found.found[sine] / found.found[cosine]).cancel().subs(momenta)
+    builder.keep(Angles(nutation.found[along].subs(momenta), quotient))
     parts = (builder.result(Dynamics).parameters, MOMENTUM, *reduction.circles)
     body = by_angles(builder, reduction, *parts)
     tangent = Scope.open(builder, "phi3", *parts, body, static=True)

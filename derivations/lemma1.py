@@ -17,7 +17,7 @@ from derivations.lie_algebra import Algebra
 from derivations.symmetric import symmetric
 from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
-from rigidsym.proof.algebra._computation import compute, plain
+from rigidsym.proof.algebra._computation import Computation, compute, plain
 from rigidsym.proof.steps import (
     Scope,
     coefficients,
@@ -60,11 +60,17 @@ SCALED = Part(
 
 @dataclass(frozen=True, slots=True)
 class Lemma1:
-    """Results of this chapter: a body on axes i, j, k, the quadratic of a rate, and its roots."""
+    """Results of this chapter: a body on axes i, j, k, the quadratic of a rate, and its roots.
+
+    `quadratic` is the square of a rate's rate by its roots s_i and s_j, and `parameter` is mu where
+    zeta^2 is s_i.
+    """
 
     moving: Part
     quartic: Part
     roots: Part
+    quadratic: Computation
+    parameter: Computation
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -101,9 +107,9 @@ def derive(builder: LedgerBuilder) -> None:
     why = "a quadratic in the square of the rate"
     rewrite(scope, "axis.quartic", squared, polynomial, why, ["14"])
     there = Scope(builder, builder.ledger.contexts["eliminated"], {})
-    builder.keep(Lemma1(moving, quartic, _roots(there, found.value)))
-    _distinct(builder)
-    _matched(builder)
+    factored = _roots(there, found.value)
+    _distinct(builder, moving, quartic, factored)
+    builder.keep(Lemma1(moving, quartic, factored, *_matched(builder)))
     _reciprocal(builder)
 
 
@@ -149,20 +155,22 @@ def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
     )
 
 
-def _distinct(builder: LedgerBuilder) -> None:
+def _distinct(builder: LedgerBuilder, *axis: Part) -> None:
     """Prove that the discriminant under the root of (13) is a square."""
-    lemma = builder.result(Lemma1)
-    scope = Scope.open(builder, "distinct_axis", INERTIA, lemma.moving, lemma.quartic, lemma.roots)
+    scope = Scope.open(builder, "distinct_axis", INERTIA, *axis)
     alpha, beta, chi, one, two = symbols("alpha beta chi root_j root_k")
     by_roots = {beta: -alpha * (one + two), chi: alpha * one * two}
     discriminant = beta**2 - 4 * alpha * chi
-    square = sympy.factor(discriminant.subs(by_roots))
+    square = compute(discriminant).subs(by_roots).factor()
     why = "what is under the root of (13) is a square"
     rewrite(scope, "distinct_axis.discriminant", discriminant, square, why, ["13"])
 
 
-def _matched(builder: LedgerBuilder) -> None:
-    """Prove zeta sn(xi t + C | mu) for either root as zeta^2; then (10), (16) and (12)."""
+def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
+    """Prove zeta sn(xi t + C | mu) for either root as zeta^2; then (10), (16) and (12).
+
+    Return the quadratic and mu.
+    """
     gap = Part(
         witness={"alpha": "1", "s_i": "2", "s_j": "3", "v": "0"},
         units=("s_i", "s_j"),
@@ -178,19 +186,20 @@ def _matched(builder: LedgerBuilder) -> None:
     both = match(
         scope, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11", "Lemma 1"]
     )
-    first = both.value[0]
+    first = both.found[0]
     scale = replace(SINE, relations=(f"xi**2 - ({scope.text(first[xi])})",))
     body = (scale, Part(definitions={"mu": scope.text(first[mu])}), SCALED)
-    by_rate = quadratic.subs(v, RATE**2 / zeta)
-    rotating = Part(definitions={"Omega_i": "zeta*sn", "quartic": str(by_rate)})
+    by_rate = compute(quadratic).subs(v, RATE**2 / zeta)
+    rotating = Part(definitions={"Omega_i": "zeta*sn", "quartic": by_rate})
     scope = Scope.open(builder, "sine", *body, rotating)
     squared = rate_of(RATE) ** 2
     why = "the first choice of the two solves it"
     rewrite(scope, "sine.solves", squared, by_rate, why, ["10"])
     differentiate(scope, "sine.slope", RATE, "its slope", ["16"])
     scope = Scope.open(builder, "initial", *body, rotating, Part(units=("zeta",)))
-    value = sympy.solve(RATE - symbol("zeta") * SN, SN)[0]
+    value = compute(RATE - symbol("zeta") * SN).solve_for(SN)
     rewrite(scope, "initial.value", SN, value, "where it starts", ["12"], "solve")
+    return by_rate, first[mu]
 
 
 def _reciprocal(builder: LedgerBuilder) -> None:
@@ -207,7 +216,7 @@ def _reciprocal(builder: LedgerBuilder) -> None:
     S, C, E, root, mu = symbols("S C E sqrt_mu mu")
     back: Any = dict(zip(map(scope.read, ("sn", "dn", "cn")), (S / root, C, E), strict=True))
     for name in (S, C, E):
-        value = scope.rate(scope.read(other.definitions[str(name)])).subs(back)
+        value = compute(scope.read(other.definitions[str(name)])).apply(scope.rate).subs(back)
         slope = rate_of(name)
         why = "footnote 1: both sides have the same derivatives"
         rewrite(

@@ -26,6 +26,7 @@ from derivations.addition_form import (
     EULER,
     FUNCTIONS,
     INTEGRALS,
+    NODE,
     OTHERS,
     OVER_SQUARE,
     SQUARED,
@@ -33,6 +34,7 @@ from derivations.addition_form import (
     TIME,
 )
 from derivations.addition_form import GIVEN as INVARIANTS
+from derivations.addition_form import MODULI as NODE_MODULI
 from derivations.addition_form import RATES as RATES_AT_TIME
 from derivations.attitude import HANDEDNESS, INERTIA
 from derivations.rate_sensitivities import (
@@ -158,23 +160,25 @@ def _constants() -> dict[Any, Any]:
 CONSTANTS = _constants()
 
 
+DEFINED_RATES = defined(HANDEDNESS, INERTIA, BODY, INVARIANTS, FUNCTIONS, RATES_AT_TIME)
+ABOVE = {x: compute(DEFINED_RATES[OMEGA[x]]).apply(sympy.fraction)[0] for x in AXES}
+
+
 def _at_time() -> dict[Any, Any]:
     """Return the rates and what they change by in both directions.
 
     E_t in S_k, C_k and D_k is half of the functions' rates times E_t, and so for -F_t in S_r, C_r
     and D_r.  So that much of Omega_a_k and Omega_a_r is half of Omega_a' times E_t and -F_t.
     """
-    rates = defined(HANDEDNESS, INERTIA, BODY, INVARIANTS, FUNCTIONS, RATES_AT_TIME)
     product = {CONSTANTS[k].value: k}
-    space = compute(rates[below]).subs(product)
+    space = compute(DEFINED_RATES[below]).subs(product)
     found: dict[Any, Any] = {
         below: space.subs(k, r - symbol("kappa_d")).expand().subs(1 - r * S**2, D**2),
         over: 1 / below,
     }
-    above = {x: compute(rates[OMEGA[x]]).apply(sympy.fraction)[0] for x in AXES}
-    found |= {OMEGA[x]: compute(rates[OMEGA[x]]).subs(below, 1 / over) for x in AXES}
+    found |= {OMEGA[x]: compute(DEFINED_RATES[OMEGA[x]]).subs(below, 1 / over) for x in AXES}
     lean = {leant: alpha["a"] * OMEGA_0["b"] * OMEGA_0["d"]}
-    leaning = above["a"].subs(lean[leant], leant)
+    leaning = ABOVE["a"].subs(lean[leant], leant)
     quick = change_of(OMEGA["a"], leaning / space, MOVING).subs(space, 1 / over) / 2
     found |= lean
     found[turning] = (quick / over).expand().collect(leant, collected) * over
@@ -198,14 +202,14 @@ def _at_time() -> dict[Any, Any]:
         found[along("a", way)] = rest + slow
         steps = {**grow, **dict(zip((S, C, D), names, strict=True))}
         for x in ("b", "d"):
-            moved = change(above[x], steps).collect([alpha["b"], alpha["d"]], factor)
+            moved = change(ABOVE[x], steps).collect([alpha["b"], alpha["d"]], factor)
             falls = OMEGA[x] * symbol(f"below_{way}")
             found[along(x, way)] = over * (moved.held() - falls)
     # Each small square is multiplied by 1/below: two of them may be below the least double.
     why = "small where the spin is about b, and without underflow: found by hand"
     found[along("b", "k")] = guess(MIDDLE_ALONG_K, why)
     for y in CHANGES:
-        found |= {by(OMEGA[x], y): _column(x, y, above) for x in AXES}
+        found |= {by(OMEGA[x], y): _column(x, y) for x in AXES}
     return found
 
 
@@ -214,28 +218,32 @@ def along(x: str, way: str) -> Symbol:
     return symbol(f"Omega_{x}_{way}")
 
 
-def _column(x: str, y: str, above: Mapping[str, Computation]) -> Computation:
+def _column(x: str, y: str) -> Computation:
     """Return the change of a rate by an input, by the chain rule in p, p - r and kappa_a.
 
     Along the first p, r and k grow alike, along the second r falls, and along the third k falls,
     and with it over, while the functions stay.
     """
-    grows, apart_grows, kappa_grows, leans = _coordinates(y)
+    grows, apart_grows, *_ = _coordinates(y)
+    by_p, by_apart = (value * along(x, way) for value, way in ((grows, "k"), (apart_grows, "r")))
+    return (_stays(x, y) + by_p - by_apart).collect(by(p, y)).collect(by(r, y))
+
+
+def _stays(x: str, y: str) -> Computation:
+    """Return the change of a rate by an input where S_t, C_t and D_t stay."""
+    *_, kappa_grows, leans = _coordinates(y)
     if y.startswith("c"):
         explicit = {alpha[x]: by(alpha[x], y)}
         whole = {CONSTANTS[by(x, y)].value: by(x, y)}
     else:
         explicit, whole = {OMEGA_0[y[-1]]: 1}, {}
-    stays = change(above[x], explicit).subs(whole)
+    stays = change(ABOVE[x], explicit).subs(whole)
     if x != "a":
-        stays = over * (stays - OMEGA[x] * kappa_grows * S**2)
-    elif kappa_grows == 0:
-        stays = over * stays + HALF * leans
-    else:
-        lost = 2 * (LOSS / over) * UnevaluatedExpr(over * kappa_grows)
-        stays = (over * stays + HALF * (leans + lost)).held()
-    by_p, by_apart = (value * along(x, way) for value, way in ((grows, "k"), (apart_grows, "r")))
-    return (stays + by_p - by_apart).collect(by(p, y)).collect(by(r, y))
+        return over * (stays - OMEGA[x] * kappa_grows * S**2)
+    if kappa_grows == 0:
+        return over * stays + HALF * leans
+    lost = 2 * (LOSS / over) * UnevaluatedExpr(over * kappa_grows)
+    return (over * stays + HALF * (leans + lost)).held()
 
 
 def _coordinates(y: str) -> list[Any]:
@@ -293,33 +301,89 @@ def _middle(x: str, y: str) -> Computation:
 
 # The middle rate's columns where the spin is about it: with no difference.
 MIDDLE = {by("middle", f"Omega_{y}"): _middle(x, y) for x, y in (("d", "a"), ("a", "d"))}
-# The same near a spin about b, where E_t and t are large beside it: kappa_a, kappa_d, p - r and the
-# product of the other two rates are small, and each term has one of them.
-SPUN = {
-    "swung": "over*S_t*(alpha_b*Omega_d0*Omega_a0"
-    " - Omega_b0*S_t*(kappa_a*D_t + kappa_d*C_t)/(D_t + C_t))",
-    "lag": "kappa_a/p*(S_t*C_t/D_t - t) + apart*(S_t**3/(D_t + C_t) - k/p*f)/D_t",
-    "excess_spun": "Omega_b0**2*(lag + (kappa_a + kappa_d)*E_t)"
-    " + (alpha_b*Omega_d0*Omega_a0)**2*E_t + Omega_b0*swung*S_t",
-}
-# Where p grows alone: `_k` less `_r`, by r times the integral of S_t^2/D_t^2 over the phase, from
-# where it was at t = 0, instead of over the elapsed time from 0.
-PASSING = {
-    "passed": "r*F_t - alpha_a/alpha_b*(Omega_b*Omega_b0/(Omega_a*Omega_a0))*S_t/D_t",
-    "half_over_p": "1/(2*p)",
-    "since": "(t + passed)*half_over_p",
-    "share": "1/(2*alpha_b*alpha_d*Omega_a0)",
-    "Omega_a_p": "alpha_a*Omega_b*Omega_d*since"
-    " + (over*(k*S_t**4*Omega_a + share*D_t) - share*(Omega_a0/Omega_a))",
-    "Omega_b_p": "alpha_b*Omega_d*Omega_a*since + over*S_t*(Omega_b*S_t + share*alpha_b*Omega_d0)",
-    "Omega_d_p": "alpha_d*Omega_a*Omega_b*since"
-    " + over*S_t*(Omega_d*S_t + share*alpha_d*Omega_b0*D_t)",
-}
 # By what each integral follows from the other.
 ELAPSED = {
     F: (E, integral(MOVING[F], t, E, S * C / D), p - r),
     E: (F, integral(MOVING[E], t, F, S * C / D), p),
 }
+
+
+def _spun() -> dict[Any, Any]:
+    """Return the middle rate and its integral near a spin about b, where E_t and t are large.
+
+    kappa_a, kappa_d, p - r and the product of the other two rates are small there, and each term
+    has one of them: below is C_t^2 + kappa_a S_t^2 and D_t^2 + kappa_d S_t^2, and k E_t + S_t - t
+    is small with E_t by F_t.
+    """
+    kappa_a, kappa_d, apart, swung, lag, late = symbols("kappa_a kappa_d apart swung lag late")
+    leaning = UnevaluatedExpr(alpha["b"] * OMEGA_0["d"] * OMEGA_0["a"])
+    squares = {C**2: below - kappa_a * S**2, D**2: below - kappa_d * S**2}
+    lost = compute((below - C * D) * (C + D)).expand().subs(squares).factor() / S**2
+    found: dict[Any, Any] = {swung: over * S * (leaning - OMEGA_0["b"] * S * lost / (C + D))}
+
+    behind = k * E + S - t
+    by_F = compute(behind).subs(E, ELAPSED[E][1]).subs(t, S * C / D - late).expand()
+    by_late = by_F.coeff(late).together().subs(p - k, kappa_a).held()
+    rest = (by_F.subs(late, 0).subs(F, f / D) * D).expand()
+    by_f = (-rest.coeff(f) / (p - r)).cancel().held()
+    chord = (rest.subs(f, 0) * (C + D)).expand().subs({C**2: 1 - p * S**2, D**2: 1 - r * S**2})
+    chord = (chord.expand().factor() / (p - r)).cancel() / (C + D)
+    found[lag] = by_late * (S * C / D - t) + apart * (chord - by_f * f) / D
+
+    product = {alpha["b"] * OMEGA_0["a"] * OMEGA_0["d"]: leaning}
+    names = {CONSTANTS[x].value: x for x in (k, kappa_a, kappa_d)}
+    whole = (
+        EXCESS_B[1].subs(defined(COEFFICIENTS, INVARIANTS)).subs(OMEGA["b"], OMEGA_0["b"] + swung)
+    )
+    powers = whole.expand().subs(names).collect(OMEGA_0["b"], evaluate=False)
+    fast = lag + (powers[OMEGA_0["b"] ** 2] - behind).factor()
+    slow = OMEGA_0["b"] * powers[OMEGA_0["b"]] + powers[sympy.S.One].subs(product)
+    found[symbol("excess_spun")] = OMEGA_0["b"] ** 2 * fast + slow
+    return found
+
+
+def _passing() -> dict[Any, Any]:
+    """Return what the rates change by where p grows alone: `_k` less `_r`.
+
+    It is what they change by with Omega_a0, less what stays, by `share`.  As g_d stays, Omega_b and
+    Omega_d go on along their rates, by `since`; g_a gives Omega_a.  The rate of `since` has
+    Omega_b^2/Omega_a^2, which is a multiple of S_t^2/D_t^2 from where Omega_b is zero: `passed` is
+    its integral over the phase, from where that was at t = 0.
+    """
+    passed, half_over_p, since, share, x = symbols("passed half_over_p since share x")
+    grows = by(p, "Omega_a")
+    rates = {OMEGA[y]: read(EULER[f"D(Omega_{y})"]) for y in AXES}
+    begun = {S: 0, C: 1, D: 1, **{OMEGA[y]: OMEGA_0[y] for y in AXES}}
+    by_node = compute(TURNED_OVER).subs(NODE).subs(NODE_MODULI[r], r) * D**2 / S**2
+    ratio = OMEGA["b"] / OMEGA["a"]
+    slope = change(by_node * F + x * ratio * S / D, {**MOVING, **rates}) - TURNED_OVER
+    by_ratio = (slope.subs(begun).solve_for(x) * OMEGA_0["a"] / OMEGA_0["b"]).held()
+    held = UnevaluatedExpr(ratio * OMEGA_0["b"] / OMEGA_0["a"])
+    found: dict[Any, Any] = {passed: by_node * F + by_ratio * held * S / D}
+
+    along_b = rates[OMEGA["b"]] * since
+    kept = {y: alpha[y] * OMEGA["b"] ** 2 - alpha["b"] * OMEGA[y] ** 2 for y in "ad"}
+    start = change(kept["a"].subs(begun), {OMEGA_0["a"]: -share})
+    along_a = (change(kept["a"], {OMEGA["b"]: along_b, OMEGA["a"]: x}) - start).solve_for(x)
+    along_d = change(kept["d"], {OMEGA["b"]: along_b, OMEGA["d"]: x}).solve_for(x)
+    moves = {"a": along_a.expand(), "b": compute(along_b), "d": along_d}
+    growing = change(along_b, {**rates, since: x})
+    varied = change(rates[OMEGA["b"]], {OMEGA[y]: move for y, move in moves.items()})
+    per_turn = (varied - growing).expand().solve_for(x) / (1 + TURNED_OVER)
+    per_turn = per_turn.cancel().subs(kept["a"], p / alpha["d"])
+    found[share] = -1 / CONSTANTS[grows]
+    found[half_over_p] = per_turn.subs(share, found[share])
+    found[since] = (t + passed) * half_over_p
+    for y, move in moves.items():
+        stays = (share * _stays(y, "Omega_a")).subs(grows, -1 / share).doit()
+        rest = stays.expand().factor() + move.subs(since, 0).expand()
+        found[symbol(f"Omega_{y}_p")] = move.coeff(since) * since + rest.held()
+    return found
+
+
+# The integrand of `passed`.
+TURNED_OVER = -alpha["a"] / alpha["b"] * (OMEGA["b"] / OMEGA["a"]) ** 2
+SPUN, PASSING = _spun(), _passing()
 GIVEN = Part(
     witness={
         **COEFFICIENTS.witness,
@@ -412,8 +476,7 @@ def _other_forms(builder: LedgerBuilder, *parts: Part) -> None:
     # p is alpha_d g_a.
     units = (alpha["b"], alpha["d"], OMEGA["a"], OMEGA_0["a"], "g_a")
     builder.open(join("passing", *parts, by_F, Part(definitions=PASSING, units=units)))
-    integrand = -alpha["a"] / alpha["b"] * (OMEGA["b"] / OMEGA["a"]) ** 2
-    builder.claim("passing.integral", {"D(passed)": integrand}, ["10"])
+    builder.claim("passing.integral", {"D(passed)": TURNED_OVER}, ["10"])
     same = {f"Omega_{x}_p": along(x, "k") - along(x, "r") for x in AXES}
     builder.claim("passing.changes", same, ["10"])
     builder.open(join("spun", *parts, by_F, Part(definitions=SPUN, units=(p, C + D))))

@@ -5,16 +5,27 @@ by its cosine x, of phi3 by its tangent y, where a quadratic equation leaves a c
 sign of cos(phi3).  phi1 is the integral of the third kind, in the amplitude as variable.
 """
 
+from dataclasses import dataclass
+
 import sympy
 
 from derivations.conjugacy import PHI, Reduction, turns
 from derivations.lie_algebra import UNITS, Algebra, R, e
 from derivations.phi1_integral import AMPLITUDE, DN, SN, XI, ThirdKind
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import Scope, coordinates, eliminate, rate_of, rewrite
 from rigidsym.proof.steps._names import symbol, symbols
 
 Y, TAU, ROOT = symbols("y tau root")
+
+
+@dataclass(frozen=True, slots=True)
+class Theorem1:
+    """Results of this chapter: the quaternion (18), and tan(phi3/2) by y and `root`."""
+
+    quaternion: Computation
+    half_tangent: Computation
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -24,9 +35,9 @@ def derive(builder: LedgerBuilder) -> None:
     parts = turns(algebra.setting)
     scope = Scope.open(builder, "theorem1", *parts, matrices=matrices, static=True)
     why = "the three turns as a quaternion"
-    coordinates(scope, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
+    turned = coordinates(scope, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
     _outer_halves(scope, algebra)
-    _inner_half(builder)
+    builder.keep(Theorem1(turned.found, _inner_half(builder)))
     if ThirdKind in builder:
         _third_kind(builder)
 
@@ -46,8 +57,11 @@ def _outer_halves(scope: Scope, algebra: Algebra) -> None:
         eliminate(scope, "theorem1.outer_whole", root**2, [x**2 + root**2 - 1], [root**2], why)
 
 
-def _inner_half(builder: LedgerBuilder) -> None:
-    """Prove tan(phi3/2) by tan(phi3): cos(phi3) decides between two roots."""
+def _inner_half(builder: LedgerBuilder) -> Computation:
+    """Prove tan(phi3/2) by tan(phi3): cos(phi3) decides between two roots.
+
+    Return one of them, free of cancellation: the equation is solved for the cotangent.
+    """
     free = Part(
         witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
         units=("y",),
@@ -57,11 +71,19 @@ def _inner_half(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "half_tangent", free, static=True)
     quadratic = sympy.numer(sympy.together(2 * TAU / (1 - TAU**2) - Y))
     quadratic = sympy.expand(quadratic * (-1 if quadratic.coeff(TAU) < 0 else 1))
-    found = [x.subs(sympy.sqrt(Y**2 + 1), ROOT) for x in sympy.solve(quadratic, TAU)]
+    root = sympy.sqrt(Y**2 + 1)
+    found = [x.subs(root, ROOT) for x in compute(quadratic).apply(sympy.solve, TAU)]
     leading = sympy.Poly(quadratic, TAU).LC()
-    product = sympy.Mul(leading, *(TAU - x for x in found), evaluate=False)
+    product = compute(found).apply(_product, leading)
     why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
     rewrite(scope, "half_tangent.roots", quadratic, product, why, ["19"], "roots")
+    _, cotangent = compute(quadratic).subs(TAU, 1 / TAU).apply(sympy.solve, TAU)
+    return 1 / cotangent.subs(root, ROOT).together()
+
+
+def _product(roots: list[sympy.Expr], leading: sympy.Expr) -> sympy.Expr:
+    """Return the polynomial in tau with these roots, as a product."""
+    return sympy.Mul(leading, *(TAU - x for x in roots), evaluate=False)
 
 
 def _third_kind(builder: LedgerBuilder) -> None:

@@ -9,22 +9,30 @@ quaternion changes its sign and the motion does not.
 
 from dataclasses import replace
 
-from sympy import solve
+from sympy import cos, factor_terms, sin, solve
 
+from derivations.conjugacy import PHI, Angles
 from derivations.euler_lax import Dynamics
 from derivations.lemma1 import INERTIA, RATE, Lemma1
+from derivations.phi1_integral import ThirdKind
+from derivations.theorem1 import Theorem1
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.algebra._quaternion import kinematics
-from rigidsym.proof.steps._names import symbols
+from rigidsym.proof.steps import rate_of
+from rigidsym.proof.steps._names import symbol, symbols
 
 ZETA, SN = symbols("zeta sn")
+QBAR = symbols("qbar_0 qbar_1 qbar_2 qbar_3")
+x, y, y_star, root_y, root_star, side = symbols("x y y_star root_y root_star side")
+HALVES = F1, F2, F3, F4 = symbols("F1 F2 F3 F4")
+HALF_ANGLES = symbols("cos_half_phi2 sin_half_phi2 cos_half_phi3 sin_half_phi3")
 
 # Both square roots may be imaginary: what they are is their reading, and no sign is assumed.
 SINE = Part(
     witness={"zeta": "1", "xi": "1"},
     units=("root_k", "zeta"),
-    definitions={"mu": "root_j/root_k", "sn": "Omega_i/zeta"},
+    definitions={"sn": RATE / ZETA},
     rates={"zeta": "0", "xi": "0"},
     reading={
         "zeta": "sqrt(root_j)",
@@ -36,25 +44,6 @@ SINE = Part(
 ANGLES = Part(
     witness={"zeta": "1", "xi": "1", "t": "0", "Pi": "0"},
     units=("zeta", "xi", "sin_phi2", "cos_phi3", "cos_half_phi3", "cos_phi3 + side**2"),
-    definitions={
-        "sn": "Omega1/zeta",
-        "n": "c1**2*zeta**2/K**2",
-        "kappa": "(2*H*c1 - K**2)/(K*c1*xi)",
-        "phi1": "K/c1*t + kappa*Pi",
-        "x": "c1*Omega1/K",
-        "y": "c2*Omega2/(c3*Omega3)",
-        "root_y": "side/cos_phi3",
-        "y_star": "y/(1 + side*root_y)",
-        "F1": "cos_half_phi2",
-        "F2": "sin_half_phi2",
-        "F3": "cos_half_phi3",
-        "F4": "sin_half_phi3",
-        "root_star": "1/F3",
-        "qbar_0": "F1*(cos_half_phi1*F3 - sin_half_phi1*F4)",
-        "qbar_1": "F1*(sin_half_phi1*F3 + cos_half_phi1*F4)",
-        "qbar_2": "F2*(cos_half_phi1*F3 + sin_half_phi1*F4)",
-        "qbar_3": "F2*(sin_half_phi1*F3 - cos_half_phi1*F4)",
-    },
     rates={"zeta": "0", "xi": "0", "t": "1", "Pi": "xi/sin_phi2**2"},
     nonnegative=("K", "root_y", "F1", "F2", "root_star"),
     reading={
@@ -70,23 +59,55 @@ SIDE = sign("side", "the sign of Omega3")
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove a rate by Lemma 1, the angles, and the quaternion."""
-    lemma = builder.result(Lemma1)
-    half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
-    builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, SINE))
-    rate = compute(SN - RATE / ZETA).apply(solve, RATE, simplify=False)[0]
-    builder.claim("one_rate.Omega_i", {RATE: rate}, ["10"])
-    quadratic = {"D(Omega_i)**2": "alpha*(root_j - Omega_i**2)*(root_k - Omega_i**2)"}
-    builder.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
-
-    builder.open(join("theorem1_motion", _without_matrices(builder), SIDE, ANGLES))
-    below = {"sin_phi2**2": "1 - n*sn**2"}
-    builder.claim("theorem1_motion.third_kind", below, ["27", "34"])
-    builder.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
+    _one_rate(builder)
+    _angles(builder)
     _halves(builder)
-    names = "qbar_0 qbar_1 qbar_2 qbar_3", "Omega1 Omega2 Omega3"
-    unit = {" + ".join(f"{q}**2" for q in names[0].split()): "1"}
+    names = " ".join(map(str, QBAR)), "Omega1 Omega2 Omega3"
+    unit = {sum(q**2 for q in QBAR): 1}
     solves = {**unit, **kinematics(*names)}
     builder.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"])
+
+
+def _one_rate(builder: LedgerBuilder) -> None:
+    """Prove that zeta sn(xi t + C | mu) is a rate by Lemma 1."""
+    lemma = builder.result(Lemma1)
+    one, two = symbols("root_j root_k")
+    roots = {symbol("s_i"): one, symbol("s_j"): two}
+    half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
+    sine = replace(SINE, definitions={"mu": lemma.parameter.subs(roots), **SINE.definitions})
+    builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, sine))
+    rate = compute(SN - RATE / ZETA).apply(solve, RATE, simplify=False)[0]
+    builder.claim("one_rate.Omega_i", {RATE: rate}, ["10"])
+    quadratic = {rate_of(RATE) ** 2: lemma.quadratic.subs(roots)}
+    builder.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
+
+
+def _angles(builder: LedgerBuilder) -> None:
+    """Prove the rate of phi1 for the formulas of earlier chapters: (19), (27), (29), (36), (18)."""
+    angles, theorem = builder.result(Angles), builder.result(Theorem1)
+    integral = builder.result(ThirdKind).parts
+    third = {str(name): side for part in integral for name, side in part.definitions.items()}
+    outer, inner = PHI[1] / 2, PHI[2] / 2
+    halves = dict(zip((cos(outer), sin(outer), cos(inner), sin(inner)), HALVES, strict=True))
+    halves |= {f(PHI[0] / 2): symbol(f"{f}_half_phi1") for f in (cos, sin)}
+    quaternion = (q.subs(halves).expand().apply(factor_terms) for q in theorem.quaternion)
+    definitions = {
+        "sn": "Omega1/zeta",
+        **{name: third[name] for name in ("n", "kappa", "phi1")},
+        x: angles.along,
+        y: angles.tangent,
+        root_y: "side/cos_phi3",
+        y_star: theorem.half_tangent.subs(symbol("root"), side * root_y),
+        **dict(zip(HALVES, HALF_ANGLES, strict=True)),
+        root_star: 1 / F3,
+        **dict(zip(QBAR, quaternion, strict=True)),
+    }
+    named = Part(definitions=definitions)
+    builder.open(join("theorem1_motion", _without_matrices(builder), SIDE, ANGLES, named))
+    across = (1 - angles.along**2).subs(symbol("Omega1"), ZETA * SN)
+    below = {"sin_phi2**2": across.subs(third["n"], symbol("n"))}
+    builder.claim("theorem1_motion.third_kind", below, ["27", "34"])
+    builder.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
 
 
 def _without_matrices(builder: LedgerBuilder) -> Part:
@@ -99,9 +120,6 @@ def _without_matrices(builder: LedgerBuilder) -> Part:
 
 def _halves(builder: LedgerBuilder) -> None:
     """Solve for F1 to F4: cos and sin of phi2/2 by x = cos(phi2), of phi3/2 by their quotient."""
-    x, y, y_star, root_y, root_star, F1, F2, F3, F4 = symbols(
-        "x y y_star root_y root_star F1 F2 F3 F4"
-    )
     size = builder.result(Dynamics).body.definitions["K_squared"]
     builder.root("theorem1_motion.K", "K", size, ["6", "15"])
     halves = compute([F1**2 + F2**2 - 1, F1**2 - F2**2 - x]).apply(solve, [F1**2, F2**2])

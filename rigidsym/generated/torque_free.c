@@ -1465,8 +1465,8 @@ static void along_constants(double_double c_a, double_double c_b, double_double 
     const double_double alpha_d_there = dd_choose(dd_rounded(dd_size(alpha_d)), 0.0, dd_of(1.0), alpha_d); /* arithmetic */
     const double_double Omega_a0_there = dd_choose(dd_rounded(dd_size(Omega_a0)), 0.0, dd_of(1.0), Omega_a0); /* arithmetic */
     const double_double p_there = dd_choose(dd_rounded(dd_size(p)), 0.0, dd_of(1.0), p); /* arithmetic */
-    const double_double half_over_p = dd_div_dx(1.0, dd_mul_dx(2.0, p_there)); /* fact: definition passing.half_over_p; (5) */
     const double_double share = dd_div_dx(1.0, dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_b_there), alpha_d_there), Omega_a0_there)); /* fact: definition passing.share; (5) */
+    const double_double half_over_p = dd_div_dx(1.0, dd_mul_dx(2.0, p_there)); /* fact: definition passing.half_over_p; (5) */
     motion->Omega_a0 = dd_rounded(Omega_a0);
     motion->Omega_b0 = dd_rounded(Omega_b0);
     motion->Omega_d0 = dd_rounded(Omega_d0);
@@ -1534,25 +1534,26 @@ static void along_state(const torque_free_along *motion, size_t n, const double 
         const double D_k = -S_t * fused(S_t, D_t, C_t * E_t * r) / 2.0; /* fact: definition varied_rates.D_k; (5) */
         const double below_k = -S_t * fused(S_t, below, common_6 * k); /* fact: definition varied_rates.below_k; (5) */
         const double Omega_a_k = fused(E_t, turning, -(common_7 * C_t * over * leant / 2.0)); /* fact: definition varied_rates.Omega_a_k; (5) */
-        const double common_8 = over * kappa_a; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_9 = over * kappa_d; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_10 = over * common_5; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double Omega_b_k = fused(over * (alpha_b * Omega_d0 * Omega_a0), fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * fused((common_8 + common_9) * common_10, common_1, common_2 * fused(p * common_8, over * common_1, r * common_9 * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_11 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
-        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_11 * fused(S_t, D_k, D_t * S_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
+        const double common_8 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_k, definition passing.Omega_b_p; (5) */
+        const double common_9 = over * kappa_a; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_10 = over * kappa_d; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_11 = over * common_5; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double Omega_b_k = fused(over * (common_8 * Omega_a0), fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * fused((common_9 + common_10) * common_11, common_1, common_2 * fused(p * common_9, over * common_1, r * common_10 * common_11)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_12 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
+        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_12 * fused(S_t, D_k, D_t * S_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
         const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
         const double C_r = S_t * p * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
         const double D_r = S_t * fused(C_t * r, f, -S_t) / common_4; /* fact: definition varied_rates.D_r; (5) */
         const double below_r = common_3 * k * f; /* fact: definition varied_rates.below_r; (5) */
         const double any_Omega_a_r = fused(-f, turning / D_t, common_7 * over * fused(C_t, leant, -(Omega_a0 * S_t * r / D_t)) / 2.0); /* fact: definition varied_rates.Omega_a_r; (5) */
         const double any_Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_t, D_r, D_t * C_r), alpha_b * Omega_a0 * Omega_d0 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
-        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_11 * fused(S_t, D_r, D_t * S_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
+        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_12 * fused(S_t, D_r, D_t * S_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
         const double Omega_a_there = choose(fabs(Omega_a), 0.0, 1.0, Omega_a); /* arithmetic */
-        const double since = (t + passed) * half_over_p; /* fact: definition passing.since; (5) */
-        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(k * (common_7 * S_t), Omega_a_there, share * D_t), -(share * (Omega_a0 / Omega_a_there)))); /* fact: definition passing.Omega_a_p; (5) */
-        const double common_12 = over * S_t; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
-        const double Omega_b_p = fused(alpha_b * Omega_d * Omega_a_there, since, common_12 * fused(Omega_b, S_t, share * alpha_b * Omega_d0)); /* fact: definition passing.Omega_b_p; (5) */
-        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_12 * fused(Omega_d, S_t, share * alpha_d * Omega_b0 * D_t)); /* fact: definition passing.Omega_d_p; (5) */
+        const double since = half_over_p * (t + passed); /* fact: definition passing.since; (5) */
+        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(D_t, share, common_7 * S_t * k * Omega_a_there), -Omega_a0 * share / Omega_a_there)); /* fact: definition passing.Omega_a_p; (5) */
+        const double common_13 = S_t * over; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
+        const double Omega_b_p = fused(alpha_b * Omega_a_there * Omega_d, since, common_13 * fused(S_t, Omega_b, common_8 * share)); /* fact: definition passing.Omega_b_p; (5) */
+        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_13 * fused(S_t, Omega_d, alpha_d * Omega_b0 * D_t * share)); /* fact: definition passing.Omega_d_p; (5) */
         const double lobe = choose(2.0, turned, 0.0, Omega_b * Omega_b0); /* arithmetic */
         const double crossed = choose(reach, p * (t * t), lobe, 1.0); /* arithmetic */
         const double Omega_a_r = choose(crossed, 0.0, Omega_a_k - Omega_a_p, any_Omega_a_r); /* arithmetic */
@@ -1748,30 +1749,30 @@ static void columns_state(const torque_free_columns *motion, size_t n,
         const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5) */
         const double common_2 = common_1 * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5) */
         const double Omega_a_by_Omega_a = fused(p_by_Omega_a, Omega_a_k - Omega_a_r, fused(D_t, over, -(common_2 * S_t * k * Omega_a * (p_by_Omega_a * over)))); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
-        const double common_3 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_by_Omega_a, definition spun.swung, definition spun.excess_spun; (5) */
-        const double common_4 = common_1 * p_by_Omega_a; /* fact: definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a; (5) */
-        const double any_Omega_b_by_Omega_a = fused(p_by_Omega_a, Omega_b_k - Omega_b_r, over * fused(common_3, S_t, -(common_4 * Omega_b))); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
-        const double Omega_d_by_Omega_a = fused(p_by_Omega_a, Omega_d_k - Omega_d_r, over * fused(alpha_d * Omega_b0 * S_t, D_t, -(common_4 * Omega_d))); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
-        const double common_5 = common_1 * Omega_a; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double common_6 = common_5 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d; (5) */
-        const double Omega_a_by_Omega_b = fused(p_by_Omega_b, Omega_a_k + common_6, alpha_a * Omega_d0 * S_t * C_t * over); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
+        const double common_3 = common_1 * p_by_Omega_a; /* fact: definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a; (5) */
+        const double any_Omega_b_by_Omega_a = fused(p_by_Omega_a, Omega_b_k - Omega_b_r, over * fused(alpha_b * Omega_d0, S_t, -(common_3 * Omega_b))); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double Omega_d_by_Omega_a = fused(p_by_Omega_a, Omega_d_k - Omega_d_r, over * fused(alpha_d * Omega_b0 * S_t, D_t, -(common_3 * Omega_d))); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
+        const double common_4 = common_1 * Omega_a; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double common_5 = common_4 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double Omega_a_by_Omega_b = fused(p_by_Omega_b, Omega_a_k + common_5, alpha_a * Omega_d0 * S_t * C_t * over); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
         const double Omega_b_by_Omega_b = fused(p_by_Omega_b, Omega_b_k, C_t * D_t * over); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
         const double Omega_d_by_Omega_b = fused(p_by_Omega_b, Omega_d_k, alpha_d * Omega_a0 * S_t * D_t * over); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double Omega_a_by_Omega_d = fused(r_by_Omega_d, Omega_a_r - common_6, alpha_a * Omega_b0 * S_t * C_t * over); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
-        const double any_Omega_b_by_Omega_d = fused(r_by_Omega_d, Omega_b_r, alpha_b * Omega_a0 * S_t * over); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
+        const double Omega_a_by_Omega_d = fused(r_by_Omega_d, Omega_a_r - common_5, alpha_a * Omega_b0 * S_t * C_t * over); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double common_6 = alpha_b * Omega_a0; /* fact: definition varied_rates.Omega_b_by_Omega_d, definition spun.swung, definition spun.excess_spun; (5) */
+        const double any_Omega_b_by_Omega_d = fused(r_by_Omega_d, Omega_b_r, common_6 * S_t * over); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(C_t, over, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
         const double common_7 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
         const double common_8 = 2.0 * common_1 * k; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_a_by_c_a = fused(p_by_c_a, Omega_a_k, -(apart_by_c_a * Omega_a_r)) + fused(common_7 * a_by_c_a, over, common_5 * fused(-common_8, kappa_by_c_a * over, leant_by_c_a) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double Omega_a_by_c_a = fused(p_by_c_a, Omega_a_k, -(apart_by_c_a * Omega_a_r)) + fused(common_7 * a_by_c_a, over, common_4 * fused(-common_8, kappa_by_c_a * over, leant_by_c_a) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
         const double common_9 = common_1 * kappa_by_c_a; /* fact: definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a; (5) */
         const double Omega_b_by_c_a = fused(over, fused(S_t, b_by_c_a, -(common_9 * Omega_b)), fused(p_by_c_a, Omega_b_k, -(apart_by_c_a * Omega_b_r))); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
         const double common_10 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
         const double Omega_d_by_c_a = fused(over, fused(common_10, d_by_c_a, -(common_9 * Omega_d)), fused(p_by_c_a, Omega_d_k, -(apart_by_c_a * Omega_d_r))); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
-        const double Omega_a_by_c_b = fused(p_by_c_b, Omega_a_k, -(apart_by_c_b * Omega_a_r)) + fused(common_7 * a_by_c_b, over, common_5 * fused(-common_8, kappa_by_c_b * over, leant_by_c_b) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double Omega_a_by_c_b = fused(p_by_c_b, Omega_a_k, -(apart_by_c_b * Omega_a_r)) + fused(common_7 * a_by_c_b, over, common_4 * fused(-common_8, kappa_by_c_b * over, leant_by_c_b) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
         const double common_11 = common_1 * kappa_by_c_b; /* fact: definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b; (5) */
         const double Omega_b_by_c_b = fused(over, fused(S_t, b_by_c_b, -(common_11 * Omega_b)), fused(p_by_c_b, Omega_b_k, -(apart_by_c_b * Omega_b_r))); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
         const double Omega_d_by_c_b = fused(over, fused(common_10, d_by_c_b, -(common_11 * Omega_d)), fused(p_by_c_b, Omega_d_k, -(apart_by_c_b * Omega_d_r))); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
-        const double Omega_a_by_c_d = fused(p_by_c_d, Omega_a_k, -(apart_by_c_d * Omega_a_r)) + fused(common_7 * a_by_c_d, over, common_5 * fused(-common_8, kappa_by_c_d * over, leant_by_c_d) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_c_d = fused(p_by_c_d, Omega_a_k, -(apart_by_c_d * Omega_a_r)) + fused(common_7 * a_by_c_d, over, common_4 * fused(-common_8, kappa_by_c_d * over, leant_by_c_d) / 2.0); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
         const double common_12 = common_1 * kappa_by_c_d; /* fact: definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
         const double Omega_b_by_c_d = fused(over, fused(S_t, b_by_c_d, -(common_12 * Omega_b)), fused(p_by_c_d, Omega_b_k, -(apart_by_c_d * Omega_b_r))); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
         const double Omega_d_by_c_d = fused(over, fused(common_10, d_by_c_d, -(common_12 * Omega_d)), fused(p_by_c_d, Omega_d_k, -(apart_by_c_d * Omega_d_r))); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
@@ -1787,14 +1788,15 @@ static void columns_state(const torque_free_columns *motion, size_t n,
         const double Omega_b_by_Omega_d = choose(a_size, fabs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d); /* arithmetic */
         const double p_divisor = choose(fabs(p), 0.0, 1.0, p); /* arithmetic */
         const double C_ahead = choose(C_t, 0.0, 0.0, C_t); /* arithmetic */
-        const double common_13 = common_3 * Omega_a0; /* fact: definition spun.swung, definition spun.excess_spun; (5) */
-        const double common_14 = D_t + C_ahead; /* fact: definition spun.swung, definition spun.lag; (5) */
-        const double swung = over * S_t * (common_13 - Omega_b0 * S_t * fused(kappa_a, D_t, kappa_d * C_ahead) / common_14); /* fact: definition spun.swung; (5) */
-        const double lag = fused(kappa_a / p_divisor, S_t * C_ahead / D_t - t, apart * fused(-(k / p_divisor), f, common_2 / common_14) / D_t); /* fact: definition spun.lag; (5) */
-        const double common_15 = kappa_a + kappa_d; /* fact: definition spun.excess_spun; (5) */
-        const double excess_spun = fused(Omega_b0 * swung, S_t, fused(Omega_b0 * Omega_b0, fused(common_15, E_t, lag), common_13 * common_13 * E_t)); /* fact: definition spun.excess_spun; (5) */
+        const double common_13 = common_6 * Omega_d0; /* fact: definition spun.swung, definition spun.excess_spun; (5) */
+        const double common_14 = Omega_b0 * S_t; /* fact: definition spun.swung, definition spun.excess_spun; (5) */
+        const double common_15 = C_ahead + D_t; /* fact: definition spun.swung, definition spun.lag; (5) */
+        const double swung = S_t * over * (common_13 - common_14 * fused(C_ahead, kappa_d, D_t * kappa_a) / common_15); /* fact: definition spun.swung; (5) */
+        const double lag = fused(S_t * C_ahead / D_t - t, kappa_a / p_divisor, apart * fused(-f, k / p_divisor, common_2 / common_15) / D_t); /* fact: definition spun.lag; (5) */
+        const double common_16 = kappa_a + kappa_d; /* fact: definition spun.excess_spun; (5) */
+        const double excess_spun = fused(E_t, common_13 * common_13, fused(common_14, swung, Omega_b0 * Omega_b0 * fused(E_t, common_16, lag))); /* fact: definition spun.excess_spun; (5) */
         const double spinning = choose(C_t, 0.0, 0.0, k); /* arithmetic */
-        const double excess_b = choose(spinning, common_15, any_excess_b, excess_spun); /* arithmetic */
+        const double excess_b = choose(spinning, common_16, any_excess_b, excess_spun); /* arithmetic */
         const double excess_a = alpha_a * excess_b / alpha_divisor; /* fact: definition excesses.excess_a; (5) */
         const double excess_d = alpha_d * excess_b / alpha_divisor; /* fact: definition excesses.excess_d; (5) */
         Omega_a_by_Omega_a_out[i] = Omega_a_by_Omega_a;
@@ -4525,6 +4527,6 @@ const char *torque_free_rule(int code)
 
 const char *torque_free_digest(void)
 {
-    return "3dcaff62e75fd58e6007aadf80923425c128ab2ad0cfd5eb65d909172de779fc";
+    return "50a151230d5c62816e6eb527a698198c1fa3b1e751c8062a08e4850d1b368ccf";
 }
 

@@ -19,7 +19,7 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    482  20 %  follow facts of the ledger, each named on its line
+    484  20 %  follow facts of the ledger, each named on its line
     589  25 %  follow classical formulas, each with its reference
     102   4 %  are arithmetic: sums, products, quotients, roots, reductions
     530  22 %  are the runtime, printed from its one representation
@@ -37,47 +37,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.7e-16  3.1e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.2e-16  4.2e-16
-  sphere                 8.1e-16  6.9e-43
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  7.6e-53
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest c750e918e0f23459a46a68cdc779b54c26abb862ef8d551b6ea47f918e2608dd
+digest 0cee5d5b9db7f302148d96ca9d96ef674ca051f6c218ad068856608aa753485d
 """
 
 # ruff: noqa
@@ -1018,8 +981,8 @@ def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_
     alpha_d_there = _choose(_rounded(abs(alpha_d)), 0, 1, alpha_d)  # arithmetic
     Omega_a0_there = _choose(_rounded(abs(Omega_a0)), 0, 1, Omega_a0)  # arithmetic
     p_there = _choose(_rounded(abs(p)), 0, 1, p)  # arithmetic
-    half_over_p = 1 / (2 * p_there)  # fact: definition passing.half_over_p; (5)
     share = 1 / (2 * alpha_b_there * alpha_d_there * Omega_a0_there)  # fact: definition passing.share; (5)
+    half_over_p = 1 / (2 * p_there)  # fact: definition passing.half_over_p; (5)
     return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(r), _rounded(share), _rounded(half_over_p), reach
 
 
@@ -1041,25 +1004,26 @@ def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Ome
     D_k = -S_t * (S_t * D_t + C_t * E_t * r) / 2  # fact: definition varied_rates.D_k; (5)
     below_k = -S_t * (S_t * below + common_6 * k)  # fact: definition varied_rates.below_k; (5)
     Omega_a_k = E_t * turning - common_7 * C_t * over * leant / 2  # fact: definition varied_rates.Omega_a_k; (5)
-    common_8 = over * kappa_a  # fact: definition varied_rates.Omega_b_k; (5)
-    common_9 = over * kappa_d  # fact: definition varied_rates.Omega_b_k; (5)
-    common_10 = over * common_5  # fact: definition varied_rates.Omega_b_k; (5)
-    Omega_b_k = over * (alpha_b * Omega_d0 * Omega_a0) * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * ((common_8 + common_9) * common_10 * common_1 + common_2 * (p * common_8 * (over * common_1) + r * common_9 * common_10)) / 2  # fact: definition varied_rates.Omega_b_k; (5)
-    common_11 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
-    Omega_d_k = over * (-Omega_d * below_k + (Omega_d0 * C_k + common_11 * (S_t * D_k + D_t * S_k)))  # fact: definition varied_rates.Omega_d_k; (5)
+    common_8 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_k, definition passing.Omega_b_p; (5)
+    common_9 = over * kappa_a  # fact: definition varied_rates.Omega_b_k; (5)
+    common_10 = over * kappa_d  # fact: definition varied_rates.Omega_b_k; (5)
+    common_11 = over * common_5  # fact: definition varied_rates.Omega_b_k; (5)
+    Omega_b_k = over * (common_8 * Omega_a0) * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * ((common_9 + common_10) * common_11 * common_1 + common_2 * (p * common_9 * (over * common_1) + r * common_10 * common_11)) / 2  # fact: definition varied_rates.Omega_b_k; (5)
+    common_12 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
+    Omega_d_k = over * (-Omega_d * below_k + (Omega_d0 * C_k + common_12 * (S_t * D_k + D_t * S_k)))  # fact: definition varied_rates.Omega_d_k; (5)
     S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
     C_r = S_t * p * f / 2  # fact: definition varied_rates.C_r; (5)
     D_r = S_t * (-S_t + C_t * r * f) / common_4  # fact: definition varied_rates.D_r; (5)
     below_r = common_3 * k * f  # fact: definition varied_rates.below_r; (5)
     any_Omega_a_r = -f * (turning / D_t) + common_7 * over * (C_t * leant - Omega_a0 * S_t * r / D_t) / 2  # fact: definition varied_rates.Omega_a_r; (5)
     any_Omega_b_r = over * (-Omega_b * below_r + (Omega_b0 * (C_t * D_r + D_t * C_r) + alpha_b * Omega_a0 * Omega_d0 * S_r))  # fact: definition varied_rates.Omega_b_r; (5)
-    any_Omega_d_r = over * (-Omega_d * below_r + (Omega_d0 * C_r + common_11 * (S_t * D_r + D_t * S_r)))  # fact: definition varied_rates.Omega_d_r; (5)
+    any_Omega_d_r = over * (-Omega_d * below_r + (Omega_d0 * C_r + common_12 * (S_t * D_r + D_t * S_r)))  # fact: definition varied_rates.Omega_d_r; (5)
     Omega_a_there = _choose(abs(Omega_a), 0, 1, Omega_a)  # arithmetic
-    since = (t + passed) * half_over_p  # fact: definition passing.since; (5)
-    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (k * (common_7 * S_t) * Omega_a_there + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
-    common_12 = over * S_t  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
-    Omega_b_p = alpha_b * Omega_d * Omega_a_there * since + common_12 * (Omega_b * S_t + share * alpha_b * Omega_d0)  # fact: definition passing.Omega_b_p; (5)
-    Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_12 * (Omega_d * S_t + share * alpha_d * Omega_b0 * D_t)  # fact: definition passing.Omega_d_p; (5)
+    since = half_over_p * (t + passed)  # fact: definition passing.since; (5)
+    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (-Omega_a0 * share / Omega_a_there + over * (D_t * share + common_7 * S_t * k * Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
+    common_13 = S_t * over  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
+    Omega_b_p = alpha_b * Omega_a_there * Omega_d * since + common_13 * (S_t * Omega_b + common_8 * share)  # fact: definition passing.Omega_b_p; (5)
+    Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_13 * (S_t * Omega_d + alpha_d * Omega_b0 * D_t * share)  # fact: definition passing.Omega_d_p; (5)
     lobe = _choose(2, turned, 0, Omega_b * Omega_b0)  # arithmetic
     crossed = _choose(reach, p * (t * t), lobe, 1)  # arithmetic
     Omega_a_r = _choose(crossed, 0, Omega_a_k - Omega_a_p, any_Omega_a_r)  # arithmetic
@@ -1134,30 +1098,30 @@ def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k,
     common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5)
     common_2 = common_1 * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5)
     Omega_a_by_Omega_a = p_by_Omega_a * (Omega_a_k - Omega_a_r) + (D_t * over - common_2 * S_t * k * Omega_a * (p_by_Omega_a * over))  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
-    common_3 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_by_Omega_a, definition spun.swung, definition spun.excess_spun; (5)
-    common_4 = common_1 * p_by_Omega_a  # fact: definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a; (5)
-    any_Omega_b_by_Omega_a = p_by_Omega_a * (Omega_b_k - Omega_b_r) + over * (common_3 * S_t - common_4 * Omega_b)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
-    Omega_d_by_Omega_a = p_by_Omega_a * (Omega_d_k - Omega_d_r) + over * (alpha_d * Omega_b0 * S_t * D_t - common_4 * Omega_d)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
-    common_5 = common_1 * Omega_a  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    common_6 = common_5 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d; (5)
-    Omega_a_by_Omega_b = p_by_Omega_b * (Omega_a_k + common_6) + alpha_a * Omega_d0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
+    common_3 = common_1 * p_by_Omega_a  # fact: definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a; (5)
+    any_Omega_b_by_Omega_a = p_by_Omega_a * (Omega_b_k - Omega_b_r) + over * (alpha_b * Omega_d0 * S_t - common_3 * Omega_b)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    Omega_d_by_Omega_a = p_by_Omega_a * (Omega_d_k - Omega_d_r) + over * (alpha_d * Omega_b0 * S_t * D_t - common_3 * Omega_d)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
+    common_4 = common_1 * Omega_a  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    common_5 = common_4 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_a_by_Omega_b = p_by_Omega_b * (Omega_a_k + common_5) + alpha_a * Omega_d0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
     Omega_b_by_Omega_b = p_by_Omega_b * Omega_b_k + C_t * D_t * over  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
     Omega_d_by_Omega_b = p_by_Omega_b * Omega_d_k + alpha_d * Omega_a0 * S_t * D_t * over  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
-    Omega_a_by_Omega_d = r_by_Omega_d * (Omega_a_r - common_6) + alpha_a * Omega_b0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
-    any_Omega_b_by_Omega_d = r_by_Omega_d * Omega_b_r + alpha_b * Omega_a0 * S_t * over  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
+    Omega_a_by_Omega_d = r_by_Omega_d * (Omega_a_r - common_5) + alpha_a * Omega_b0 * S_t * C_t * over  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    common_6 = alpha_b * Omega_a0  # fact: definition varied_rates.Omega_b_by_Omega_d, definition spun.swung, definition spun.excess_spun; (5)
+    any_Omega_b_by_Omega_d = r_by_Omega_d * Omega_b_r + common_6 * S_t * over  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
     Omega_d_by_Omega_d = C_t * over + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
     common_7 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
     common_8 = 2 * common_1 * k  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_c_a = p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r + (common_7 * a_by_c_a * over + common_5 * (leant_by_c_a - common_8 * (kappa_by_c_a * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    Omega_a_by_c_a = p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r + (common_7 * a_by_c_a * over + common_4 * (leant_by_c_a - common_8 * (kappa_by_c_a * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_a; (5)
     common_9 = common_1 * kappa_by_c_a  # fact: definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a; (5)
     Omega_b_by_c_a = p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r + over * (S_t * b_by_c_a - common_9 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_a; (5)
     common_10 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
     Omega_d_by_c_a = p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r + over * (common_10 * d_by_c_a - common_9 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_a; (5)
-    Omega_a_by_c_b = p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r + (common_7 * a_by_c_b * over + common_5 * (leant_by_c_b - common_8 * (kappa_by_c_b * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    Omega_a_by_c_b = p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r + (common_7 * a_by_c_b * over + common_4 * (leant_by_c_b - common_8 * (kappa_by_c_b * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_b; (5)
     common_11 = common_1 * kappa_by_c_b  # fact: definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b; (5)
     Omega_b_by_c_b = p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r + over * (S_t * b_by_c_b - common_11 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_b; (5)
     Omega_d_by_c_b = p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r + over * (common_10 * d_by_c_b - common_11 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_b; (5)
-    Omega_a_by_c_d = p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r + (common_7 * a_by_c_d * over + common_5 * (leant_by_c_d - common_8 * (kappa_by_c_d * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_c_d = p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r + (common_7 * a_by_c_d * over + common_4 * (leant_by_c_d - common_8 * (kappa_by_c_d * over)) / 2)  # fact: definition varied_rates.Omega_a_by_c_d; (5)
     common_12 = common_1 * kappa_by_c_d  # fact: definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
     Omega_b_by_c_d = p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r + over * (S_t * b_by_c_d - common_12 * Omega_b)  # fact: definition varied_rates.Omega_b_by_c_d; (5)
     Omega_d_by_c_d = p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r + over * (common_10 * d_by_c_d - common_12 * Omega_d)  # fact: definition varied_rates.Omega_d_by_c_d; (5)
@@ -1173,14 +1137,15 @@ def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k,
     Omega_b_by_Omega_d = _choose(a_size, abs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d)  # arithmetic
     p_divisor = _choose(abs(p), 0, 1, p)  # arithmetic
     C_ahead = _choose(C_t, 0, 0, C_t)  # arithmetic
-    common_13 = common_3 * Omega_a0  # fact: definition spun.swung, definition spun.excess_spun; (5)
-    common_14 = D_t + C_ahead  # fact: definition spun.swung, definition spun.lag; (5)
-    swung = over * S_t * (common_13 - Omega_b0 * S_t * (kappa_a * D_t + kappa_d * C_ahead) / common_14)  # fact: definition spun.swung; (5)
-    lag = kappa_a / p_divisor * (S_t * C_ahead / D_t - t) + apart * (common_2 / common_14 - k / p_divisor * f) / D_t  # fact: definition spun.lag; (5)
-    common_15 = kappa_a + kappa_d  # fact: definition spun.excess_spun; (5)
-    excess_spun = Omega_b0 * Omega_b0 * (lag + common_15 * E_t) + common_13 * common_13 * E_t + Omega_b0 * swung * S_t  # fact: definition spun.excess_spun; (5)
+    common_13 = common_6 * Omega_d0  # fact: definition spun.swung, definition spun.excess_spun; (5)
+    common_14 = Omega_b0 * S_t  # fact: definition spun.swung, definition spun.excess_spun; (5)
+    common_15 = C_ahead + D_t  # fact: definition spun.swung, definition spun.lag; (5)
+    swung = S_t * over * (common_13 - common_14 * (C_ahead * kappa_d + D_t * kappa_a) / common_15)  # fact: definition spun.swung; (5)
+    lag = (S_t * C_ahead / D_t - t) * (kappa_a / p_divisor) + apart * (-f * (k / p_divisor) + common_2 / common_15) / D_t  # fact: definition spun.lag; (5)
+    common_16 = kappa_a + kappa_d  # fact: definition spun.excess_spun; (5)
+    excess_spun = common_14 * swung + Omega_b0 * Omega_b0 * (lag + E_t * common_16) + E_t * (common_13 * common_13)  # fact: definition spun.excess_spun; (5)
     spinning = _choose(C_t, 0, 0, k)  # arithmetic
-    excess_b = _choose(spinning, common_15, any_excess_b, excess_spun)  # arithmetic
+    excess_b = _choose(spinning, common_16, any_excess_b, excess_spun)  # arithmetic
     excess_a = alpha_a * excess_b / alpha_divisor  # fact: definition excesses.excess_a; (5)
     excess_d = alpha_d * excess_b / alpha_divisor  # fact: definition excesses.excess_d; (5)
     return Omega_a_by_Omega_a, Omega_a_by_Omega_b, Omega_a_by_Omega_d, Omega_a_by_c_a, Omega_a_by_c_b, Omega_a_by_c_d, Omega_b_by_Omega_a, Omega_b_by_Omega_b, Omega_b_by_Omega_d, Omega_b_by_c_a, Omega_b_by_c_b, Omega_b_by_c_d, Omega_d_by_Omega_a, Omega_d_by_Omega_b, Omega_d_by_Omega_d, Omega_d_by_c_a, Omega_d_by_c_b, Omega_d_by_c_d, excess_a, excess_b, excess_d

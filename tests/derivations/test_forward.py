@@ -69,7 +69,18 @@ def found(setting: Setting):
 
 # What computes: steps that find their value, SymPy, and what a scope or a chapter found.
 COMPUTES = {
-    *("solve", "factor", "expand", "cancel", "apart", "together", "subs", "coefficients", "rate"),
+    *(
+        "solve",
+        "solve_for",
+        "factor",
+        "expand",
+        "cancel",
+        "apart",
+        "together",
+        "subs",
+        "coefficients",
+        "rate",
+    ),
     *("read", "result", "numer", "det", "reduced", "coordinates", "eliminate", "collect"),
     *("linsolve", "integrate", "roots", "match", "solve_family", "determinant", "vary"),
 }
