@@ -1,7 +1,7 @@
 """What notebooks alone need: books and ledgers to read from, and ways to show what is in them.
 
-Nothing is derived here.  Steps come from a builder, whether the cells of a notebook or chapters of
-`derivations` wrote it; statements from its ledger, or from the sealed one, replayed.
+Nothing is derived here.  Statements come from the ledger of a builder, in which chapters of
+`derivations` ran, or from the sealed one, replayed; `steps` has what shows the lines of a builder.
 """
 
 from collections.abc import Iterable, Mapping
@@ -10,27 +10,17 @@ from typing import Any
 
 from IPython.display import HTML, Markdown, Math
 
-from derivations import CHAPTERS, FORWARD
+from derivations import CHAPTERS
 from derivations.setting import Setting
-from rigidsym.io.ledger import ledger_text
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.language._latex import latex, symbol
-from rigidsym.proof.algebra import LedgerBuilder
+from rigidsym.proof.algebra._computation import plain
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
-from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.steps import Step
+from rigidsym.proof.paper import EQUATIONS, Verdict, verdicts
 from rigidsym.view._article import latex as in_letters
-from rigidsym.view._article import line_html
-
-
-def begun(setting: Setting, *chapters: str) -> LedgerBuilder:
-    """A builder with this setting, and in it forward chapters up to the last of these."""
-    builder = LedgerBuilder()
-    builder.keep(setting)
-    for name in FORWARD[: max(map(FORWARD.index, chapters), default=-1) + 1]:
-        import_module(f"derivations.{name}").derive(builder)
-    return builder
+from support.steps import begun
 
 
 def derived(*chapters: str) -> Ledger:
@@ -39,17 +29,6 @@ def derived(*chapters: str) -> Ledger:
     for name in CHAPTERS[: max(map(CHAPTERS.index, chapters)) + 1]:
         import_module(f"derivations.{name}").derive(builder)
     return builder.ledger
-
-
-def step(builder: LedgerBuilder, fact: str) -> Step:
-    """The step of a builder that found a fact; KeyError where none did."""
-    return {step.fact.id: step for step in builder.steps}[fact]
-
-
-def lines(builder: LedgerBuilder, *numbers: str) -> HTML:
-    """The steps of a builder that are about equations of the paper, under each other."""
-    found = (step for step in builder.steps if {*step.source} & {*numbers})
-    return HTML("\n".join(map(line_html, found)))
 
 
 def sealed() -> Ledger:
@@ -71,6 +50,11 @@ def show(ledger: Ledger, *facts: str) -> HTML:
     return HTML("\n".join(claim._repr_html_() for claim in shown))
 
 
+def judged() -> dict[str, Verdict]:
+    """The verdicts on the printed equations by their numbers, as the sealed ledger has them."""
+    return {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
+
+
 def printed(*numbers: str) -> HTML:
     """Equations of the paper under each other, exactly as printed."""
     found = {equation.number: equation for equation in EQUATIONS}
@@ -85,7 +69,7 @@ def definitions(ledger: Ledger, context: str, *names: str) -> Math:
 
 
 def equation(left: Any, right: Any) -> Math:
-    """Two sides, SymPy's or LaTeX, as one displayed equation."""
+    """Two sides, SymPy's, a chapter's or LaTeX, as one displayed equation."""
     return Math(f"{_side(left)} = {_side(right)}")
 
 
@@ -101,4 +85,4 @@ def table(rows: Iterable[Mapping[str, Any]]) -> Markdown:
 
 
 def _side(side: Any) -> str:
-    return side if isinstance(side, str) else in_letters(side)
+    return side if isinstance(side, str) else in_letters(plain(side))

@@ -21,7 +21,10 @@ RECORD = Path(__file__).with_name("executed.json")
 # What every notebook may import, and what runs and writes them.
 TOGETHER = (
     "build.py",
-    *(f"support/{name}.py" for name in ("__init__", "executed", "figures", "play", "water")),
+    *(
+        f"support/{name}.py"
+        for name in ("__init__", "executed", "figures", "names", "play", "steps", "water")
+    ),
 )
 PACKAGES = ("derivations", "rigidsym")
 _CORE_LAB_APP = re.compile(r"(?!rigidsym)([\w.-]+)[^;]*(; extra == ['\"](lab|app)['\"])?")

@@ -30,8 +30,9 @@
 #   **counterexample**, a point with rational coordinates at which both sides differ;
 # * the names of the **facts** that the verdict rests on. Each fact is an identity, or the
 #   refutation of one. A small kernel has decided it, and decides it once more below;
-# * the **line as derived**: a step in which SymPy finds the equation, from the basis (4) and the
-#   kinetic energy on, without having seen the print.
+# * the **line as derived**, from the basis (4) and the kinetic energy on, without the print. In
+#   most lines SymPy finds the right-hand side; the others state what is to be shown, such as
+#   $\dot M=[M,\Omega]$. The kernel decides both.
 #
 # Only the prose on this page is typed by hand. Equations, verdicts and counterexamples come from
 # `rigidsym.proof.paper` and from the ledger of facts; `rigidsym errata` prints the same in a
@@ -54,20 +55,14 @@
 # In the next cell, a fresh kernel checks every fact of the ledger in this way.
 
 # %%
-import json
 from collections import Counter
 
-from IPython.display import display
-
-from derivations.setting import Setting
-from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.derivation import derive
-from rigidsym.proof.kernel import Grade
-from rigidsym.proof.paper import Ruling, verdicts
-from support import grades, sealed, table
+from rigidsym.proof.paper import Ruling
+from support import grades, judged, sealed, table
+from support.steps import Setting, display
 
-ledger = sealed()
-verdict = {v.equation.number: v for v in verdicts(json.loads(ledger_text()))}
+ledger, verdict = sealed(), judged()
 
 count = Counter(v.ruling for v in verdict.values())
 display(table({"verdict": str(ruling), "printed lines": count[ruling]} for ruling in Ruling))
@@ -90,7 +85,15 @@ display(table({"verdict": str(ruling), "printed lines": count[ruling]} for rulin
 setting = Setting()
 
 derivation = derive(setting=setting)
-table({"chapter": c.name, "": c.title, "lines": len(c.steps)} for c in derivation.chapters)
+table(
+    {
+        "chapter": chapter.name,
+        "": chapter.title,
+        "lines": len(chapter.facts),
+        "computed": chapter.standings["computed"],
+    }
+    for chapter in derivation.chapters
+)
 
 # %%
 chapters = {chapter.name: chapter.steps for chapter in derivation.chapters}
@@ -270,9 +273,9 @@ display(
 assert sorted(shown) == sorted(verdict)
 assert all(v.ruling != Ruling.OPEN for v in verdict.values())
 rested_on = [name for v in verdict.values() for name in v.facts()]
-assert grades(ledger, *rested_on) == {Grade.PROVED}
+assert grades(ledger, *rested_on) == {"PROVED"}
 assert all(v.counterexample for v in misprints)
 # The derivation has lines of its own for all but (17) and (37), and all of its lines are proved.
 steps = [step for chapter in chapters.values() for step in chapter]
-assert {step.fact.grade for step in steps} == {Grade.PROVED}
+assert {step.fact.grade for step in steps} == {"PROVED"}
 assert {*map(str, range(1, 37))} - {"17"} <= {number for step in told for number in step.source}
