@@ -58,9 +58,9 @@ PHASE = {D_0: Omega_a0 / A_a, S_0: Omega_b0 / (alpha_b * A_a * A_d), C_0: Omega_
 
 BODY = Part(definitions=FORCES, reading=MEANING)
 # The same by themselves, whatever they are.
-COEFFICIENTS = Part(witness={alpha_a: "1/3", alpha_b: "-1", alpha_d: "1"}, reading=MEANING)
+COEFFICIENTS = Part((alpha_a, alpha_b, alpha_d), reading=MEANING)
 GIVEN = Part(
-    witness={Omega_a0: "1", Omega_b0: "0", Omega_d0: "1"},
+    (Omega_a0, Omega_b0, Omega_d0),
     definitions={
         g_a: alpha_a * Omega_b0**2 - alpha_b * Omega_a0**2,
         g_d: alpha_d * Omega_b0**2 - alpha_b * Omega_d0**2,
@@ -69,26 +69,23 @@ GIVEN = Part(
     reading={f"Omega_{x}0": f"body rate about axis {x} at t = 0, rad/s" for x in "abd"},
 )
 FUNCTIONS = Part(
-    witness={S_t: "0", C_t: "1", D_t: "1"},
-    relations=(C_t**2 + p * S_t**2 - 1, D_t**2 + r * S_t**2 - 1),
-    rates={S_t: C_t * D_t, C_t: -p * S_t * D_t, D_t: -r * S_t * C_t},
-    reading={
+    {
         S_t: "sn(lambda t | m)/lambda with p = lambda^2 and r = m lambda^2, or its limit",
         C_t: "cn(lambda t | m)",
         D_t: "dn(lambda t | m)",
     },
+    relations=(C_t**2 + p * S_t**2 - 1, D_t**2 + r * S_t**2 - 1),
+    rates={S_t: C_t * D_t, C_t: -p * S_t * D_t, D_t: -r * S_t * C_t},
 )
-TIME = Part(witness={t: "0"}, rates={t: "1"}, reading={t: "time, s"})
+TIME = Part({t: "time, s"}, rates={t: "1"})
 SQUARED = Part(
-    witness={E_t: "0"},
+    {E_t: "the integral of S_t^2 from 0 to t"},
     rates={E_t: S_t**2},
-    reading={E_t: "the integral of S_t^2 from 0 to t"},
 )
 OVER_SQUARE = Part(
-    witness={F_t: "0"},
+    {F_t: "the integral of S_t^2/D_t^2 from 0 to t"},
     units=(D_t,),
     rates={F_t: S_t**2 / D_t**2},
-    reading={F_t: "the integral of S_t^2/D_t^2 from 0 to t"},
 )
 RATES = Part(
     units=(below,),
@@ -99,10 +96,9 @@ RATES = Part(
 )
 # Where p is not zero they are Jacobi's.
 BY_JACOBI = Part(
-    witness={lambda_: "1", m: "1/2"},
+    {lambda_: "sqrt(p)", m: "r/p"},
     units=(lambda_,),
     definitions={p: lambda_**2, r: m * lambda_**2, S_t: sn / lambda_, C_t: cn, D_t: dn},
-    reading={lambda_: "sqrt(p)", m: "r/p"},
 )
 # The integrals of Omega_b^2, and of the others where b is not an axis of symmetry.
 INTEGRALS = Part(

@@ -93,24 +93,22 @@ def turning_rate() -> Computation:
 PSI_RATE = turning_rate()
 
 INERTIA = Part(
-    witness={"c_a": "3", "c_b": "2", "c_d": "1"},
-    units=MOMENTS,
-    reading={
+    {
         "c_a": "moment of inertia about the circulation axis, kg m^2",
         "c_b": "the middle moment of inertia, kg m^2",
         "c_d": "the remaining moment of inertia, kg m^2",
     },
+    units=MOMENTS,
 )
 HANDEDNESS = sign("epsilon", "+1 when the axes (a, b, d) are right-handed, -1 when not")
 SENSE = sign("sigma", "the sign of Omega_a")
 RATES = Part(
-    witness={Omega_a: 1, Omega_b: 0, Omega_d: 0},
+    {f"Omega_{x}": f"body rate about axis {x}, rad/s" for x in "abd"},
     definitions={**GRADIENT, H: ENERGY},
     rates=EULER,
-    reading={f"Omega_{x}": f"body rate about axis {x}, rad/s" for x in "abd"},
 )
 SHORTEST = Part(
-    witness={K: 3, nu: 6},
+    {K: "|M|, kg m^2 rad/s", nu: "length of (K + sigma M_a, M x sigma e_a)"},
     units=(K, K + sigma * MOMENTS[0] * Omega_a, nu),
     definitions={
         "s_0": (UNSCALED[0].subs(M_a, BY_NU) / nu).cancel(),
@@ -119,7 +117,6 @@ SHORTEST = Part(
     relations=(K**2 - SIZE, compute(nu**2 - NU_SQUARED)),
     rates={nu: rate(NU_SQUARED) / (2 * nu)},
     nonnegative=(K, nu),
-    reading={"K": "|M|, kg m^2 rad/s", "nu": "length of (K + sigma M_a, M x sigma e_a)"},
 )
 # exp(psi sigma A_a), and the shortest rotation, which is about an axis across e_a.
 cos_half_psi, sin_half_psi, s_0, s_b, s_d = symbols("cos_half_psi sin_half_psi s_0 s_b s_d")
@@ -130,10 +127,9 @@ TURN = Part(
 # (37): a constant unit quaternion in front of the particular solution.
 Q, P, QBAR = map(quaternion, ("q", "p", "qbar"))
 PULL_BACK = Part(
-    witness=dict(zip(P, (1, 0, 0, 0), strict=True)),
+    {f"p_{x}": f"component {x} of R(0) Rbar(0)^-1, constant" for x in "0abd"},
     definitions=components("q", times(P, QBAR)),
     relations=(squares(P) - 1,),
-    reading={f"p_{x}": f"component {x} of R(0) Rbar(0)^-1, constant" for x in "0abd"},
 )
 INVERSE = components("p", times(Q, conjugate(QBAR)))
 # At the start psi is zero.
@@ -193,7 +189,7 @@ def derive(builder: LedgerBuilder) -> None:
 def _start(builder: LedgerBuilder) -> None:
     """Prove that with p by (37) q starts at the given attitude, and that p is a unit quaternion."""
     given = Part(
-        witness={x: int(x in (Q[0], QBAR[0])) for x in (*Q, *QBAR)},
+        (*Q, *QBAR),
         definitions=INVERSE,
         relations=(squares(Q) - 1, squares(QBAR) - 1),
     )

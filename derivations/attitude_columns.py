@@ -110,18 +110,13 @@ BY_TIME = {
 }
 AT_TIME = {**MOVING, **COLUMNS, **BY_TIME}
 BODY = Part(
-    witness=named(C, "321"),
+    {f"c{k}": f"moment of inertia {k}, kg m^2" for k in AXES},
     units=tuple(C),
-    reading={f"c{k}": f"moment of inertia {k}, kg m^2" for k in AXES},
 )
-RATES_AT_START = Part(
-    witness=named(OMEGA_0, "100"),
-    reading={f"Omega{k}_0": f"Omega{k} at t = 0" for k in AXES},
-)
+RATES_AT_START = Part({f"Omega{k}_0": f"Omega{k} at t = 0" for k in AXES})
 RATES = Part(
-    witness=named(OMEGA, "100"),
+    {f"Omega{k}": f"body rate about axis {k}, rad/s" for k in AXES},
     rates=named(OMEGA, EULER),
-    reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in AXES},
 )
 
 
@@ -133,22 +128,20 @@ def _moved(y: str) -> dict[Any, Any]:
 
 # A column has the variation of Euler's equations, and the right change of the energy.
 VARIED = Part(
-    witness={by(x, y): str(int(str(x) == y)) for y in CHANGES for x in OMEGA},
+    {by(x, y): f"what {x} changes by with {y}" for y in CHANGES for x in OMEGA},
     rates={
         by(x, y): change(rate, _moved(y))
         for y in CHANGES
         for x, rate in zip(OMEGA, EULER, strict=True)
     },
     relations=tuple(change(energy(OMEGA) - energy(OMEGA_0), _moved(y)) for y in CHANGES),
-    reading={by(x, y): f"what {x} changes by with {y}" for y in CHANGES for x in OMEGA},
 )
 EXCESS = Part(
-    witness={t: "0", **dict.fromkeys(EXCESSES, "0")},
-    rates={t: 1, **named(EXCESSES, (x**2 - y**2 for x, y in zip(OMEGA, OMEGA_0, strict=True)))},
-    reading={
+    {
         t: "time, s",
         **{f"excess{k}": f"the integral of Omega{k}^2 - Omega{k}_0^2 from 0 to t" for k in AXES},
     },
+    rates={t: 1, **named(EXCESSES, (x**2 - y**2 for x, y in zip(OMEGA, OMEGA_0, strict=True)))},
 )
 # The momentum over its square, seen in space: constant, as at t = 0.
 DIRECTION = {
@@ -157,14 +150,12 @@ DIRECTION = {
     **named(L, compute(R).multiply(direction(OMEGA))),
 }
 ARMS = Part(
-    witness=dict.fromkeys(B, "0"),
-    reading={B[i - 1, k - 1]: f"component {i} of l x R e_{k} at t = 0" for i in AXES for k in AXES},
+    {B[i - 1, k - 1]: f"component {i} of l x R e_{k} at t = 0" for i in AXES for k in AXES},
 )
 ATTITUDE = Part(
-    witness=named(Q, "1000"),
+    {q: f"component {k} of the attitude" for k, q in enumerate(Q)},
     rates=named(Q, (x / 2 for x in product(Q, (0, *OMEGA)))),
     relations=(sum(q**2 for q in Q) - 1,),
-    reading={q: f"component {k} of the attitude" for k, q in enumerate(Q)},
 )
 
 
@@ -188,9 +179,8 @@ def derive(builder: LedgerBuilder) -> None:
 def _start(builder: LedgerBuilder) -> None:
     """Prove that all columns of the attitude are zero at t = 0."""
     attitude = Part(
-        witness=named(Q_0, "1000"),
+        {q: f"component {k} of the attitude at t = 0" for k, q in enumerate(Q_0)},
         relations=(sum(q**2 for q in Q_0) - 1,),
-        reading={q: f"component {k} of the attitude at t = 0" for k, q in enumerate(Q_0)},
     )
     begun = Part(
         definitions={

@@ -54,34 +54,29 @@ _MATRIX, _GIVEN = compute([*XI.cross(M), XI.dot(M)]).apply(sympy.linear_eq_to_ma
 _SQUARE = _MATRIX.T.multiply(_MATRIX).expand().subs(M.dot(M), K**2)
 SOLVED = _SQUARE.inv().multiply(_MATRIX.T.multiply(Matrix([*(L - varied(M)), s])))
 STATE = Part(
-    witness={"Omega1": "1", "Omega2": "0", "Omega3": "0", K: "1"},
+    ("Omega1", "Omega2", "Omega3", K),
     units=(K,),
     relations=(K**2 - M.dot(M),),
     reading={K: "|M|, kg m^2 rad/s"},
 )
 MOMENTUM = Part(
-    witness=named(L, "100"),
+    {f"l{k}": f"component {k} in the body of the change of L = R M" for k in AXES},
     relations=(M.dot(L - varied(M)),),
     rates=named(L, compute(L).cross(OMEGA)),
-    reading={f"l{k}": f"component {k} in the body of the change of L = R M" for k in AXES},
 )
 INTEGRALS = Part(
-    witness={t: "0", **dict.fromkeys(SQUARED, "0")},
+    {t: "time, s", **{f"I{k}": f"the integral of Omega{k}^2 from 0 to t" for k in AXES}},
     rates={t: 1, **named(SQUARED, OMEGA.applyfunc(lambda x: x**2))},
-    reading={
-        t: "time, s",
-        **{f"I{k}": f"the integral of Omega{k}^2 from 0 to t" for k in AXES},
-    },
 )
 ALONG = {s: s_0 + t * symbol("dH") - varied(C).dot(SQUARED) / 2}
-BEGUN = Part(witness={s_0: "0"}, definitions=ALONG, reading={s_0: "xi . M at t = 0"})
+BEGUN = Part({s_0: "xi . M at t = 0"}, definitions=ALONG)
 TURN = Part(
     definitions=named(XI, SOLVED),
     reading={f"xi{k}": f"component {k} of the small turn in the body" for k in AXES},
 )
 TURNED = named(Q, (x / 2 for x in product(Q, (0, *OMEGA))))
 ATTITUDE = Part(
-    witness=named(Q, "1000"),
+    Q,
     rates=TURNED,
     relations=(sum(q**2 for q in Q) - 1,),
     definitions=named(varied(Q), (x / 2 for x in compute(Q).apply(product, (0, *XI)))),
@@ -96,7 +91,7 @@ def derive(builder: LedgerBuilder) -> None:
     rates, quantities = moving(*given), defined(*given)
     # A body beside the one that moves: its moments, its rates and, in the body, its momentum.
     beside = Part(
-        witness={**small(*C).witness, **small(*OMEGA, value="0").witness},
+        (*small(*C).names, *small(*OMEGA).names),
         definitions={f"d{x}": change(quantities[symbol(x)]) for x in ("M1", "M2", "M3", "H")},
         rates=named(varied(OMEGA), (change(rates[x]) for x in OMEGA)),
         reading={**small(*C, *OMEGA).reading, "dH": "change of the energy, constant"},
@@ -113,7 +108,7 @@ def derive(builder: LedgerBuilder) -> None:
     builder.claim("turned_attitude.norm", {sum(q * symbol(f"d{q}") for q in Q): 0}, ["1"])
     momenta = Part(definitions=named(M, (quantities[m] for m in M)))
     begun = Part(
-        witness=dict.fromkeys(ETA, "1"),
+        ETA,
         definitions={
             **named(L, varied(M) + compute(ETA).cross(M)),
             s_0: compute(ETA).dot(M),
@@ -131,7 +126,7 @@ def derive(builder: LedgerBuilder) -> None:
 def _rest(builder: LedgerBuilder) -> None:
     """Prove the case of a body at rest, where the small turn grows linearly."""
     begun = Part(
-        witness={t: "0", **dict.fromkeys((*ETA, *varied(OMEGA)), "1")},
+        (t, *ETA, *varied(OMEGA)),
         rates={t: 1},
         definitions={**dict.fromkeys(OMEGA, 0), **named(XI, ETA + t * varied(OMEGA))},
         reading={x: f"component {k} of xi at t = 0" for k, x in enumerate(ETA, 1)},

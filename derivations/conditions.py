@@ -42,10 +42,7 @@ def _start_of_motion(builder: LedgerBuilder) -> None:
     matrices = {**builder.result(Algebra).basis, **matrices}
     scope = Scope.open(builder, "any_start", body, matrices=matrices, static=True)
     conjugated, start = R * M * R.I, ["9", "22"]
-    at_e = Part(
-        witness={f"q{k}": str(int(k == 0)) for k in range(4)},
-        relations=("q0 - 1", "q1", "q2", "q3"),
-    )
+    at_e = Part(relations=("q0 - 1", "q1", "q2", "q3"))
     Scope.open(builder, "identity_start", body, at_e, matrices=matrices, static=True)
     gap = MatAdd(conjugated, -M)
     builder.claim("any_start.commutes", scope.entrywise(gap * R, commutator(R, M)), start)
@@ -55,11 +52,11 @@ def _degenerate(builder: LedgerBuilder) -> None:
     """Prove alpha = 0 for c_i equal to another moment, and s = 0 for a spin about axis j."""
     lemma = builder.result(Lemma1)
     moving, quartic = lemma.moving, lemma.quartic
-    for other, witness in (("j", {"c_j": "2"}), ("k", {"c_k": "2"})):
-        equal = Part(witness=witness, relations=(f"c_i - c_{other}",))
+    for other in "jk":
+        equal = Part(relations=(f"c_i - c_{other}",))
         builder.open(join(f"equal_axes_{other}", INERTIA, moving, quartic, equal, static=True))
         builder.claim(f"equal_axes_{other}.alpha", {"alpha": "0"}, ["13"])
-    spin = Part(witness={"Omega_i": "0", "Omega_k": "0"}, relations=("Omega_i", "Omega_k"))
+    spin = Part(relations=("Omega_i", "Omega_k"))
     builder.open(join("spinning", INERTIA, moving, lemma.roots, spin))
     builder.claim("spinning.root", {"root_j": "0"}, ["10", "11", "12", "footnote 1"])
 
@@ -94,7 +91,7 @@ def _start(builder: LedgerBuilder) -> None:
 def _poles(builder: LedgerBuilder) -> None:
     """Prove that denominators of (29), (32), (33) vanish with sin(phi2) and cos(phi3)."""
     on_axis = Part(
-        witness={"sin_phi2": "0", "cos_phi2": "1", "cos_phi3": "1", "sin_phi3": "0"},
+        ("sin_phi2", "cos_phi2", "cos_phi3", "sin_phi3"),
         definitions=MOTION_RATES,
         relations=("sin_phi2",),
     )
@@ -111,7 +108,7 @@ def _poles(builder: LedgerBuilder) -> None:
         ["29", "32", "33"],
     )
     across = Part(
-        witness={"cos_phi2": "0", "sin_phi2": "1", "cos_phi3": "0", "sin_phi3": "1"},
+        ("cos_phi2", "sin_phi2", "cos_phi3", "sin_phi3"),
         definitions=MOTION_RATES,
         relations=("cos_phi3",),
     )
@@ -123,15 +120,7 @@ def _poles_of_34(builder: LedgerBuilder) -> None:
     """Prove that the denominators of (34) vanish for |c1 Omega1| = K."""
     for name, side in (("plus", "K - c1*zeta*sn"), ("minus", "K + c1*zeta*sn")):
         pole = Part(
-            witness={
-                "K": "1",
-                "c1": "1",
-                "zeta": "1",
-                "sn": "1" if name == "plus" else "-1",
-                "cn": "0",
-                "mu": "0",
-                "dn": "1",
-            },
+            ("K", "c1", "zeta", "sn", "cn", "mu", "dn"),
             definitions=sine_of(1).definitions,
             relations=(side,),
         )
@@ -141,6 +130,6 @@ def _poles_of_34(builder: LedgerBuilder) -> None:
 
 def _amplitude_at_rest(builder: LedgerBuilder) -> None:
     """Prove that theta' = 0 for dn = 0, so that (36) cannot replace t by theta there."""
-    rest = Part(witness={"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
+    rest = Part(relations=("mu*sn**2 - 1",))
     builder.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
     builder.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])

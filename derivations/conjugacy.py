@@ -27,9 +27,9 @@ from rigidsym.proof.steps import (
 )
 from rigidsym.proof.steps._names import Dictionary, symbol, symbols
 
-MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
+MOMENTUM = Part({"K": "|M|, kg m^2 rad/s"}, units=("K",))
 TURNING = Part(
-    witness={f"phi{k}_rate": "1" for k in (1, 2, 3)},
+    tuple(f"phi{k}_rate" for k in (1, 2, 3)),
     rates={f"phi{k}_rate": "?" for k in (1, 2, 3)},
     reading={f"phi{k}_rate": f"d phi{k}/dt, rad/s" for k in (1, 2, 3)},
 )
@@ -63,9 +63,7 @@ class Angles:
 def turns(setting: Setting) -> tuple[Part, ...]:
     """Return the three angles by the cosine and sine in exp(phi A)."""
     angle = half_angle if setting.factor < 1 else double_angle
-    plain = [angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3)]
-    tilted = [dict(zip(part.names, ("4/5", "3/5"), strict=True)) for part in plain]
-    return tuple(replace(part, witness=w) for part, w in zip(plain, tilted, strict=True))
+    return tuple(angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 
 
 def circles(setting: Setting) -> tuple[Part, Part]:
@@ -173,7 +171,7 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     along, across = setting.nutation(PHI[1])
     name = f"{across.func}_phi2"
     free = Part(
-        witness={**dict.fromkeys(("M1", "M2", "M3"), "1"), name: "4/5"},
+        ("M1", "M2", "M3", name),
         units=(name,),
         reading={name: str(across)},
     )
@@ -181,7 +179,7 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     unknown += [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     names = (f"{along.func}_phi2", "cos_phi3", "sin_phi3")
     angles = Part(
-        witness=dict.fromkeys(names, "1"),
+        names,
         reading=dict(zip(names, map(str, unknown), strict=True)),
     )
     scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)

@@ -93,27 +93,21 @@ U_1 = compute(mu * t + phase)
 POLHODE = (RELATION.subs({m: MODULUS, B_b: C_b / (1 + k_1)}) * (1 + k_1) ** 2).factor().expand()
 INSIDE = C_b**2 - POLHODE
 DESCENT = Part(
-    witness={"k_1": "1", "C_b": "50"},
+    {"k_1": "modulus after one descent", "C_b": "(1 + k_1) B_b"},
     units=(1 + k_1, C_b, INSIDE, i_a * INSIDE + rho * Delta * (1 + k_1) ** 2 * B_d**2),
     relations=("C_b**2 - (1 + k_1)**2*B_d**2 - 4*k_1*B_a**2",),  # POLHODE, factored
     definitions={m: MODULUS, B_b: C_b / (1 + k_1), k_c: COMPLEMENT, m_c: 1 - k_1**2},
     nonnegative=(B_b, k_c, K, nu),
     reading={
-        "k_1": "modulus after one descent",
-        "C_b": "(1 + k_1) B_b",
         "k_c": "complementary modulus k' of (u | m)",
         "m_c": "complementary parameter of (u_1 | k_1^2)",
     },
 )
 ARGUMENT = Part(
-    witness={"t": "0", "phase": "0"},
+    {"t": "time, s", "phase": "u_1 at t = 0"},
     definitions={mu: MU, u_1: U_1, u: (1 + k_1) * u_1},
     rates={"t": "1"},
-    reading={
-        "t": "time, s",
-        "phase": "u_1 at t = 0",
-        "u": "jacobi_argument(sn, cn, dn)",
-    },
+    reading={"u": "jacobi_argument(sn, cn, dn)"},
 )
 LANDEN = Part(
     units=(BELOW,),
@@ -123,7 +117,7 @@ LANDEN = Part(
 # w is nu (1 + k_1 s^2), whose square is a polynomial.
 TILTED = K * BELOW + B_a * (1 - k_1 * s**2)
 MOMENTUM = Part(
-    witness={"K": "25", "w": "40"},
+    ("K", "w"),
     units=(K, w, K + B_a, TILTED),
     relations=("K**2 - B_a**2 - B_d**2", w**2 - 2 * K * TILTED * BELOW),
     definitions={nu: w / BELOW, **SHORTEST.definitions},
@@ -133,7 +127,7 @@ MOMENTUM = Part(
     reading={**SHORTEST.reading, "w": "nu (1 + k_1 s^2)"},
 )
 SECULAR = Part(
-    witness={"J": "0", "J_0": "0"},
+    {"J": "elliptic_j(u_1, n, 1 - m_c)", "J_0": "elliptic_j(phase, n, 1 - m_c)"},
     definitions={
         n: N,
         psi_0: PSI_0,
@@ -141,10 +135,6 @@ SECULAR = Part(
         psi: PSI.subs(J_OF_T, J - J_0).ordered("psi_0 t kappa"),
     },
     rates={J: SLOPE},
-    reading={
-        "J": "elliptic_j(u_1, n, 1 - m_c)",
-        "J_0": "elliptic_j(phase, n, 1 - m_c)",
-    },
 )
 MOTION = (
     *BODY,

@@ -19,19 +19,17 @@ c_a, c_b, c_d, c_ab, Omega_a, Omega_b, Omega_d = symbols("c_a c_b c_d c_ab Omega
 A_a, A_b, A_d, B_a, B_b, B_d, E_b = symbols("A_a A_b A_d B_a B_b B_d E_b")
 sech, tanh, cosine, sine, x, mu, u_1, A, J = symbols("sech tanh cosine sine x mu u_1 A J")
 SEPARATRIX = Part(
-    witness={B_b: "25"},
+    {B_b: "amplitude of c_b |Omega_b|"},
     units=(B_b, B_d**2 + B_a**2, i_a * (B_d**2 + B_a**2) + rho * Delta * B_d**2),
     definitions={m: 1},
     relations=(B_b**2 - B_d**2 - B_a**2,),
     nonnegative=(B_b,),
-    reading={B_b: "amplitude of c_b |Omega_b|"},
 )
 HYPERBOLIC = Part(
-    witness={sech: "1", tanh: "0"},
+    {sech: "1/cosh(u)", tanh: "tanh(u)"},
     definitions={sn: tanh, cn: sech, dn: sech},
     relations=(tanh**2 + sech**2 - 1,),
     rates={tanh: lambda_ * sech**2, sech: -lambda_ * tanh * sech},
-    reading={tanh: "tanh(u)", sech: "1/cosh(u)"},
 )
 SYMMETRIC = Part(
     units=(i_a * B_d**2 + rho * Delta * B_d**2,),
@@ -39,15 +37,14 @@ SYMMETRIC = Part(
     nonnegative=(B_b,),
 )
 CIRCULAR = Part(
-    witness={cosine: "1", sine: "0"},
+    {cosine: "cos(u)", sine: "sin(u)"},
     definitions={sn: sine, cn: cosine, dn: 1},
     relations=(sine**2 + cosine**2 - 1,),
     rates={sine: lambda_ * cosine, cosine: -lambda_ * sine},
-    reading={sine: "sin(u)", cosine: "cos(u)"},
 )
 # J at k_1 = 1: x stands for sqrt(-n), A for arctan(x tanh u_1).
 ELEMENTARY = Part(
-    witness={x: "1/2", mu: "1", u_1: "0", sech: "1", tanh: "0", A: "0"},
+    (x, mu, u_1, sech, tanh, A),
     units=(x, 1 + x**2, 1 + x**2 * tanh**2),
     definitions={n: -(x**2), J: (u_1 - A / x) / (1 - n)},
     relations=(tanh**2 + sech**2 - 1,),

@@ -41,9 +41,8 @@ from rigidsym.proof.steps._names import symbol, symbols
 from rigidsym.proof.steps._variation import MOMENTA, RATES
 
 INERTIA = Part(
-    witness={"c1": "1", "c2": "2", "c3": "5/2"},
+    {f"c{k}": f"principal moment of inertia {k}, kg m^2" for k in (1, 2, 3)},
     units=("c1", "c2", "c3"),
-    reading={f"c{k}": f"principal moment of inertia {k}, kg m^2" for k in (1, 2, 3)},
 )
 
 
@@ -68,17 +67,12 @@ def parameters(setting: Setting) -> Part:
     wheels = sorted({str(h) for linear in setting.wheel() for h in linear.free_symbols})
     factors = sympy.factor_list(tensor.det(method="berkowitz"))[1]
     return Part(
-        witness={
-            **{x: INERTIA.witness[x] for x in moments},
-            **dict.fromkeys(products, "1/4"),
-            **dict.fromkeys(wheels, "1"),
-        },
-        units=tuple(dict.fromkeys((*moments, *(str(x) for x, _ in factors)))),
-        reading={
+        {
             **{x: INERTIA.reading[x] for x in moments},
             **{x: f"product of inertia of axes {x[1]} and {x[2]}, kg m^2" for x in products},
             **{x: f"momentum of wheel {x[1]}, kg m^2 rad/s" for x in wheels},
         },
+        units=tuple(dict.fromkeys((*moments, *(str(x) for x, _ in factors)))),
     )
 
 
@@ -110,7 +104,7 @@ def _body(
 ) -> Part:
     """Prove Euler's equations, H by Legendre's transform, and K^2 from the spectrum of M."""
     free = Part(
-        witness=dict.fromkeys(map(str, MOMENTA), "1"),
+        (*map(str, MOMENTA),),
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )
     matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
@@ -122,7 +116,7 @@ def _body(
     lagrangian = compute(algebra.setting.energy())
     energy = sum((m * w for m, w in zip(gradient, RATES, strict=True)), -lagrangian)
     return Part(
-        witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
+        ("Omega1", "Omega2", "Omega3"),
         definitions={
             **{str(name): scope.text(m) for name, m in zip(MOMENTA, gradient, strict=True)},
             "H": scope.text(energy.expand().factor()),
@@ -152,7 +146,7 @@ def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part)
 
     unknown = symbols("b1 b2 b3")
     ansatz = Part(
-        witness={**dict.fromkeys(map(str, unknown), "1"), "b_free": "1"},
+        (*map(str, unknown), "b_free"),
         reading={f"b{k}": f"coordinate {k} of a matrix B with M' = [M, B]" for k in (1, 2, 3)},
     )
     B = matrix("B")
@@ -174,7 +168,7 @@ def _gradient(
     """Prove (8): dH/dM_i = Omega_i, with D as the derivative along one momentum."""
     energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
     momenta = Part(
-        witness={"M1": "1", "M2": "1", "M3": "1"},
+        ("M1", "M2", "M3"),
         definitions={"H": str(sympy.factor(sympy.expand(energy.subs(velocities))))},
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )

@@ -43,21 +43,20 @@ STEP = P * a / x**2 - e * P * a
 unit = symbol("unit")
 A = compute(STEP - P / x).apply(solve, a)[0].subs(e * x**2, 1 - unit).subs(unit, 1 - e * x**2)
 COEFFICIENT = Part(
-    witness={x: "1/2"},
+    {x: "nome**k"},
     units=(x, 1 - e * x**2),
     definitions={a: A.ordered("e")},
-    reading={"x": "nome**k", "a": "a(k)"},
+    reading={"a": "a(k)"},
 )
 # P x**-2 is s(k) nome**(k**2 - 2*(m + 1)*k).
 TERMS = Part(
-    witness={P: "1"},
+    {P: "s(k)*nome**(k**2 - 2*m*k)"},
     units=(x**2 - e,),
     definitions={term: P * a, next_term: P * a / x**2, a_back: A.subs(x, 1 / x)},
-    reading={"P": "s(k)*nome**(k**2 - 2*m*k)"},
 )
 POWER = compute(k**2 - (2 * m + 1) * k)
 EXPONENT = Part(
-    witness={k: "1", m: "1"},
+    (k, m),
     definitions={
         k_back: 2 * m + 1 - k,
         exponent: POWER,
@@ -77,7 +76,7 @@ SLOPES = {cosine: -2 * k * rate * sine, sine: 2 * k * rate * cosine}
 TERM = rate * 4 * a * SHIFTED
 REST_K = (rest_k * compute(sine).subs(SLOPES) - TERM).apply(solve, rest_k)[0]
 PHASE = Part(
-    witness={k: "1", rate: "1", **{cosine: "1", sine: "0", cosh_b: "1", sinh_b: "0"}},
+    (k, rate, cosine, sine, cosh_b, sinh_b),
     units=(k,),
     relations=(sine**2 + cosine**2 - 1, cosh_b**2 - sinh_b**2 - 1),
     rates=SLOPES,
@@ -93,11 +92,10 @@ PHASE = Part(
     },
 )
 REST = Part(
-    witness={rest: "0"},
+    {rest: "the sum of rest_k*sin(2*k*v)"},
     units=(1 - n * s**2,),
     definitions={name: ADDITION[name] for name in ("SN_re", "Z_im")},
     rates={rest: mu * Z_im},
-    reading={"rest": "the sum of rest_k*sin(2*k*v)"},
 )
 
 

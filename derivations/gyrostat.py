@@ -53,7 +53,7 @@ def _along(builder: LedgerBuilder, dynamics: Dynamics, axis: int) -> None:
 
 def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
     variable = Part(
-        witness={"x": "1", "H": "1", "K_squared": "1"},
+        ("x", "H", "K_squared"),
         reading={"x": "the parameter of the pencil x (2 H - ...) - (K^2 - ...)"},
     )
     scope = Scope.open(builder, "pencil", dynamics.parameters, variable, static=True)

@@ -37,7 +37,7 @@ from rigidsym.proof.steps._names import symbol, symbols
 
 t, U, V, W = symbols("t U_t V_t W_t")
 FOURTHS = Part(
-    witness=dict.fromkeys((U, V, W), "0"),
+    (U, V, W),
     rates={U: S**4, V: S**4 / D**2, W: S**4 / D**4},
     reading={
         U: "the integral of S_t^4 from 0 to t",

@@ -49,8 +49,7 @@ TORQUE = [b[i] + k * v[i] - GAINED.diff(eta[i]) for i in range(3)]
 SEEN = named(w, ABOUT) | named(v, _seen())
 EXERTED = named(g, [U.diff(x).ordered("v1 v2 v3") for x in v]) | named(T, TORQUE)
 TURNING = Part(
-    witness={q0: "1", **dict.fromkeys(r, "0")}
-    | dict.fromkeys((*Omega, *u, *b, k, *m, *SQUARED), "1"),
+    (q0, *r, *Omega, *u, *b, k, *m, *SQUARED),
     relations=(q0**2 + r.dot(r) - 1,),
     rates={
         **named((q0, *r), (rate / 2 for rate in product((q0, *r), (0, *Omega)))),

@@ -21,7 +21,7 @@ from rigidsym.proof.steps._names import read, symbol, symbols
 H = symbol("H")
 UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
 BODY_RATES = Part(
-    witness={"Omega1": "1", "Omega2": "1", "Omega3": "1"},
+    ("Omega1", "Omega2", "Omega3"),
     rates={f"Omega{k}": "?" for k in (1, 2, 3)},
     reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
 )
@@ -43,7 +43,7 @@ def derive(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "turning", *parts, matrices=reduction.matrices)
     why = "the velocity in the body, multiplied out"
     velocity = coordinates(scope, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
-    unknown = Part(witness=dict.fromkeys(map(str, UNKNOWN), "1"), reading=TURNING.reading)
+    unknown = Part((*map(str, UNKNOWN),), reading=TURNING.reading)
     scope = Scope.open(builder, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
     equations = list(zip(RATES, velocity.value, strict=True))
     why = "R' = R Omega, solved for the rates of the angles"

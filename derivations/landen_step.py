@@ -54,7 +54,7 @@ SLOPE = SHIFTED.diff(x_next)
 
 # The only rational points of the modulus are the ends: 1 - kc^2 and kc are squares nowhere else.
 MODULUS = Part(
-    witness={root_kc: "0", k: "1", K_next: "2"},
+    (root_kc, k, K_next),
     units=(1 + root_kc**2,),
     relations=(k**2 + root_kc**4 - 1,),
     definitions={
@@ -74,7 +74,7 @@ MODULUS = Part(
     },
 )
 ARGUMENT = Part(
-    witness={s_next: "0", c_next: "1", d_next: "1"},
+    (s_next, c_next, d_next),
     units=(d_next, BELOW),
     relations=(c_next**2 + s_next**2 - 1, d_next**2 + k_next**2 * s_next**2 - 1),
     definitions={s: SN, c: CN, d: DN, v: V},
@@ -85,7 +85,10 @@ ARGUMENT = Part(
     },
 )
 SHIFT = Part(
-    witness={x_next: "1/2", w: "2"},
+    {
+        x_next: "sc of (beta/(1 + k_next) | 1 - k_next^2)",
+        w: "scale of the shifts, the same at every step",
+    },
     units=(w, inside),
     definitions={
         inside: INSIDE,
@@ -100,15 +103,13 @@ SHIFT = Part(
     reading={
         inside: "positive for beta below half of the quarter period",
         x: "sc of (beta | 1 - k^2)",
-        x_next: "sc of (beta/(1 + k_next) | 1 - k_next^2)",
-        w: "scale of the shifts, the same at every step",
     },
 )
 # The shift at the top: where dn is K/B_a.
 TOP = B_d / (root_k * (K + B_a))
 # What the scale is at the top, and the exponentials of the bottom.
 SCALING = Part(
-    witness={h_plus: "4", h_minus: "1", root_Q: "2", root_r: "1/2"},
+    (h_plus, h_minus, root_Q, root_r),
     units=(root_r,),
     relations=(root_Q**2 - h_plus * h_minus,),
     definitions={
@@ -129,7 +130,7 @@ SCALING = Part(
     },
 )
 MOMENTUM = Part(
-    witness={K: "25", B_a: "7", B_d: "24"},
+    (K, B_a, B_d),
     units=(K + B_a,),
     relations=(K**2 - B_a**2 - B_d**2,),
     definitions={Y: compute(root_Q * TOP).subs(root_k, root_r * root_Q)},

@@ -31,7 +31,7 @@ from rigidsym.proof.steps import (
 from rigidsym.proof.steps._names import read, symbol, symbols
 
 INERTIA = Part(
-    witness={"c_i": "2", "c_j": "3", "c_k": "1"},
+    ("c_i", "c_j", "c_k"),
     units=("c_i", "c_j", "c_k"),
     reading={f"c_{x}": f"moment of inertia about axis {x}, kg m^2" for x in "ijk"},
 )
@@ -40,7 +40,7 @@ RATE, *OTHERS = symbols("Omega_i Omega_j Omega_k")
 H, K_SQUARED = symbols("H K_squared")
 # s_i = zeta^2 and s_j are the roots, xi = sqrt(alpha s_j).
 SINE = Part(
-    witness={"zeta": "1", "s_j": "4", "xi": "4", "c_i": "2", "alpha": "4"},
+    ("zeta", "s_j", "xi", "c_i", "alpha"),
     units=("s_j", "c_i"),
     definitions={"s_i": "zeta**2"},
     relations=("xi**2 - alpha*s_j",),
@@ -49,7 +49,7 @@ SINE = Part(
 SN = jacobi_sn(symbol("xi") * symbol("t") + symbol("C_i"), symbol("mu"))
 # dn^2 = 1 - mu sn^2 has the fraction mu = s_i/s_j: w = sqrt(s_j) dn keeps it polynomial.
 SCALED = Part(
-    witness={"sn": "0", "cn": "1", "w": "2", "root_s": "2"},
+    ("sn", "cn", "w", "root_s"),
     units=("root_s",),
     definitions={"dn": "w/root_s"},
     relations=("cn**2 + sn**2 - 1", "root_s**2 - s_j", "w**2 + s_i*sn**2 - s_j"),
@@ -172,7 +172,7 @@ def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
     Return the quadratic and mu.
     """
     gap = Part(
-        witness={"alpha": "1", "s_i": "2", "s_j": "3", "v": "0"},
+        ("alpha", "s_i", "s_j", "v"),
         units=("s_i", "s_j"),
         reading={"s_i": "a root in Omega_i^2", "s_j": "the other one", "v": "the square of sn"},
     )
@@ -205,7 +205,7 @@ def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
 def _reciprocal(builder: LedgerBuilder) -> None:
     """Prove the reciprocal modulus: sqrt(mu) sn, dn, cn are sn, cn, dn of (sqrt(mu) u | 1/mu)."""
     modulus = Part(
-        witness={"sqrt_mu": "2", "nu": "1"},
+        ("sqrt_mu", "nu"),
         units=("sqrt_mu",),
         definitions={"mu": "sqrt_mu**2"},
         reading={"nu": "rate of the argument u"},

@@ -16,13 +16,23 @@ from rigidsym.proof.steps import Scope, coordinates, determinant, matrix, multip
 from rigidsym.proof.steps._names import symbols
 
 UNIT_QUATERNION = Part(
-    witness={"q0": "1", "q1": "0", "q2": "0", "q3": "0"},
+    ("q0", "q1", "q2", "q3"),
     relations=("q3**2 + q2**2 + q1**2 + q0**2 - 1",),
     reading={f"q{k}": f"component {k} of a unit quaternion" for k in range(4)},
 )
 PAIR = Part(
-    witness=dict.fromkeys(
-        ["q0", "q1", "q2", "q3", "p0", "p1", "p2", "p3", "Omega1", "Omega2", "Omega3"], "0"
+    (
+        "q0",
+        "q1",
+        "q2",
+        "q3",
+        "p0",
+        "p1",
+        "p2",
+        "p3",
+        "Omega1",
+        "Omega2",
+        "Omega3",
     ),
     reading={
         **{f"{name}{k}": f"component {k} of a quaternion" for name in "qp" for k in range(4)},

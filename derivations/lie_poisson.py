@@ -53,7 +53,7 @@ def _momenta(builder: LedgerBuilder) -> Part:
     dynamics = builder.result(Dynamics)
     energy = compute(read(dynamics.body.definitions["H"])).subs(dynamics.velocities)
     return Part(
-        witness=dict.fromkeys(MOMENTA, 1),
+        MOMENTA,
         definitions={
             "H": energy.expand().factor(),
             "K_squared": dynamics.body.definitions["K_squared"],

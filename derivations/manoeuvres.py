@@ -78,21 +78,18 @@ def euler(momenta: Any, rates: Any) -> dict[Expr, Computation]:
 
 # What q and Omega are at the time s t: everything moves s times as fast.
 FASTER = Part(
-    witness={s: 2},
+    {s: "constant: the other names stand for a motion at the time s t"},
     definitions={w: s * omega for w, omega in zip(W, OMEGA, strict=True)},
-    reading={
-        "s": "constant: the other names stand for a motion at the time s t",
-        **{f"W{k}": f"rate about axis {k} in the time t, rad/s" for k in (1, 2, 3)},
-    },
+    reading={f"W{k}": f"rate about axis {k} in the time t, rad/s" for k in (1, 2, 3)},
 )
 TURN = Part(
-    witness=dict.fromkeys(P, "1/2"),
+    P,
     definitions=turn(R, P),
     relations=(sum(x**2 for x in P) - 1,),
     reading={f"p{k}": f"component {k} of the turn from start to target" for k in range(4)},
 )
 MOMENTUM = Part(
-    witness={"M1": "2", "M2": "3", "M3": "6", K: "7"},
+    ("M1", "M2", "M3", K),
     definitions=defined(N, compute(R.T).multiply(M)),
     relations=(K**2 - M.dot(M),),
     nonnegative=(K,),
@@ -127,7 +124,7 @@ c_a, c_b, c_d = symbols("c_a c_b c_d")
 M_a, M_b, M_d = symbols("M_a M_b M_d")
 INVERSE = {c_a: i_a, c_b: i_a + across**2, c_d: i_a + across**2 + along**2}
 PLANES = Part(
-    witness={i_a: "1", across: "1", along: "1", M_a: "1", M_b: "0", M_d: "1"},
+    (i_a, across, along, M_a, M_b, M_d),
     units=tuple(INVERSE.values()),
     definitions={
         **{c: 1 / inverse for c, inverse in INVERSE.items()},
@@ -144,7 +141,7 @@ PLANES = Part(
 )
 # With p constant, the motion that has the rates W at the attitude x = q p.
 BESIDE = Part(
-    witness={"c1": "2", "c2": "2", "c3": "1", "p0": "3/5", "p1": "0", "p2": "0", "p3": "4/5"},
+    ("c1", "c2", "c3", "p0", "p1", "p2", "p3"),
     definitions={
         **defined(W, compute(R.T).multiply(OMEGA)),
         **defined(BESIDE_M, compute(R.T).multiply(M)),

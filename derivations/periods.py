@@ -79,7 +79,7 @@ PSI_MEAN = GAIN.expand().subs(period, PERIOD)
 # dn is the rate of Jacobi's amplitude.
 OMEGA_MEAN = compute(sigma * A_a / lambda_ * (am_later - am) / period).subs(am_later, am + turn)
 COMPLETE = Part(
-    witness={K_1: "1", J_c: "0"},
+    {K_1: "elliptic_k(1 - m_c)", J_c: "(elliptic_pi(n, 1 - m_c) - K_1)/n"},
     units=(K_1, k_1),
     definitions={
         quarter: (1 + k_1) * K_1,
@@ -90,26 +90,21 @@ COMPLETE = Part(
         dn_later: JACOBI[dn],
         psi_later: PSI_LATER,
     },
-    reading={
-        "K_1": "elliptic_k(1 - m_c)",
-        "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
-        "quarter": "elliptic_k(m)",
-    },
+    reading={"quarter": "elliptic_k(m)"},
 )
 # It grows by a whole turn in a period.
 AMPLITUDE = Part(
-    witness={am: "0", turn: "6"},
+    {am: "jacobi_am(u, m)", turn: "2*pi"},
     units=(lambda_,),
     definitions={
         am_later: am + turn,
         Omega_mean: OMEGA_MEAN.ordered("sigma A_a turn lambda_ period"),
     },
     rates={am: lambda_ * dn},
-    reading={"am": "jacobi_am(u, m)", "turn": "2*pi"},
 )
 # The functions at u_1 + 2 K_1; it starts where u_1 is 0.
 FUNCTIONS = Part(
-    witness={s_later: "0", c_later: "-1", d_later: "1", J_later: "0"},
+    (s_later, c_later, d_later, J_later),
     units=(1 + k_1 * s_later**2, 1 - n * s_later**2),
     rates={
         s_later: mu * c_later * d_later,

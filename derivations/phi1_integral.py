@@ -24,9 +24,8 @@ ARGUMENT = XI * T + symbol("gamma")
 SN, DN = jacobi_sn(ARGUMENT, MU), jacobi_dn(ARGUMENT, MU)
 FUNCTIONS = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
 AMPLITUDE = Part(
-    witness={"theta": "0"},
+    {"theta": "jacobi_am(xi*t + gamma, mu)"},
     rates={"theta": "xi*dn"},
-    reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
 )
 
 
@@ -34,7 +33,7 @@ def constants(axis: int, moment: str = "") -> Part:
     """Return a moment of inertia, the invariants, and constants of zeta sn(xi t + gamma | mu)."""
     moment = moment or f"c{axis}"
     return Part(
-        witness={moment: "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
+        (moment, "H", "K", "zeta", "xi", "mu"),
         units=(moment, "K"),
         reading={
             "H": "kinetic energy, J",
@@ -83,11 +82,10 @@ def derive(builder: LedgerBuilder) -> None:
     found = split.apply(_parameter)
     n = found.value
     table = Part(
-        witness={"Pi": "0", "t": "0"},
+        {"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
         definitions={"n": found},
         rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
         units=("xi",),
-        reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
     )
     scope = Scope.open(builder, "table", *given, table)
     rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found

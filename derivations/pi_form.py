@@ -75,13 +75,12 @@ LAMBDA = HALF.coeff(t).factor()
 REST = HALF.coeff(J_periodic) * (J - j * u_1)
 REST_0 = -HALF.coeff(J_start) * (J_0 - j * phase)
 MEAN = Part(
-    witness={j: "0"},
+    {j: "(elliptic_pi(n, 1 - m_c)/elliptic_k(1 - m_c) - 1)/n"},
     definitions={
         Lambda: LAMBDA.ordered("psi_0 kappa mu"),
         rest: REST,
         rest_0: REST_0.ordered("kappa J_0 j"),
     },
-    reading={"j": "(elliptic_pi(n, 1 - m_c)/elliptic_k(1 - m_c) - 1)/n"},
 )
 
 # On the saddle Omega_a is 0, so that 1 - k_1 s^2 is 0 and psi' is 2 H/K.  Elsewhere psi'/2 is less
@@ -149,10 +148,7 @@ SADDLE = Part(
 )
 # The shift, psi and its rate without what they are made of, so that little has to be reduced.
 ABSTRACT = Part(
-    witness={
-        **{rho: "1", k_1: "1", x: "3/4", y: "5/4", z: "5/4", psi_0: "1", mu: "1"},
-        **{t: "0", s: "0", c: "1", d: "1"},
-    },
+    (rho, k_1, x, y, z, psi_0, mu, t, s, c, d),
     units=(1 - n * s**2,),
     relations=(
         *(rho**2 - 1, y**2 - 1 - x**2, z**2 - 1 - (k_1 * x) ** 2),
@@ -169,14 +165,13 @@ ABSTRACT = Part(
 )
 # T is the unit vector whose angle is the arctangent's, but for the sign -rho.
 NEAR = Part(
+    {L: "elliptic_j(u_1, n_2, 1 - m_c)"},
     units=(1 - n_2 * s**2,),
-    witness={L: "0"},
     definitions={T_rate: T_RATE},
     rates={L: mu * s**2 / (1 - n_2 * s**2)},
-    reading={"L": "elliptic_j(u_1, n_2, 1 - m_c)"},
 )
 ARCTANGENT = Part(
-    witness={T_size: "5/4"},
+    (T_size,),
     units=(T_size,),
     relations=(T_size**2 - z**2 * d**2 - slope**2 * s**2 * c**2,),
     definitions={
@@ -190,7 +185,7 @@ ARCTANGENT = Part(
 HEIGHT = K - B_a + k_1 * (K + B_a)
 REAL, IMAGINARY = C_b * (K + B_a) * d, -rho * k_1 * B_d * HEIGHT * s * c
 SCALED = Part(
-    witness={R: "20655450/169"},
+    (R,),
     units=(R,),
     relations=(R**2 - V_re**2 - V_im**2,),
     definitions={
@@ -201,17 +196,15 @@ SCALED = Part(
     nonnegative=(R, T_size),
 )
 COMPLETE = Part(
-    witness={K_1: "1", j: "0"},
+    (K_1, j),
     definitions={alpha: ALPHA.ordered("g K_1 k_1 n j")},
     reading={"K_1": "elliptic_k(1 - m_c)", **MEAN.reading},
 )
-BETWEEN = {k_1: "3/5", x: "0", y: "1", z: "1"}
 FAR = Part(
-    witness={L: "0"},
+    {L: "elliptic_j(elliptic_k(1 - m_c) - u_1, n_2, 1 - m_c)"},
     units=(d, 1 - k_1),
     definitions=OF_V,
     rates={L: FAR_RATE.subs(c**2 + z**2 * s**2, 1 - n * s**2)},
-    reading={"L": "elliptic_j(elliptic_k(1 - m_c) - u_1, n_2, 1 - m_c)"},
 )
 MATCHED = "an ansatz; its coefficients are what makes it hold"
 
@@ -219,7 +212,7 @@ MATCHED = "an ansatz; its coefficients are what makes it hold"
 def turning(rate: Any) -> Part:
     """Return a point X on the unit circle that turns at a rate."""
     return Part(
-        witness={X_re: "1", X_im: "0"},
+        (X_re, X_im),
         relations=(X_re**2 + X_im**2 - 1,),
         rates={X_re: -rate * X_im, X_im: rate * X_re},
     )
@@ -261,7 +254,7 @@ def _abstract(builder: LedgerBuilder) -> None:
     builder.claim("arctangent.turn", turn, ["36"])
     phase = guess("Lambda + T_rate - rho*(g_1*mu + g_2*D(L))", MATCHED)
     builder.claim("arctangent.phase", {psi_rate / 2: phase}, ["33", "34", "36"])
-    builder.open(join("other_end", ABSTRACT, Part(witness=BETWEEN), SADDLE, FAR))
+    builder.open(join("other_end", ABSTRACT, SADDLE, FAR))
     below = c_v_squared + delta * s_v**2
     above = (FAR_RATE * compute(below).subs(OF_V).subs(delta, DELTA)).factor().subs(c, s_v * d)
     builder.claim("other_end.path", {rate_of(L) * below: above}, ["36"])

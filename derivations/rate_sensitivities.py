@@ -41,20 +41,17 @@ EPSILON = symbol("epsilon")
 p, r, S, C, D, E, F = symbols("p r S_t C_t D_t E_t F_t")
 dp, dr, *VARIED = symbols("dp dr dS_t dC_t dD_t")
 MOVED = (*GIVEN.names, *FORCES, *FUNCTIONS.names)
-MODULI = Part(witness={p: "2", r: "1"}, reading={p: "lambda^2", r: "m lambda^2"})
+MODULI = Part({p: "lambda^2", r: "m lambda^2"})
 PARAMETERS = Part(
-    witness={**MODULI.witness, dp: "1", dr: "1"},
+    (*MODULI.names, dp, dr),
     reading={**MODULI.reading, dp: "a change of p", dr: "a change of r"},
 )
 FUNCTION_PARTS = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
 
 
-def small(*names: Any, value: str = "1") -> Part:
+def small(*names: Any) -> Part:
     """Return the part that introduces changes of names."""
-    return Part(
-        witness={f"d{x}": value for x in names},
-        reading={f"d{x}": f"the change of {x}" for x in names},
-    )
+    return Part({f"d{x}": f"the change of {x}" for x in names})
 
 
 def still(*parts: Part) -> list[Part]:
@@ -189,7 +186,7 @@ def _moving(builder: LedgerBuilder) -> None:
     """Prove that the changes satisfy the variation of Euler's equations in time."""
     given = (COEFFICIENTS, GIVEN)
     constant = small(*GIVEN.names, *FORCES)
-    functions = small(*FUNCTIONS.names, value="0")
+    functions = small(*FUNCTIONS.names)
     rates = (RATES, constant, functions, Part(definitions=CHANGES))
     builder.open(join("varied", *given, FUNCTIONS, *rates, VARIED_FUNCTIONS))
     builder.claim("varied.euler", EULER, ["5"])

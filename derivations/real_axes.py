@@ -13,7 +13,7 @@ from rigidsym.proof.algebra import LedgerBuilder, Part, join
 
 # (13) calls s_i the root with + before the square root: the smaller one, where alpha < 0.
 NAMED = Part(
-    witness={"c_i": "3", "c_j": "2", "c_k": "1", "Omega_i": "1", "Omega_j": "0", "Omega_k": "4"},
+    witness={"c_i": 3, "c_j": 2, "Omega_j": 0, "Omega_k": 4},
     definitions={
         "s_i": "root_j",
         "s_j": "root_k",
@@ -115,7 +115,7 @@ def _choice(builder: LedgerBuilder) -> None:
     )
     builder.refute("two_conditions.differ", {"s_i**2": "s_j**2"}, {}, ["10", "16", "Remark 1"])
     negative = Part(
-        witness={"Omega_k": "2"},
+        witness={"Omega_k": 2},
         definitions={"minus_s_i": "-s_i", "ratio_below_1": "s_j**2 - s_i**2"},
         nonnegative=("minus_s_i", "ratio_below_1"),
     )

@@ -140,23 +140,22 @@ TAU = TURNING.subs(OUTERMOST).subs({tau: 1, **POSITIVE}).ordered("rho epsilon si
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
 HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")
 POLHODE = Part(
-    witness={"i_a": "1/6", "Delta": "5/6", "B_a": "7", "B_d": "24"},
-    units=(i_a, i_a + rho * Delta, Delta, B_a, B_d, rho),
-    definitions={c_a: INVERSES[c_a], **OUTERMOST, c_d: INVERSES[c_d]},
-    reading={
+    {
         "i_a": "1/c_a",
         "Delta": "|1/c_d - 1/c_a|",
         "B_a": "amplitude of c_a |Omega_a|",
         "B_d": "amplitude of c_d |Omega_d|",
     },
+    units=(i_a, i_a + rho * Delta, Delta, B_a, B_d, rho),
+    definitions={c_a: INVERSES[c_a], **OUTERMOST, c_d: INVERSES[c_d]},
+    witness={B_a: 7, B_d: 24},
 )
 SQUARE_OF_B = B_d**2 + m * B_a**2
 PARAMETER = Part(
-    witness={"m": "1", "B_b": "25"},
+    {"m": "parameter (k^2) of the Jacobi functions", "B_b": "amplitude of c_b |Omega_b|"},
     units=(B_b, SQUARE_OF_B, i_a * SQUARE_OF_B + rho * Delta * B_d**2),
     relations=(RELATION,),
     nonnegative=(B_b,),
-    reading={"m": "parameter (k^2) of the Jacobi functions", "B_b": "amplitude of c_b |Omega_b|"},
 )
 AMPLITUDES = Part(
     definitions={
@@ -241,7 +240,7 @@ def _every_motion(builder: LedgerBuilder) -> None:
             **{squared[b]: c**2 * squared[a] for b, (c, a) in momenta.items()},
         },
     )
-    moving = Part(witness={"Omega_a": "1", "Omega_b": "0", "Omega_d": "1"})
+    moving = Part(("Omega_a", "Omega_b", "Omega_d"))
     by_rates = Part(definitions=DIFFERENCES | BY_RATES)
     builder.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
     middle = RELATION.subs(by_squares).apply(solve, squared[B_b])[0]
@@ -260,12 +259,10 @@ def _start(builder: LedgerBuilder) -> None:
 
     That sn, cn and dn are on the curve of Jacobi's functions is `any_motion.start`.
     """
-    witness = {"Omega_a": "1", "Omega_b": "0", "Omega_d": "4", "K": "5"}
-    amplitudes = {"A_a": "1", "A_b": "4", "A_d": "4"}
     others = t, phase, mu, psi_0, kappa, J, J_0 = symbols("t phase mu psi_0 kappa J J_0")
     u_1, psi = symbols("u_1 psi")
     given = Part(
-        witness=witness | amplitudes | dict.fromkeys(map(str, others), "0"),
+        (*OMEGA, K, *A, *others),
         units=(c_ab, c_ad, E_d, *A),
         definitions={
             **DIFFERENCES,
@@ -284,7 +281,7 @@ def _start(builder: LedgerBuilder) -> None:
     builder.open(join("rates_start", *signs, INERTIA, given, static=True))
     size = compute(K**2 - SIZE).apply(solve, K**2, simplify=False)[0]
     builder.root("rates_start.K", K, size, ["6", "15"])
-    for name in amplitudes:
+    for name in map(str, A):
         builder.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
     rates = [(builder.value("rates_start", form), form) for form in ANSATZ.values()]
     builder.claim("rates_start.rates", rates, ["10"])
@@ -296,7 +293,7 @@ def _signs(builder: LedgerBuilder) -> None:
     """Prove dn >= 0, cn >= 0 and Delta >= 0 at the start, by the definitions of the signs."""
     outer = {x: form for x, form in ANSATZ.items() if x != OMEGA[1]}
     given = Part(
-        witness={"i_a": "1", "Delta": "1", "A_a": "1", "A_d": "1", "dn": "1", "cn": "1"},
+        ("i_a", "Delta", "A_a", "A_d", "dn", "cn"),
         units=(i_a, i_a + rho * Delta, A_a, A_d),
         definitions={**POLHODE.definitions, c_ad: DIFFERENCES[c_ad], tau: TAU, **outer},
         nonnegative=(A_a, A_d, c_a, c_d, rho * c_ad, sigma * OMEGA[0], chi * tau * OMEGA[2]),

@@ -83,7 +83,7 @@ def named(found: Mapping[str, Computation]) -> dict[Any, Symbol]:
 
 
 RATES_AT_START = Part(
-    witness=dict.fromkeys(OMEGA_0.values(), "1"),
+    (*OMEGA_0.values(),),
     reading={OMEGA_0[x]: f"body rate about axis {x} at t = 0, rad/s" for x in AXES},
 )
 # Numbers have the differences of moments from before rounding.
@@ -385,10 +385,7 @@ def _passing() -> dict[Any, Any]:
 TURNED_OVER = -alpha["a"] / alpha["b"] * (OMEGA["b"] / OMEGA["a"]) ** 2
 SPUN, PASSING = _spun(), _passing()
 GIVEN = Part(
-    witness={
-        **COEFFICIENTS.witness,
-        **dict.fromkeys((by(alpha[x], f"c_{y}") for x in AXES for y in AXES), "1"),
-    },
+    (*COEFFICIENTS.names, *(by(alpha[x], f"c_{y}") for x in AXES for y in AXES)),
     reading={
         **COEFFICIENTS.reading,
         **{
@@ -415,7 +412,7 @@ def _moments(builder: LedgerBuilder) -> None:
         symbol(f"dalpha_{x}"): sum(by(alpha[x], f"c_{y}") * h[y] for y in AXES) for x in AXES
     }
     moved = Part(
-        witness=dict.fromkeys(h.values(), "1"),
+        (*h.values(),),
         definitions={**MOMENTS, **changes},
         reading={h[y]: f"a change of c_{y}" for y in AXES},
     )

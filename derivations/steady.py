@@ -14,26 +14,25 @@ from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbol, symbols
 
 CONSTANT = Part(
-    witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},
+    ("Omega1", "Omega2", "Omega3"),
     relations=("(c2 - c3)*Omega2*Omega3", "(c3 - c1)*Omega3*Omega1", "(c1 - c2)*Omega1*Omega2"),
 )
 OMEGA = symbol("omega")
 LENGTH = OMEGA**2 - Add(*(rate**2 for rate in RATES))
 SIZE = compute(LENGTH).apply(solve, OMEGA**2, simplify=False)[0]
 SPIN = Part(
-    witness={"omega": "1", "t": "0"},
+    {"omega": "|Omega|, rad/s", "t": "time, s"},
     units=("omega",),
     relations=(LENGTH,),
     definitions={"theta": "omega*t"},
     rates={"t": "1"},
     nonnegative=("omega",),
-    reading={"omega": "|Omega|, rad/s", "t": "time, s", "theta": "angle turned, rad"},
+    reading={"theta": "angle turned, rad"},
 )
 AXIS = Part(
-    witness={f"p{k}": str(int(k == 0)) for k in range(4)},
+    {f"p{k}": f"component {k} of the attitude at t = 0" for k in range(4)},
     definitions={f"axis{k}": f"Omega{k}/omega" for k in (1, 2, 3)},
     relations=("p3**2 + p2**2 + p1**2 + p0**2 - 1",),
-    reading={f"p{k}": f"component {k} of the attitude at t = 0" for k in range(4)},
 )
 START = Part(relations=("t", "cos_half_theta - 1", "sin_half_theta"))
 # exp(t Omega) is cos(theta/2) + sin(theta/2) axis, and q is its product with the attitude p.

@@ -181,7 +181,7 @@ def _half_turn_at(point: Sequence[Symbol], one: Any) -> Computation:
 
 
 POINT = Part(
-    witness={h_a: "1", h_d: "1", n_d0: "0", n_b0: "0", n_a0: "1"},
+    (h_a, h_d, n_d0, n_b0, n_a0),
     units=(1 + n_a0,),
     relations=(n_a0**2 + n_b0**2 + n_d0**2 - 1,),
     definitions={
@@ -200,13 +200,12 @@ POINT = Part(
     },
 )
 ELAPSED = Part(
-    witness={X: "0", Y: "1"},
-    relations=(Y**2 - 1 + e_1 * X**2 - e_2 * X**4,),
-    rates={X: Y, Y: -e_1 * X + 2 * e_2 * X**3},
-    reading={
+    {
         X: "sn(mu t | k_1^2)/mu with mu^2 and k_1^2 mu^2 the roots of x^2 - e_1 x + e_2",
         Y: "X', cn dn of the same",
     },
+    relations=(Y**2 - 1 + e_1 * X**2 - e_2 * X**4,),
+    rates={X: Y, Y: -e_1 * X + 2 * e_2 * X**3},
 )
 # What the start alone decides of psi: nu X^2 is 1 - G, and rate is half of nu'.
 NU = {name: part.collect(h) for name, part in _parts("nu", -h * z**2).items()}
@@ -259,13 +258,13 @@ QUOTIENT = Part(
 )
 # The rate of psi/2 as a share of that at the start; then its even and its odd part.
 SHARE = Part(
-    witness={one_0: "2", one: "2", square: "1", even: "2", odd: "0", turn_0: "1"},
+    (one_0, one, square, even, odd, turn_0),
     units=(one_0, one, square),
     relations=(one * (even - odd) - one_0**2 * square,),
     definitions={after: turn_0 * one_0 / one},
 )
 EARLIER = Part(
-    witness={other: "2"},
+    (other,),
     units=(other,),
     relations=(other * (even + odd) - one_0**2 * square,),
     definitions={before: turn_0 * one_0 / other},
@@ -278,7 +277,7 @@ BY_PRODUCT = {
     )
 }
 PARTS = Part(
-    witness={one_0: "2", square: "1", even: "2", odd: "0", turn_0: "1"},
+    (one_0, square, even, odd, turn_0),
     units=(one_0, square),
     definitions={
         after: BY_PRODUCT[after],
@@ -291,7 +290,7 @@ BACK = Part(definitions={before: BY_PRODUCT[before]})
 MODULUS = compute(R**2 - square).subs(square, SQUARE)
 R_RATE = _slope(SQUARE, {G_re: G_re_rate, G_im: G_im_rate}) / (2 * R)
 HALVES = Part(
-    witness={W_re: "1", W_im: "0", R: "1"},
+    (W_re, W_im, R),
     units=(R,),
     relations=(W_im**2 + W_re**2 - 1, R**2 - square),
     rates={W_re: -before * W_im, W_im: before * W_re, R: R_RATE},
@@ -301,14 +300,14 @@ HALVES = Part(
 )
 # Of the turn of G alone, whatever G is, and psi's.
 ANY_G = Part(
-    witness={G_re: "1", G_im: "0", G_re_rate: "0", G_im_rate: "0"},
+    (G_re, G_im, G_re_rate, G_im_rate),
     units=(square,),
     rates={G_re: G_re_rate, G_im: G_im_rate, G_re_rate: "?", G_im_rate: "?"},
     definitions={square: SQUARE, G_rate: TURN_OF_G},
 )
-ANY_BEFORE = Part(witness={before: "1"}, rates={before: "?"}, definitions={after: before - G_rate})
+ANY_BEFORE = Part((before,), rates={before: "?"}, definitions={after: before - G_rate})
 ANY_J = Part((J_rate,), rates={J_rate: "?"}, definitions={psi_rate: psi_0 + 2 * J_rate - G_rate})
-CONSTANT = Part(witness={psi_0: "1"})
+CONSTANT = Part((psi_0,))
 
 
 # psi/2 by three turns: T at the start's rate, E at that of J, and U, by half the angle of G: R + G
@@ -316,7 +315,14 @@ CONSTANT = Part(witness={psi_0: "1"})
 N_SQUARED = compute((R + G) * (R + conjugate(G))).expand().subs(G_im**2, R**2 - G_re**2).factor()
 N_SQUARED = N_SQUARED.ordered("R")
 THIRDS = Part(
-    witness={T_re: "1", T_im: "0", E_re: "1", E_im: "0", R: "1", N: "2"},
+    {
+        T_re: "cos(psi_0*t/2)",
+        T_im: "sin(psi_0*t/2)",
+        E_re: "cos of the integral of J_rate",
+        E_im: "sin of the integral of J_rate",
+        R: "the modulus of G",
+        N: "sqrt(2*R*(R + G_re))",
+    },
     units=(R, N, R + G_re),
     relations=(
         *(T_im**2 + T_re**2 - 1, E_im**2 + E_re**2 - 1),
@@ -334,14 +340,6 @@ THIRDS = Part(
         **_parts("P", T * E),
         **named((cos_half_psi, sin_half_psi), _parts("P", P * U).values()),
     },
-    reading={
-        T_re: "cos(psi_0*t/2)",
-        T_im: "sin(psi_0*t/2)",
-        E_re: "cos of the integral of J_rate",
-        E_im: "sin of the integral of J_rate",
-        R: "the modulus of G",
-        N: "sqrt(2*R*(R + G_re))",
-    },
 )
 # A body and its start, by the inverse moments and the momentum.
 BELOW_Z = K + sigma * M_a0
@@ -356,7 +354,7 @@ MOMENTUM_RATES = named(
 # Names in the order of evaluation that numbers follow.
 ORDER = "alpha_a alpha_b alpha_d Omega_a0 Omega_b0 Omega_d0 f g X Y"
 STARTED = Part(
-    witness={i_a: "1/3", i_b: "1/2", i_d: "1", M_d0: "0", M_b0: "0", M_a0: "3", K: "3"},
+    (i_a, i_b, i_d, M_d0, M_b0, M_a0, K),
     units=(i_a, i_b, i_d, K, BELOW_Z),
     relations=(K**2 - M_a0**2 - M_b0**2 - M_d0**2,),
     nonnegative=(K,),
@@ -406,7 +404,7 @@ TURNING = Part(
     definitions={after: _half_turn_at(N_T, one), H: ENERGY_OF_M, psi_rate: PSI_RATE},
 )
 DIRECTION = Part(
-    witness={i_a: "1/3", i_b: "1/2", i_d: "1", M_d: "0", M_b: "0", M_a: "3", K: "3"},
+    (i_a, i_b, i_d, M_d, M_b, M_a, K),
     units=(K,),
     relations=(K**2 - M_a**2 - M_b**2 - M_d**2,),
     definitions={Omega_a: i_a * M_a, **POINTED_FORCES, **BY_K, one: 1 + n_a},
@@ -415,7 +413,7 @@ DIRECTION = Part(
 
 # A body by i_a, K and h_a, h_d; its start by the direction of the momentum.
 AIMED = Part(
-    witness={i_a: "1/3", K: "3", h_a: "3/2", h_d: "1/2"},
+    (i_a, K, h_a, h_d),
     units=(K, i_a, i_b, i_d),
     definitions={
         i_b: i_a + h_d / K,
@@ -433,7 +431,7 @@ SHORTEST_TURN = Part(
     SHORTEST.relations[1:],
     SHORTEST.rates,
     (nu,),
-    reading={nu: SHORTEST.reading["nu"]},
+    reading={nu: SHORTEST.reading[nu]},
 )
 # What the turn by thirds has for J's rate: psi's, less that at the start.
 RATE_OF_J = Part(
@@ -482,7 +480,7 @@ def _doubling(builder: LedgerBuilder) -> None:
     """Prove that X and Y at 2 t are the functions of 2 t, by their rates and their start."""
     doubled = _doubled()
     free = Part(
-        witness={e_1: "1", e_2: "0", **ELAPSED.witness},
+        (e_1, e_2, *ELAPSED.names),
         units=(1 - e_2 * X**4,),
         relations=ELAPSED.relations,
         rates=ELAPSED.rates,

@@ -33,7 +33,7 @@ def symmetric(builder: LedgerBuilder, axis: int) -> None:
     differentiate(motion, "three_angle_motion.tilt", tilt, why, ["27"])
     why = "and the turn about it is even"
     differentiate(motion, "three_angle_motion.spin", UNKNOWN[2], why, ["28"])
-    time = Part(witness={T: 0}, rates={T: 1}, reading={T: "time, s"})
+    time = Part({T: "time, s"}, rates={T: 1})
     scope = Scope.open(builder, "precession", builder.result(Dynamics).parameters, MOMENTUM, time)
     why = "the precession is regular"
     integrate(scope, "precession.phi1", rate, {T: sympy.S.One}, why, ["33", "36"])
@@ -51,7 +51,7 @@ def _harmonic(builder: LedgerBuilder, axis: int) -> None:
     nu, wave = (compute(slopes[0]) / second).apply(sympy.cancel), AMPLITUDE * COSINE
     other = compute(wave).diff(COSINE) * (-NU * SINE) / NU  # from Omega_i' = nu Omega_j
     turning = Part(
-        witness={RATES[axis - 1]: 1, AMPLITUDE: 1, COSINE: 1, SINE: 0},
+        (RATES[axis - 1], AMPLITUDE, COSINE, SINE),
         definitions={NU: nu, first: wave, second: other},
         relations=(SINE**2 + COSINE**2 - 1,),
         rates={COSINE: -NU * SINE, SINE: NU * COSINE},

@@ -63,10 +63,9 @@ def _inner_half(builder: LedgerBuilder) -> Computation:
     Return one of them, free of cancellation: the equation is solved for the cotangent.
     """
     free = Part(
-        witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
+        {"y": "tan(phi3)", "root": "sqrt(1 + y**2) or less that", "tau": "tan(phi3/2)"},
         units=("y",),
         relations=("root**2 - y**2 - 1",),
-        reading={"y": "tan(phi3)", "tau": "tan(phi3/2)", "root": "sqrt(1 + y**2) or less that"},
     )
     scope = Scope.open(builder, "half_tangent", free, static=True)
     quadratic = sympy.numer(sympy.together(2 * TAU / (1 - TAU**2) - Y))

@@ -30,19 +30,14 @@ HALF_ANGLES = symbols("cos_half_phi2 sin_half_phi2 cos_half_phi3 sin_half_phi3")
 
 # Both square roots may be imaginary: what they are is their reading, and no sign is assumed.
 SINE = Part(
-    witness={"zeta": "1", "xi": "1"},
+    {"zeta": "sqrt(root_j)", "xi": "half*sqrt(alpha*root_k)"},
     units=("root_k", "zeta"),
     definitions={"sn": RATE / ZETA},
     rates={"zeta": "0", "xi": "0"},
-    reading={
-        "zeta": "sqrt(root_j)",
-        "xi": "half*sqrt(alpha*root_k)",
-        "C_i": "arcsn(Omega_i/zeta, mu)",
-        "sn": "jacobi_sn(xi*t + C_i, mu)",
-    },
+    reading={"C_i": "arcsn(Omega_i/zeta, mu)", "sn": "jacobi_sn(xi*t + C_i, mu)"},
 )
 ANGLES = Part(
-    witness={"zeta": "1", "xi": "1", "t": "0", "Pi": "0"},
+    ("zeta", "xi", "t", "Pi"),
     units=("zeta", "xi", "sin_phi2", "cos_phi3", "cos_half_phi3", "cos_phi3 + side**2"),
     rates={"zeta": "0", "xi": "0", "t": "1", "Pi": "xi/sin_phi2**2"},
     nonnegative=("K", "root_y", "F1", "F2", "root_star"),

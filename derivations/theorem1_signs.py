@@ -19,7 +19,11 @@ ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 
 # cos(phi3) = side * rho with rho = 1/sqrt(1 + y^2) > 0: side tells the half plane phi3 is in.
 TANGENT = Part(
-    witness={"cos_half": "3/5", "sin_half": "4/5", "side": "-1"},
+    {
+        "cos_half": "cos(phi3/2)",
+        "sin_half": "sin(phi3/2)",
+        "side": "the sign of cos(phi3), that is of c3 Omega3",
+    },
     units=("side", "cos_half**2 - sin_half**2", "1 + side*(cos_half**2 - sin_half**2)"),
     relations=("sin_half**2 + cos_half**2 - 1", "side**2 - 1"),
     definitions={
@@ -30,12 +34,7 @@ TANGENT = Part(
         "y_star": "y/(1 + 1/rho)",
     },
     nonnegative=("rho",),
-    reading={
-        "rho": "1/sqrt(1 + y**2)",
-        "side": "the sign of cos(phi3), that is of c3 Omega3",
-        "cos_half": "cos(phi3/2)",
-        "sin_half": "sin(phi3/2)",
-    },
+    reading={"rho": "1/sqrt(1 + y**2)"},
 )
 
 # F1 to F4 as (19) makes them: phi2 in [0, pi] from x, phi3 in (-pi/2, pi/2) from y.
@@ -45,9 +44,6 @@ FACTORS = (
     *(sign(f"S{k}", f"the sign S_{k} of (19)") for k in (1, 3, 2, 4)),
     *(half_angle(f"phi{k}") for k in (1, 2, 3)),
     Part(
-        witness={
-            f"{f}_half_phi{k}": v for k in (2, 3) for f, v in (("cos", "4/5"), ("sin", "3/5"))
-        },
         definitions={
             "F1": "S1*cos_half_phi2",
             "F2": "S2*sin_half_phi2",
@@ -89,12 +85,10 @@ def _inner_halves(builder: LedgerBuilder) -> None:
         ["19", "Remark 2"],
     )
     builder.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
-    half_turn = Part(witness={"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
+    half_turn = Part(relations=("cos_half",))
     builder.open(join("half_turn", TANGENT, half_turn, static=True))
     builder.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
-    right = Part(
-        relations=("side - 1",), witness={"cos_half": "4/5", "sin_half": "3/5", "side": "1"}
-    )
+    right = Part(relations=("side - 1",))
     builder.open(join("half_angle_right", TANGENT, right, static=True))
     builder.claim("half_angle_right.tangent", tangent, ["19"])
     builder.claim(
@@ -142,7 +136,7 @@ def _signs(builder: LedgerBuilder) -> None:
 
 def _crossing(builder: LedgerBuilder) -> None:
     """Prove that at zeros of Omega3, where y* changes its sign, phi1 has to jump by pi."""
-    jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
+    jump = Part({"h": "F3 at the zero of Omega3, there |F4| = F3"})
     builder.open(join("crossing", *ANGLES[:2], jump, static=True))
     c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
     before = _by_18(c, s, F1, F2, "h", "h")
@@ -165,9 +159,8 @@ def _pull_back(builder: LedgerBuilder) -> None:
     three = {"p": "R_int", "r": "Rbar(0)"}
     quaternions = [
         Part(
-            witness={f"{x}{k}": str(int(k == 0)) for k in range(4)},
+            {f"{x}{k}": f"component {k} of {name}" for k in range(4)},
             relations=(f"{x}3**2 + {x}2**2 + {x}1**2 + {x}0**2 - 1",),
-            reading={f"{x}{k}": f"component {k} of {name}" for k in range(4)},
         )
         for x, name in three.items()
     ]

@@ -80,7 +80,7 @@ T1 = parts("T1", compute(-I * sin(TURNED)).expand(trig=True).subs(ELEMENTARY))
 SQUARES = unfold(NORM[W], Part(definitions={**T4, **T1})).subs(rho**2, 1).subs(x**2, y**2 - 1)
 HYPERBOLIC = {**T1, W: SQUARES.cancel()}
 SEPARATRIX = Part(
-    witness={K: "25", B_a: "7", B_d: "24", "w": "40", Y: "40", root: "1"},
+    (K, B_a, B_d, "w", Y, root),
     definitions={
         k_1: 1,
         root_k: 1,

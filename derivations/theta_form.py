@@ -84,11 +84,9 @@ BETA = SQUARE.apply(sqrt).apply(powdenest, force=True)
 
 # Y is y root_k (K + B_a), whose square is a polynomial.
 SHIFT = Part(
-    witness={
-        **{k_1: "49/676", B_a: "161", B_d: "240", C_b: "45901/169", K: "289", "w": "510"},
-        **{root_k: "7/26", Y: "3495/13", zeta: "0"},
-    },
+    (root_k, Y, zeta),
     units=(root_k, Y),
+    witness={B_a: 161, B_d: 240, k_1: "49/676"},
     definitions={
         x: BETA.ordered("B_d root_k K"),
         y: Y / (root_k * (K + B_a)),
@@ -114,24 +112,22 @@ SHIFT = Part(
 )
 # Jacobi's zeta function on the real line, theta_4 off it, and its modulus.
 VALUES = Part(
-    witness={Z_u: "0", T4_re: "1", T4_im: "0", R: "1"},
+    {
+        Z_u: "g*dtheta4(g*u_1, nome_1)/theta4(g*u_1, nome_1)",
+        T4_re: "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
+        T4_im: "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
+        R: "sqrt(T4_re**2 + T4_im**2)",
+    },
     units=(R,),
     relations=(R**2 - T4_re**2 - T4_im**2,),
     rates={Z_u: "?"},
     definitions=ADDITION,
     nonnegative=(R,),
-    reading={
-        "Z_u": "g*dtheta4(g*u_1, nome_1)/theta4(g*u_1, nome_1)",
-        "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
-        "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
-        "R": "sqrt(T4_re**2 + T4_im**2)",
-    },
 )
 TURNING = Part(
-    witness={X_re: "1", X_im: "0"},
+    {X_re: "cos(Lambda*t)", X_im: "sin(Lambda*t)"},
     relations=(X_re**2 + X_im**2 - 1,),
     rates=parts("X", I * Lambda * whole("X")),
-    reading={"X_re": "cos(Lambda*t)", "X_im": "sin(Lambda*t)"},
 )
 QUOTIENT = parts("T1", root_k * whole("SN") * whole("T4"))
 # Watson's identities make the sum of the squares a product of two real thetas.
@@ -256,7 +252,7 @@ def _form(builder: LedgerBuilder) -> None:
 def _assemble(builder: LedgerBuilder) -> None:
     """Prove the components as theta functions, given their quotient alone."""
     given = Part(
-        witness={s_0: "1", root_k: "1", SN_re: "0", SN_im: "0"},
+        (s_0, root_k, SN_re, SN_im),
         units=(s_0, N),
         nonnegative=(s_0, R),
         definitions={
@@ -287,14 +283,13 @@ def _truncation(builder: LedgerBuilder) -> None:
     go with each n.  With `inside`, e^(2 |Im z|) is below 1/q and r below q^(4 n + 1).
     """
     tail = Part(
-        witness={t: "1/8", r: "1/16", p: "1/4"},
+        {
+            t: "the first term left out, q**(2*n**2)*exp(2*n*|Im z|)",
+            r: "the next over this one, q**(4*n + 2)*exp(2*|Im z|)",
+            p: "q**4",
+        },
         units=(1 - r, 1 - p * r),
         nonnegative=(t, r, p, 1 - r, 1 - p),
-        reading={
-            "t": "the first term left out, q**(2*n**2)*exp(2*n*|Im z|)",
-            "r": "the next over this one, q**(4*n + 2)*exp(2*|Im z|)",
-            "p": "q**4",
-        },
     )
     builder.open(join("theta_tail", tail, static=True))
     surplus = 2 * t / (1 - r) - 2 * t - 2 * t * r / (1 - p * r)

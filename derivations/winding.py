@@ -16,7 +16,7 @@ from rigidsym.proof.steps._names import symbols
 
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + pi.
 TURNING = Part(
-    witness={"n": "1/2", "m": "0", "k": "0", "sine": "-1", "cosine": "0", "root": "1"},
+    ("n", "m", "k", "sine", "cosine", "root"),
     units=("root", "1 - n", "1 - n*sine**2"),
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
     rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
@@ -29,7 +29,7 @@ TURNING = Part(
     },
 )
 INTEGRAL = Part(
-    witness={"theta": "0", "Pi_c": "0", "Pi": "0", "Pi_later": "0"},
+    ("theta", "Pi_c", "Pi", "Pi_later"),
     rates={
         "theta": "1",
         "Pi": "1/((1 - n*sine**2)*root)",

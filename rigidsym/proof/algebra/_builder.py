@@ -105,9 +105,9 @@ class LedgerBuilder:
     ) -> Fact | None:
         """Prove equations that the paper prints, or refute them at a rational point.
 
-        The points tried are the given ones, the witness of the context, and points that differ
-        from it in one name.  Return None if the normal form is not zero, but the sides agree at
-        all these points.
+        The points tried are the given ones, the witness of the context, points that differ from it
+        in one name, and one that a search finds.  Return None if the normal form is not zero, but
+        the sides agree at all these points.
         """
         fact = self._fact(fact_id, "equal", equations, "identity", source)
         sides = {side: tuple(map(Printed, getattr(fact, side))) for side in ("lhs", "rhs")}
@@ -121,11 +121,9 @@ class LedgerBuilder:
         names = self.ledger.contexts[fact.context].witness
         near = ({name: value} for value in ("2", "1/2", "-1", "3") for name in names)
         for point in (*points, {}, *near):
-            try:
+            with suppress(KernelError):
                 return self._refute(refuted, point)
-            except KernelError:
-                continue
-        return None
+        return self._counterexample(refuted, {})
 
     def root(self, fact_id: str, name: Any, radicand: Side, source: Iterable[str] = ()) -> Fact:
         """Prove that a quantity is the square root of another.
@@ -151,16 +149,25 @@ class LedgerBuilder:
         goes on for a point where they do not.
         """
         fact = self._fact(fact_id, "unequal", equations, "counterexample", source)
+        try:
+            return self._refute(fact, point)
+        except KernelError:
+            if (found := self._counterexample(fact, point)) is None:
+                raise
+            return found
+
+    def _refute(self, fact: Fact, point: Point) -> Fact:
+        whole = {**self.ledger.contexts[fact.context].witness, **point}
+        return self.ledger.add(replace(fact, certificate={"point": whole}))
+
+    def _counterexample(self, fact: Fact, point: Point) -> Fact | None:
+        """Refute equations at a point that a search finds, if it finds one."""
         context, ring = self.ledger.contexts[fact.context], self.ledger.rings[fact.context]
         near = replace(context, witness={**context.witness, **point})
         for difference in differences(ring, fact):
             with suppress(KernelError):
                 return self._refute(fact, witness(near, ring, difference))
-        return self._refute(fact, point)
-
-    def _refute(self, fact: Fact, point: Point) -> Fact:
-        witness = self.ledger.contexts[fact.context].witness
-        return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
+        return None
 
     def theta(
         self,

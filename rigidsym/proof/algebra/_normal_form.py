@@ -61,6 +61,12 @@ def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:
     return ring.from_dict(terms)
 
 
+def factors(polynomial: PolyElement) -> list[PolyElement]:
+    """Return the different factors of a polynomial, in a fixed order."""
+    found = (_from_flint(polynomial.ring, x) for x, _ in _to_flint(polynomial).factor()[1])
+    return sorted(found, key=str)
+
+
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
     """Return the cofactors and the remainder of a polynomial divided by a context's relations.
 

@@ -12,6 +12,7 @@ from typing import TypeAlias
 from flint import fmpq
 from sympy.polys.rings import PolyElement
 
+from rigidsym.proof.algebra._normal_form import factors
 from rigidsym.proof.kernel import Context, KernelError, Ring
 
 # Numbers to try.  Most relations are conics, which contain 0, 1 or sides of right triangles.
@@ -37,7 +38,7 @@ def witness(context: Context, ring: Ring, *nonzero: PolyElement) -> dict[str, st
     """
     size = len(context.generators)
     closing: list[list[_Hypothesis]] = [[] for _ in range(size)]
-    for hypothesis in chain(_hypotheses(context, ring), (_hypothesis("!=", x) for x in nonzero)):
+    for hypothesis in _hypotheses(context, ring, *nonzero):
         if hypothesis.places:
             closing[max(hypothesis.places)].append(hypothesis)
     preferred = [
@@ -106,12 +107,12 @@ class _Hypothesis:
         return sorted(roots, reverse=True) if root**2 == square else []
 
 
-def _hypotheses(context: Context, ring: Ring) -> Iterator[_Hypothesis]:
+def _hypotheses(context: Context, ring: Ring, *nonzero: PolyElement) -> Iterator[_Hypothesis]:
     """Yield the hypotheses of a context, as polynomials in its generators."""
     for zero in chain(ring.relations, (ring.read(x).numerator for x in context.start)):
         yield _hypothesis("=", zero)
-    for unit in ring.units:
-        yield _hypothesis("!=", unit)
+    for factor in dict.fromkeys(chain.from_iterable(map(factors, (*ring.units, *nonzero)))):
+        yield _hypothesis("!=", factor)
     for sign in map(ring.read, context.nonnegative):
         # What is zero has to stay zero.
         still = ring.rates is None or not ring.remainder(ring.rate(sign).numerator)

@@ -172,9 +172,15 @@ def test_points_that_are_none_of_the_context_are_passed_over(builder):
     assert fact.certificate["point"] == {"c": "1", "s": "0", "w": "2"}
 
 
+def test_a_point_far_from_the_witness_is_searched_for(builder):
+    fact = builder.compare("circle.wrong", {"s*w": "0"})
+    assert fact.certificate["point"] == {"c": "0", "s": "1", "w": "2"}
+
+
 def test_what_no_point_shows_is_left_open(builder):
-    assert builder.compare("circle.open", {"s*w": "0"}) is None
-    assert "circle.open" not in builder.ledger.facts
+    builder.open(join("tangent", Part(("x",), relations=("x**2",))))
+    assert builder.compare("tangent.open", {"x": "0"}) is None
+    assert "tangent.open" not in builder.ledger.facts
 
 
 def test_a_text_without_meaning_is_an_error(builder):
