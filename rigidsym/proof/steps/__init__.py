@@ -35,12 +35,13 @@ from rigidsym.proof.steps._calculus import (
     roots,
 )
 from rigidsym.proof.steps._linear import solve, solve_family
-from rigidsym.proof.steps._matrices import Rate, matrix
+from rigidsym.proof.steps._matrices import SIZE, Rate, matrix
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
 from rigidsym.proof.steps._variation import Variation, vary
 
 __all__ = [
+    "SIZE",
     "Rate",
     "Scope",
     "Step",

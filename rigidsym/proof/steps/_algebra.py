@@ -16,6 +16,7 @@ from sympy import (
 )
 
 from rigidsym.proof.algebra._computation import Computation, plain
+from rigidsym.proof.steps._matrices import SIZE
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
 
@@ -38,7 +39,7 @@ def coordinates(
     found = tuple(tidy(scope, _coordinate(whole, scope.explicit(b))) for b in basis)
     pairs = zip(found, basis, strict=True)
     terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
-    right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
+    right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(SIZE, SIZE)
     origin = Computation(found, ("coordinates",))
     fact = scope.decide_matrices(fact_id, expression, right, source, origin)
     return scope.note("coordinates", why, found, [(expression, right)], fact)

@@ -1,13 +1,16 @@
-"""Complex two-by-two matrices whose entries have names in a context.
+"""Complex square matrices whose entries have names in a context.
 
-A matrix R has up to eight definitions in its context, R_11_re to R_22_im; parts that are zero have
-none.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
+A matrix R has up to two definitions for each entry in its context, such as R_11_re and R_11_im;
+parts that are zero have none.  The symbols of matrices are of any size n; those of a context have
+the size of the values that they have there.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
 expands them.  The inverse is written as the conjugate transpose; `Scope.decide_matrices` checks
 that an inverted matrix is unitary.
 """
 
 from collections.abc import Callable, Mapping
 from functools import reduce
+from itertools import product
+from math import isqrt
 from typing import Any, TypeAlias
 
 import sympy
@@ -29,7 +32,8 @@ from rigidsym.language._expression import Call, Expression, Name, Operation
 from rigidsym.language._expression import Number as Whole
 from rigidsym.proof.steps._record import StepError
 
-INDICES = ((1, 1), (1, 2), (2, 1), (2, 2))
+# The size of the matrices that a symbol stands for.
+SIZE = sympy.Symbol("n", integer=True, positive=True)
 # The tree of a real number, None where it is zero; a complex number; a matrix by its indices.
 Real: TypeAlias = Expression | None
 Number: TypeAlias = tuple[Real, Real]
@@ -55,8 +59,18 @@ class Rate(MatrixExpr):
 
 
 def matrix(name: str) -> MatrixSymbol:
-    """Return a two-by-two matrix symbol with the given name."""
-    return MatrixSymbol(name, 2, 2)
+    """Return a symbol for a square matrix of any size with the given name."""
+    return MatrixSymbol(name, SIZE, SIZE)
+
+
+def indices(size: int) -> tuple[tuple[int, int], ...]:
+    """Return the indices of a square matrix, row by row, from (1, 1)."""
+    return tuple(product(range(1, size + 1), repeat=2))
+
+
+def size_of(values: Mapping[str, ImmutableMatrix]) -> int:
+    """Return the size of the named matrices of a context."""
+    return max((value.rows for value in values.values()), default=0)
 
 
 def split(value: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
@@ -83,15 +97,18 @@ def explicit(
     rate: Callable[[sympy.Expr], sympy.Expr],
 ) -> ImmutableMatrix:
     """Multiply out an expression in named matrices with SymPy."""
+    size = size_of(values)
 
     def of(node: Any) -> ImmutableMatrix:
         match node:
             case MatrixSymbol():
                 return values[node.name]
+            case ImmutableMatrix():
+                return node
             case Identity():
-                return ImmutableMatrix.eye(2)
+                return ImmutableMatrix.eye(size)
             case ZeroMatrix():
-                return ImmutableMatrix.zeros(2)
+                return ImmutableMatrix.zeros(size)
             case MatAdd():
                 return sum(map(of, node.args[1:]), of(node.args[0]))
             case MatMul():
@@ -103,7 +120,7 @@ def explicit(
                 return reduce(_product, [of(node.base)] * int(node.exp))
             case Rate():
                 parts = [*map(split, of(node.args[0]).flat())]
-                return ImmutableMatrix(2, 2, [rate(x) + sympy.I * rate(y) for x, y in parts])
+                return ImmutableMatrix(size, size, [rate(x) + sympy.I * rate(y) for x, y in parts])
         raise StepError(f"{node}: no matrix expression of this vocabulary")
 
     return of(expression)
@@ -121,17 +138,20 @@ def entries(
     """Return the real and imaginary parts of a matrix expression's entries as syntax trees.
 
     Products are not multiplied out.
-    `scalar` converts scalar factors.
+    `scalar` converts scalars: factors, and the entries of explicit matrices.
     """
+    places = indices(size_of(values))
 
     def of(node: Any) -> Entries:
         match node:
             case MatrixSymbol():
                 return _named(node.name, values[node.name])
+            case ImmutableMatrix():
+                return {(i, j): _parts(node[i - 1, j - 1], scalar) for i, j in places}
             case Identity():
-                return {(i, j): (Whole(1) if i == j else None, None) for i, j in INDICES}
+                return {(i, j): (Whole(1) if i == j else None, None) for i, j in places}
             case ZeroMatrix():
-                return dict.fromkeys(INDICES, (None, None))
+                return dict.fromkeys(places, (None, None))
             case MatAdd():
                 return reduce(_added, map(of, node.args))
             case MatMul():
@@ -140,7 +160,7 @@ def entries(
                 return whole if factor == 1 else _scaled(factor, scalar, whole)
             case Inverse() | Adjoint():
                 inner = of(node.args[0])
-                return {(i, j): (inner[j, i][0], _minus(None, inner[j, i][1])) for i, j in INDICES}
+                return {(i, j): (inner[j, i][0], _minus(None, inner[j, i][1])) for i, j in places}
             case MatPow() if node.exp.is_Integer and node.exp > 0:
                 return reduce(_multiplied, [of(node.base)] * int(node.exp))
             case Rate():
@@ -152,10 +172,19 @@ def entries(
 
 
 def determinant(entry: Entries) -> Number:
-    """Return the real and imaginary part of the determinant a d - b c."""
-    (a, b), (c, d) = ((entry[i, 1], entry[i, 2]) for i in (1, 2))
-    first, second = _complex_product(a, d), _complex_product(b, c)
-    return _minus(first[0], second[0]), _minus(first[1], second[1])
+    """Return the real and imaginary part of the determinant, expanded along the first row."""
+    size = isqrt(len(entry))
+    if size == 1:
+        return entry[1, 1]
+    real: Real = None
+    imaginary: Real = None
+    for column in range(1, size + 1):
+        rest = [k for k in range(1, size + 1) if k != column]
+        minor = {(i, j): entry[i + 1, rest[j - 1]] for i, j in indices(size - 1)}
+        x, y = _complex_product(entry[1, column], determinant(minor))
+        add = _plus if column % 2 else _minus
+        real, imaginary = add(real, x), add(imaginary, y)
+    return real, imaginary
 
 
 def _complex_product(left: Number, right: Number) -> Number:
@@ -165,11 +194,16 @@ def _complex_product(left: Number, right: Number) -> Number:
 
 def _named(name: str, value: ImmutableMatrix) -> Entries:
     found = {}
-    for i, j in INDICES:
+    for i, j in indices(value.rows):
         parts = enumerate(split(value[i - 1, j - 1]))
         real, imaginary = (Name(part_name(name, (i, j), k)) if x else None for k, x in parts)
         found[i, j] = real, imaginary
     return found
+
+
+def _parts(value: sympy.Expr, scalar: Callable[[sympy.Expr], Expression]) -> Number:
+    real, imaginary = (scalar(x) if x else None for x in split(value))
+    return real, imaginary
 
 
 def _plus(left: Real, right: Real) -> Real:
@@ -208,7 +242,7 @@ def _derived(real: Real) -> Real:
 
 
 def _added(left: Entries, right: Entries) -> Entries:
-    pairs = ((index, left[index], right[index]) for index in INDICES)
+    pairs = ((index, left[index], right[index]) for index in left)
     return {index: (_plus(a, c), _plus(b, d)) for index, (a, b), (c, d) in pairs}
 
 
@@ -227,10 +261,10 @@ def _scaled(
 
 def _multiplied(left: Entries, right: Entries) -> Entries:
     found: dict[tuple[int, int], Number] = {}
-    for i, j in INDICES:
+    for i, j in left:
         real: Real = None
         imaginary: Real = None
-        for k in (1, 2):
+        for k in range(1, isqrt(len(left)) + 1):
             x, y = _complex_product(left[i, k], right[k, j])
             real, imaginary = _plus(real, x), _plus(imaginary, y)
         found[i, j] = real, imaginary

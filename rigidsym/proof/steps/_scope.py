@@ -13,18 +13,19 @@ from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._computation import Computation, computed
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.steps._matrices import (
-    INDICES,
+    SIZE,
     Real,
     determinant,
     entries,
     explicit,
+    indices,
     part_name,
     split,
 )
 from rigidsym.proof.steps._names import Dictionary, collected, positive, read, symbol
 from rigidsym.proof.steps._record import Step, StepError
 
-ONE = Identity(2)
+ONE = Identity(SIZE)
 # Quantities that never vanish for a moving body.
 STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
@@ -65,13 +66,13 @@ class Scope:
         else:
             found = {
                 (i, j): tuple(self.text(x) if x else None for x in split(value[i - 1, j - 1]))
-                for i, j in INDICES
+                for i, j in indices(value.rows)
             }
             known = value
         texts = {
             part_name(name, index, k): text
-            for index in INDICES
-            for k, text in enumerate(found[index])
+            for index, parts in found.items()
+            for k, text in enumerate(parts)
             if text is not None
         }
         definitions = {**self.context.definitions, **texts}
@@ -253,7 +254,7 @@ class Scope:
         x, y = self.entries(left), self.entries(right)
         return [
             (a or "0", b or "0")
-            for index in INDICES
+            for index in x
             for a, b in zip(x[index], y[index], strict=True)
             if a != b
         ]
