@@ -5,6 +5,7 @@ K R^-1 A1 R does not see phi1: compared with M it gives phi2 and phi3, and no in
 needed.  The axes of the turns, and the one that the momentum is turned onto, can be chosen.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,11 +13,12 @@ import sympy
 from sympy import ImmutableMatrix, MatrixExpr
 
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
-from derivations.lie_algebra import UNITS, A, Algebra, M, R, combination
+from derivations.lie_algebra import A, Algebra, M, R, combination
 from derivations.setting import Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, double_angle, half_angle, join
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import (
+    SIZE,
     Rate,
     Scope,
     coordinates,
@@ -54,14 +56,20 @@ class Reduction:
 
 @dataclass(frozen=True, slots=True)
 class Angles:
-    """Results of this chapter: a function of phi2 and the tangent of phi3, by the rates."""
+    """Results of this chapter: a function of phi2 and the tangent of phi3, by the rates.
+
+    `by_momentum` has that function, and the cosine and sine of phi3.
+    """
 
     along: Computation
     tangent: Computation
+    by_momentum: Mapping[sympy.Expr, Computation]
 
 
 def turns(setting: Setting) -> tuple[Part, ...]:
     """Return the three angles by the cosine and sine in exp(phi A)."""
+    if setting.group == "SO3":
+        return _whole(setting, 1), *circles(setting)
     angle = half_angle if setting.factor < 1 else double_angle
     return tuple(angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 
@@ -72,18 +80,27 @@ def circles(setting: Setting) -> tuple[Part, Part]:
     Squares of phi2's function along the last axis are reduced to those of the one across it, by
     which the chapters divide.
     """
-    phi2, phi3 = (
-        circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
-    )
+    phi2, phi3 = (_whole(setting, k) for k in (2, 3))
     along, across = (f"{x.func}_phi2" for x in setting.nutation(PHI[1]))
     return replace(phi2, names=(across, along)), phi3
 
 
+def _whole(setting: Setting, k: int) -> Part:
+    """Return the angle by which exp(phi A) turns vectors, by its cosine and sine."""
+    double = 2 * setting.factor
+    angle, rate = str(double * PHI[k - 1]), str(double * symbol(f"phi{k}_rate"))
+    return circle(f"cos_phi{k}", f"sin_phi{k}", angle, rate)
+
+
 def exponential(setting: Setting, axis: int, angle: sympy.Symbol) -> ImmutableMatrix:
-    """Return exp(angle A) = cos(w angle) + sin(w angle)/w A, for A^2 = -w^2."""
-    w = setting.factor
-    A = setting.basis()[axis - 1]
-    return ImmutableMatrix.eye(2) * sympy.cos(w * angle) + A * sympy.sin(w * angle) / w
+    """Return exp(angle A) for one axis."""
+    return _exponential(setting.basis()[axis - 1], setting.frequency, angle)
+
+
+def _exponential(A: ImmutableMatrix, w: sympy.Expr, angle: sympy.Expr) -> ImmutableMatrix:
+    """Return Rodrigues' 1 + sin(w angle)/w A + (1 - cos(w angle))/w^2 A^2, for A^3 = -w^2 A."""
+    sine, rest = sympy.sin(w * angle) / w, (1 - sympy.cos(w * angle)) / w**2
+    return (ImmutableMatrix.eye(A.rows) + sine * A + rest * A**2).applyfunc(sympy.expand)
 
 
 def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
@@ -97,13 +114,13 @@ def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
 
 
 def _front(setting: Setting) -> ImmutableMatrix | None:
-    """Return the constant turn (1 +- (i + j + k))/2 of the outer axis to the target."""
+    """Return the constant turn of the outer axis to the target, by a third about A1 + A2 + A3."""
     if setting.target == setting.sequence[0]:
         return None
-    basis = setting.basis()
-    diagonal = sum((UNITS[f"e{k}"] for k in (1, 2, 3)), sympy.zeros(2))
-    for sign in (1, -1):
-        T = ImmutableMatrix((sympy.eye(2) + sign * diagonal) / 2)
+    basis, size = setting.basis(), sympy.sqrt(3)
+    diagonal, third = basis[0] + basis[1] + basis[2], sympy.pi / (3 * size * setting.factor)
+    for angle in (third, -third):
+        T = _exponential(diagonal, size * setting.frequency, angle)
         turned = T * basis[setting.sequence[0] - 1] * T.H
         if (turned - basis[setting.target - 1]).applyfunc(sympy.expand).is_zero_matrix:
             return T
@@ -121,14 +138,8 @@ def derive(builder: LedgerBuilder) -> None:
     rate = symbol("phi1_rate")
     why = "a turn about a fixed axis"
     multiply(scope, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
-    multiply(
-        scope,
-        "three_angles.inverse",
-        R * R.adjoint(),
-        sympy.Identity(2),
-        "R is unitary",
-        ["1", "25"],
-    )
+    one, why = sympy.Identity(SIZE), "R is unitary"
+    multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"])
     why = "the first turn leaves its own axis where it is"
     multiply(scope, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
@@ -191,7 +202,8 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     cosine, sine = unknown[1:]
     momenta = dict(zip(MOMENTA, reduction.momenta, strict=True))
     quotient = (found.found[sine] / found.found[cosine]).cancel().subs(momenta)
-    builder.keep(Angles(nutation.found[along].subs(momenta), quotient))
+    by_momentum = {along: nutation.found[along], **{x: found.found[x] for x in (cosine, sine)}}
+    builder.keep(Angles(by_momentum[along].subs(momenta), quotient, by_momentum))
     parts = (builder.result(Dynamics).parameters, MOMENTUM, *reduction.circles)
     body = by_angles(builder, reduction, *parts)
     tangent = Scope.open(builder, "phi3", *parts, body, static=True)

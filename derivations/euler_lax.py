@@ -20,12 +20,12 @@ from derivations.lie_algebra import (
     R,
     combination,
     commutator,
-    from_quaternion,
 )
 from derivations.setting import MOMENTS, PRODUCTS, Setting
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import (
+    SIZE,
     Rate,
     Scope,
     coordinates,
@@ -109,9 +109,7 @@ def _body(
     )
     matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
     scope = Scope.open(builder, "spectrum", free, matrices=matrices, static=True)
-    why = "the spectrum of M, whose trace is zero, is in its determinant"
-    spectrum = determinant(scope, "spectrum.determinant", M, why, ["6", "7"])
-    square = (spectrum.found / algebra.setting.factor**2).expand()
+    square = (_spectrum(scope, algebra.setting) / algebra.setting.frequency**2).expand()
     gradient = Computation(momenta, ("vary",))
     lagrangian = compute(algebra.setting.energy())
     energy = sum((m * w for m, w in zip(gradient, RATES, strict=True)), -lagrangian)
@@ -127,6 +125,15 @@ def _body(
         },
         reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
     )
+
+
+def _spectrum(scope: Scope, setting: Setting) -> Computation:
+    """Return w^2 K^2, the square of the frequency of exp(t M), by the spectrum of M."""
+    if setting.group == "SU2":
+        why = "the spectrum of M, whose trace is zero, is in its determinant"
+        return determinant(scope, "spectrum.determinant", M, why, ["6", "7"]).found
+    why = "the spectrum of M is zero and the roots of x^2 by M^3 = x^2 M"
+    return -coordinates(scope, "spectrum.cube", M**3, [M], why, ["6", "7"]).found[0]
 
 
 def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
@@ -184,14 +191,14 @@ def _conjugation(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Pa
         **algebra.basis,
         "M": combination("M1 M2 M3"),
         "Omega": combination("Omega1 Omega2 Omega3"),
-        "R": from_quaternion("q"),
+        "R": algebra.setting.element("q"),
     }
     parts = (given, body, UNIT_QUATERNION, algebra.attitude)
     scope = Scope.open(builder, "moving_body", *parts, matrices=matrices)
     why = "the attitude turns with the body"
     multiply(scope, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"])
     why = "the momentum in space is constant"
-    nothing = sympy.ZeroMatrix(2, 2)
+    nothing = sympy.ZeroMatrix(SIZE, SIZE)
     multiply(
         scope, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, ["9", "22"]
     )

@@ -1,8 +1,9 @@
-"""SU(2), its Lie algebra, and the unit quaternions: from the basis (4) to (1), (2), (3).
+"""SU(2) or SO(3), its Lie algebra, and the unit quaternions: from the basis (4) to (1), (2), (3).
 
 A matrix of the form (1) is unitary with determinant one.  The map F of (2) turns the matrix product
 into a product of quaternions, which is read off; so are the brackets of the basis and, from
-R' = R Omega, the rates of a quaternion.
+R' = R Omega, the rates of a quaternion.  The rotation matrix of a unit quaternion takes the place
+of (1) in a derivation with matrices of SO(3).
 """
 
 from dataclasses import dataclass
@@ -10,9 +11,10 @@ from dataclasses import dataclass
 import sympy
 from sympy import ImmutableMatrix, MatAdd, MatrixExpr
 
-from derivations.setting import Setting
+from derivations.setting import AXES, Setting, su2
 from rigidsym.proof.algebra import LedgerBuilder, Part
-from rigidsym.proof.steps import Scope, coordinates, determinant, matrix, multiply
+from rigidsym.proof.algebra._quaternion import product
+from rigidsym.proof.steps import SIZE, Scope, coordinates, determinant, matrix, multiply
 from rigidsym.proof.steps._names import symbols
 
 UNIT_QUATERNION = Part(
@@ -40,20 +42,10 @@ PAIR = Part(
     },
 )
 # 1, i, j, k as matrices, by (1) and (2).
-UNITS = {
-    f"e{k}": ImmutableMatrix(rows)
-    for k, rows in enumerate(
-        (
-            ((1, 0), (0, 1)),
-            ((sympy.I, 0), (0, -sympy.I)),
-            ((0, 1), (-1, 0)),
-            ((0, sympy.I), (sympy.I, 0)),
-        )
-    )
-}
+UNITS = {f"e{k}": su2(unit) for k, unit in enumerate(sympy.eye(4).tolist())}
 e = tuple(map(matrix, UNITS))
 A = tuple(map(matrix, ("A1", "A2", "A3")))
-R, M, Omega = map(matrix, ("R", "M", "Omega"))
+R, M, Omega, P, Q, S = map(matrix, ("R", "M", "Omega", "P", "Q", "S"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,9 +70,7 @@ class Algebra:
 
 def from_quaternion(name: str) -> ImmutableMatrix:
     """Return F of (1) and (2): q0 + q1 i + q2 j + q3 k -> ((z1, z2), (-z2*, z1*))."""
-    q0, q1, q2, q3 = symbols(f"{name}0 {name}1 {name}2 {name}3")
-    z1, z2 = q0 + sympy.I * q1, q2 + sympy.I * q3
-    return ImmutableMatrix(((z1, z2), (-z2.conjugate(), z1.conjugate())))
+    return Setting().element(name)
 
 
 def combination(names: str) -> MatrixExpr:
@@ -97,29 +87,47 @@ def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
 def derive(builder: LedgerBuilder) -> None:
     """Prove (1), (2), (4) and (3)."""
     setting = builder.result(Setting) if Setting in builder else Setting()
-    scope = Scope.open(
-        builder, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
-    )
-    multiply(
-        scope,
-        "SU2.unitary",
-        R * R.adjoint(),
-        sympy.Identity(2),
-        "R of the form (1) is unitary",
-        ["1"],
-    )
-    determinant(scope, "SU2.special", R, "and its determinant is one", ["1"])
+    group, form = setting.group, {"R": setting.element("q")}
+    scope = Scope.open(builder, group, UNIT_QUATERNION, matrices=form, static=True)
+    one = sympy.Identity(SIZE)
+    why = "R of the form (1) is unitary" if group == "SU2" else "a rotation matrix is orthogonal"
+    multiply(scope, f"{group}.unitary", R * R.adjoint(), one, why, ["1"])
+    determinant(scope, f"{group}.special", R, "and its determinant is one", ["1"])
+    builder.keep((_unitary if group == "SU2" else _orthogonal)(builder, setting))
 
-    P, Q = map(matrix, "PQ")
+
+def _unitary(builder: LedgerBuilder, setting: Setting) -> Algebra:
+    """Read off the product of two quaternions, the brackets, and the rates of a quaternion."""
     basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
-    pair = {"P": from_quaternion("p"), "Q": from_quaternion("q"), **UNITS, **basis}
+    pair = {"P": setting.element("p"), "Q": setting.element("q"), **UNITS, **basis}
     matrices = {**pair, "Omega": combination("Omega1 Omega2 Omega3")}
     scope = Scope.open(builder, "quaternions", PAIR, matrices=matrices, static=True)
     coordinates(scope, "quaternions.product", P * Q, e, "the product of two quaternions", ["2"])
     constants = _brackets(scope)
     why = "R' = R Omega in the components of a quaternion"
     rates = coordinates(scope, "quaternions.kinematics", Q * Omega, e, why, ["3"])
-    builder.keep(Algebra(setting, constants, rates.value))
+    return Algebra(setting, constants, rates.value)
+
+
+def _orthogonal(builder: LedgerBuilder, setting: Setting) -> Algebra:
+    """Prove that rotation matrices multiply as quaternions do, and read off the brackets.
+
+    By that product R' = R Omega is q' = q omega, where Omega is the derivative of the rotation
+    matrix at the identity along omega; euler_lax decides it (moving_body.kinematics).
+    """
+    p, q, s = (symbols(f"{x}0 {x}1 {x}2 {x}3") for x in "pqs")
+    both = Part(definitions=dict(zip(s, product(p, q), strict=True)))
+    matrices = {
+        **{x.upper(): setting.element(x) for x in "pqs"},
+        **dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True)),
+    }
+    scope = Scope.open(builder, "quaternions", PAIR, both, matrices=matrices, static=True)
+    why = "two rotations are one by the product of their quaternions"
+    multiply(scope, "quaternions.product", P * Q, S, why, ["2"])
+    rates = dict(zip(setting.order, symbols("Omega1 Omega2 Omega3"), strict=True))
+    omega = [setting.sign * setting.factor * rates[axis] for axis in AXES]
+    turning = product(q, (sympy.S.Zero, *omega))
+    return Algebra(setting, _brackets(scope), turning)
 
 
 def _brackets(scope: Scope) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:

@@ -15,7 +15,7 @@ from derivations.lie_algebra import A, Algebra, M, Omega, combination, commutato
 from derivations.setting import AXES
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.algebra._computation import compute
-from rigidsym.proof.steps import Rate, Scope, differentiate, multiply
+from rigidsym.proof.steps import SIZE, Rate, Scope, differentiate, multiply
 from rigidsym.proof.steps._names import read, symbol
 
 
@@ -26,7 +26,7 @@ def derive(builder: LedgerBuilder) -> None:
     cyclic = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     terms = (commutator(commutator(A[i], A[j]), A[k]) for i, j, k in cyclic)
     total, why = MatAdd(*terms, evaluate=False), "Jacobi's identity, by the commutator's"
-    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(2, 2), why, ["4"])
+    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(SIZE, SIZE), why, ["4"])
 
     body = _momenta(builder)
     rates = {}

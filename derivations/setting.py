@@ -1,11 +1,11 @@
 """Setting of a derivation: what it starts from, with the choices that a user has.
 
-The paper's choice is the default: the basis (4), H = (c1 Omega1^2 + c2 Omega2^2 + c3 Omega3^2)/2,
-R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
+The paper's choice is the default: SU(2) with the basis (4), R = exp(phi1 A1) exp(phi2 A2)
+exp(phi3 A1), H = (c1 Omega1^2 + c2 Omega2^2 + c3 Omega3^2)/2, and the momentum turned onto A1.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, permutations, product
 from typing import Any, NoReturn
@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 import sympy
 
 from rigidsym.errors import InputError
+from rigidsym.proof.algebra._quaternion import rotated
 from rigidsym.proof.steps._names import read, symbols
 
 RATES = symbols("Omega1 Omega2 Omega3")
@@ -23,13 +24,31 @@ AXES = (1, 2, 3)
 SEQUENCES = tuple((i, j, k) for i, j, k in product(AXES, repeat=3) if j not in (i, k))
 
 
+def su2(q: Sequence[Any]) -> sympy.ImmutableMatrix:
+    """Return F of (1) and (2): q0 + q1 i + q2 j + q3 k -> ((z1, z2), (-z2*, z1*))."""
+    z1, z2 = q[0] + sympy.I * q[1], q[2] + sympy.I * q[3]
+    return sympy.ImmutableMatrix(((z1, z2), (-sympy.conjugate(z2), sympy.conjugate(z1))))
+
+
+def so3(q: Sequence[Any]) -> sympy.ImmutableMatrix:
+    """Return the matrix of the rotation v -> q v q^-1: its columns are the rotated axes."""
+    columns = (rotated(q, axis) for axis in sympy.eye(3).tolist())
+    return sympy.ImmutableMatrix([*columns]).T
+
+
+# The matrix of a unit quaternion in each group.
+GROUPS: Mapping[str, Callable[[Sequence[Any]], sympy.ImmutableMatrix]] = {"SU2": su2, "SO3": so3}
+
+
 @dataclass(frozen=True, slots=True)
 class Setting:
     """Choices of a derivation; raises InputError for an invalid one.
 
+    `group` has the matrices of attitudes: SU2, the paper's, or SO3, the rotation matrices.
     `sequence` are the axes of three turns: Euler's such as 3-1-3, or Tait's and Bryan's such as
     3-2-1.  `axis` is the one that the momentum is turned onto.  The basis is sign * factor times
-    the quaternions i, j, k in the order `order`.  `lagrangian` is quadratic in the
+    the quaternions i, j, k in the order `order`, or the matrices of SO(3) with the same brackets.
+    `lagrangian` is quadratic in the
     rates plus linear: moments of inertia c1, c2, c3, of which some may be equal; products of
     inertia c12, c13, c23 about other axes than the principal ones; constant wheel momenta h1, h2,
     h3, which make a gyrostat of the body.
@@ -41,6 +60,7 @@ class Setting:
     sign: int = 1
     order: tuple[int, int, int] = AXES
     lagrangian: str = KINETIC
+    group: str = "SU2"
 
     def __post_init__(self) -> None:
         if self.sequence not in SEQUENCES:
@@ -55,6 +75,8 @@ class Setting:
         if tuple(sorted(self.order)) != AXES:
             rule = "must have each of 1, 2, 3 once: another basis spans no algebra"
             raise InputError("order", _dashed(self.order), rule)
+        if self.group not in GROUPS:
+            raise InputError("group", self.group, f"must be one of: {', '.join(GROUPS)}")
         self._check_lagrangian()
 
     @property
@@ -82,12 +104,21 @@ class Setting:
         pair = sympy.cos(2 * self.factor * phi2), sympy.sin(2 * self.factor * phi2)
         return pair if self.sequence[0] == self.sequence[2] else pair[::-1]
 
+    def element(self, name: str) -> sympy.ImmutableMatrix:
+        """Return the matrix of the unit quaternion with the components name0 to name3."""
+        return GROUPS[self.group](_components(name))
+
     def basis(self) -> tuple[sympy.ImmutableMatrix, ...]:
-        """Return the basis A1, A2, A3."""
-        i = sympy.I
-        units = (((i, 0), (0, -i)), ((0, 1), (-1, 0)), ((0, i), (i, 0)))
-        scale = self.sign * self.factor
-        return tuple(sympy.ImmutableMatrix(units[k - 1]) * scale for k in self.order)
+        """Return the basis A1, A2, A3: derivatives of the group's matrices at the identity."""
+        q = _components("q")
+        at_one = dict(zip(q, (1, 0, 0, 0), strict=True))
+        slopes = (self.element("q").diff(q[k]).subs(at_one) for k in self.order)
+        return tuple(slope * self.sign * self.factor for slope in slopes)
+
+    @property
+    def frequency(self) -> sympy.Rational:
+        """The frequency w of exp(angle A) for a basis matrix A, where A^3 = -w^2 A."""
+        return self.factor if self.group == "SU2" else 2 * self.factor
 
     def energy(self) -> sympy.Expr:
         """Return the Lagrangian as an expression."""
@@ -158,6 +189,10 @@ class Setting:
             if tensor[i, j] not in (0, name, -name):
                 rates = RATES[i] * RATES[j]
                 self._refuse(f"must have the product of inertia {name} in front of {rates}")
+
+
+def _components(name: str) -> tuple[sympy.Symbol, ...]:
+    return symbols(" ".join(f"{name}{k}" for k in range(4)))
 
 
 def setting_of(texts: Mapping[str, str]) -> Setting:

@@ -2,19 +2,22 @@
 
 The product of three turns is read off as a quaternion.  Its factors are halves of angles: of phi2
 by its cosine x, of phi3 by its tangent y, where a quadratic equation leaves a choice that is the
-sign of cos(phi3).  phi1 is the integral of the third kind, in the amplitude as variable.
+sign of cos(phi3).  phi1 is the integral of the third kind, in the amplitude as variable.  In SO(3)
+the product is a rotation matrix by the whole angles, and so by the momentum and phi1: it needs no
+half angles with their signs.
 """
 
 from dataclasses import dataclass
 
 import sympy
 
-from derivations.conjugacy import PHI, Reduction, turns
+from derivations.conjugacy import MOMENTUM, PHI, Angles, Reduction, by_angles
+from derivations.euler_lax import Dynamics
 from derivations.lie_algebra import UNITS, Algebra, R, e
 from derivations.phi1_integral import AMPLITUDE, DN, SN, XI, ThirdKind
 from rigidsym.proof.algebra import LedgerBuilder, Part
 from rigidsym.proof.algebra._computation import Computation, compute
-from rigidsym.proof.steps import Scope, coordinates, eliminate, rate_of, rewrite
+from rigidsym.proof.steps import Scope, coordinates, eliminate, multiply, rate_of, rewrite
 from rigidsym.proof.steps._names import symbol, symbols
 
 Y, TAU, ROOT = symbols("y tau root")
@@ -31,15 +34,31 @@ class Theorem1:
 def derive(builder: LedgerBuilder) -> None:
     """Prove (18), (19), (20), (21) and (36)."""
     algebra, reduction = builder.result(Algebra), builder.result(Reduction)
-    matrices = {**reduction.matrices, **UNITS}
-    parts = turns(algebra.setting)
-    scope = Scope.open(builder, "theorem1", *parts, matrices=matrices, static=True)
-    why = "the three turns as a quaternion"
-    turned = coordinates(scope, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
-    _outer_halves(scope, algebra)
-    builder.keep(Theorem1(turned.found, _inner_half(builder)))
+    if algebra.setting.group == "SU2":
+        matrices = {**reduction.matrices, **UNITS}
+        scope = Scope.open(builder, "theorem1", *reduction.angles, matrices=matrices, static=True)
+        why = "the three turns as a quaternion"
+        turned = coordinates(scope, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
+        _outer_halves(scope, algebra)
+        builder.keep(Theorem1(turned.found, _inner_half(builder)))
+    else:
+        _rotation_matrix(builder, algebra, reduction)
     if ThirdKind in builder:
         _third_kind(builder)
+
+
+def _rotation_matrix(builder: LedgerBuilder, algebra: Algebra, reduction: Reduction) -> None:
+    """Prove the rotation matrix by the three angles, and by the momentum and phi1."""
+    _, across = algebra.setting.nutation(PHI[1])
+    parts = (builder.result(Dynamics).parameters, MOMENTUM, *reduction.angles)
+    body = (by_angles(builder, reduction, *parts), Part(units=(f"{across.func}_phi2",)))
+    matrices = reduction.matrices
+    scope = Scope.open(builder, "theorem1", *parts, *body, matrices=matrices, static=True)
+    turned, why = compute(scope.explicit(R)), "the three turns as a rotation matrix"
+    multiply(scope, "theorem1.matrix", R, turned, why, ["18", "Theorem 1"])
+    value = turned.subs(builder.result(Angles).by_momentum)
+    why = "and with the momentum in the place of phi2 and phi3"
+    multiply(scope, "theorem1.by_momentum", R, value, why, ["19", "Theorem 1"])
 
 
 def _outer_halves(scope: Scope, algebra: Algebra) -> None:

@@ -143,6 +143,7 @@ SETTING = {
         "L",
         "a Lagrangian: equal moments, products of inertia, wheels (... + h1*Omega1)",
     ),
+    "group": ("G", "group of the attitude matrices, SU2 or SO3; SU2 by default"),
 }
 "Options of `derive` for another derivation."
 

@@ -8,7 +8,8 @@ can be broken, too.  Brackets around a break do not stretch.
 import re
 from collections.abc import Iterator, Sequence
 
-_TOKENS = re.compile(r"\\[a-zA-Z]+|\\.|\s+|.", re.DOTALL)
+# An environment, such as a matrix, is one token: no row ends inside it.
+_TOKENS = re.compile(r"\\begin\{(\w+)\}.*?\\end\{\1\}|\\[a-zA-Z]+|\\.|\s+|.", re.DOTALL)
 _OPEN, _CLOSE = (r"\left(", r"\bigl("), (r"\right)", r"\bigr)")
 # Widths of tokens, in digits of the font.
 _WIDTHS = {
@@ -42,11 +43,10 @@ def width(text: str) -> float:
         if token == r"\frac":
             total += max(map(width, tokens[place : place + 2])) + _WIDTHS[token]
             place += 2
-        elif token == r"\begin":
-            inside = "".join(tokens[place:])
-            rows = re.split(r"\\\\", inside)
-            total += max(sum(width(cell) + 1.5 for cell in row.split("&")) for row in rows)
-            place = len(tokens)
+        elif token.startswith(r"\begin"):
+            inside = token[token.index("}") + 1 : token.rindex(r"\end")]
+            lines = [line.split("&") for line in inside.split(r"\\")]
+            total += sum(max(map(width, column)) + 1.5 for column in zip(*lines, strict=True))
         elif token.startswith("{"):
             total += scale * width(token[1:-1])
         else:
@@ -67,7 +67,7 @@ def _tokens(text: str) -> list[str]:
     """Split a formula into commands, characters and groups in braces."""
     found: list[str] = []
     depth = 0
-    for token in _TOKENS.findall(text):
+    for token in (match.group() for match in _TOKENS.finditer(text)):
         if depth:
             found[-1] += token
         else:

@@ -154,8 +154,8 @@ def derive(
     progress
         Called with the number of chapters done and to do.
     setting
-        Derive for this sequence of turns, basis and Lagrangian instead of the paper's: only the
-        chapters up to Theorem 1.
+        Derive for this group, sequence of turns, basis and Lagrangian instead of the paper's: only
+        the chapters up to Theorem 1.
     sealed
         Text of a ledger from which counts of mutants are taken for unchanged facts.
 

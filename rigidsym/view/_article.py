@@ -142,8 +142,9 @@ def _sought(line: "Step", context: "Context") -> Iterator[Paragraph]:
     readings = chain(context.reading.values(), context.reading, context.definitions)
     words = {*context.generators, *re.findall(r"[A-Za-z_]\w*", " ".join(readings))}
     used = {str(x) for equation in line.shown for x in equation.free_symbols}
-    matrices = {str(x) for equation in line.shown for x in equation.atoms(sympy.MatrixSymbol)}
-    if unknown := sorted(used - matrices - words):
+    matrices = [x for equation in line.shown for x in equation.atoms(sympy.MatrixExpr)]
+    sized = {str(x) for matrix in matrices for x in (*matrix.shape, matrix)}
+    if unknown := sorted(used - sized - words):
         names = [formula_of(name) for name in unknown]
         yield Paragraph(("To be found: ", *listed(names, " and "), "."))
 
@@ -170,10 +171,12 @@ def _matrices(given: Mapping[str, Any], known: dict[str, Any]) -> Iterator[Parag
         rows = aligned_rows((latex(name), "=", latex(value)) for name, value in pairs)
         texts = [pretty(sympy.Eq(name, value, evaluate=False)) for name, value in pairs]
         first = next(iter(new))
+        known |= new
         parts = [formula_of(f"{first}_11_{part}") for part in ("re", "im")]
         after = ("The parts of an entry are written ", *listed(parts, " and "), ".")
+        if not any(isinstance(x, sympy.MatrixBase) and x.has(sympy.I) for x in known.values()):
+            after = ("An entry is written ", parts[0], ".")
         yield Paragraph(("Matrices:",), (), tuple(rows), tuple(texts), (after,))
-    known |= new
 
 
 def paragraph(line: "Step") -> Paragraph:

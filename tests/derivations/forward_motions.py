@@ -6,6 +6,7 @@ from itertools import product
 
 import numpy as np
 import sympy
+from scipy.linalg import expm
 
 from derivations.setting import Setting
 from rigidsym.proof.derivation import Derivation
@@ -78,8 +79,7 @@ class Motion:
 
     def coordinates(self, matrix: np.ndarray) -> np.ndarray:
         """Return x1, x2, x3 of x1 A1 + x2 A2 + x3 A3."""
-        norm = float(self.setting.factor) ** 2 * 2
-        return np.einsum("kji,ji->k", self.basis.conj(), matrix).real / norm
+        return np.einsum("kji,ji->k", self.basis.conj(), matrix).real / np.vdot(*self.basis[[0, 0]])
 
     def rates(self, momentum: np.ndarray) -> np.ndarray:
         """Return Omega of M = I Omega + h."""
@@ -102,7 +102,7 @@ class Motion:
             return tuple(x + h * y for x, y in zip(state, rate, strict=True))
 
         h = TIME / STEPS
-        state = (np.eye(2, dtype=complex), self.momentum(RATES0), 0.0)
+        state = (np.eye(len(self.basis[0]), dtype=complex), self.momentum(RATES0), 0.0)
         for _ in range(STEPS):
             k1 = slope(state)
             k2 = slope(moved(state, k1, h / 2))
@@ -114,9 +114,7 @@ class Motion:
 
     def turn(self, axis: int, angle: float) -> np.ndarray:
         """Return exp(angle A) for one axis."""
-        w = float(self.setting.factor)
-        A = self.basis[axis - 1]
-        return np.eye(2) * np.cos(w * angle) + A * np.sin(w * angle) / w
+        return expm(angle * self.basis[axis - 1])
 
     def front(self) -> np.ndarray:
         """Return a constant turn of the outer axis onto the target, the first that is found."""
@@ -148,6 +146,19 @@ class Motion:
         for axis, angle in zip(self.setting.sequence, phi, strict=True):
             product = product @ self.turn(axis, angle)
         return product
+
+
+def rotation(
+    steps: dict[str, Step], setting: Setting, momentum: np.ndarray, phi1: float
+) -> np.ndarray:
+    """Return the rotation matrix of a momentum and phi1 that a derivation in SO(3) found."""
+    phi = (phi1, *Motion(setting).angles(steps, momentum))
+    point = {symbol("K"): np.linalg.norm(momentum), **dict(zip(MOMENTA, momentum, strict=True))}
+    point |= {symbol(f"phi{k}"): angle for k, angle in enumerate(phi, 1)}
+    found = [steps[f"theorem1.{name}"].value for name in ("by_momentum", "matrix")]
+    one, other = (np.array(matrix.subs(point), dtype=float) for matrix in found)
+    assert np.allclose(one, other, atol=1e-12)
+    return one
 
 
 def errors(derivation: Derivation, setting: Setting, fact: str) -> tuple[float, float]:

@@ -3,6 +3,7 @@
 import ast
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from itertools import permutations, product
 from pathlib import Path
@@ -15,16 +16,20 @@ from forward_motions import (
     MOMENTA,
     RATES,
     RATES0,
+    TIME,
     Motion,
     constants,
     errors,
+    rotation,
     steps_of,
     value,
 )
 
 import derivations
-from derivations import FORWARD, euler_lax, lie_algebra
-from derivations.setting import KINETIC, SEQUENCES, Setting
+import rigidsym
+from derivations import FORWARD, conjugacy, euler_lax, lie_algebra
+from derivations.setting import GROUPS, KINETIC, SEQUENCES, Setting
+from rigidsym import quaternions
 from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.derivation import Derivation, DerivationError, derive
 from rigidsym.proof.steps import _algebra as algebra
@@ -198,7 +203,7 @@ def spelled(text: str) -> str:
     return to_text(parse(text))
 
 
-@pytest.mark.parametrize("setting", [PAPER, OTHER, WHEELS[0]], ids=str)
+@pytest.mark.parametrize("setting", [PAPER, OTHER, WHEELS[0], Setting(group="SO3")], ids=str)
 def test_no_fact_has_equal_sides_or_restates_a_definition_or_a_rate_of_its_context(setting):
     data = json.loads(derived(setting).ledger)
     contexts = {context["name"]: context for context in data["contexts"]}
@@ -234,6 +239,10 @@ AIRCRAFT = Setting((3, 2, 1), 2, sympy.Integer(1), -1, (2, 1, 3))
 DRAWN = [PAPER, OTHER, Setting((2, 3, 2), 3, order=(3, 1, 2)), AIRCRAFT, *WHEELS]
 
 
+# The same with rotation matrices.
+ROTATIONS = [replace(x, group="SO3") for x in (PAPER, OTHER, AIRCRAFT, WHEELS[1], TILTED[0])]
+
+
 def follows(setting: Setting, fact: str) -> None:
     """Assert that the angles carry R' = R Omega and turn the momentum onto the axis."""
     of_attitude, of_momentum = errors(derived(setting), setting, fact)
@@ -242,7 +251,7 @@ def follows(setting: Setting, fact: str) -> None:
 
 
 @pytest.mark.parametrize("fact", ["line32.rate", "line32.by_invariants"])
-@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, EQUAL[0]], ids=str)
+@pytest.mark.parametrize("setting", [*DRAWN, *TILTED, EQUAL[0], *ROTATIONS], ids=str)
 def test_a_derivation_is_a_motion_by_numbers(setting, fact):
     follows(setting, fact)
 
@@ -258,8 +267,79 @@ def test_each_of_twelve_sequences_is_a_motion_by_numbers(sequence):
     assert max(errors(short, setting, "line32.by_invariants")) < 1e-9
 
 
+# Rotation matrices.
+
+
+@pytest.mark.parametrize("setting", ROTATIONS, ids=str)
+def test_the_rotation_matrix_is_that_of_the_quaternions_in_SU2(setting):
+    """Compare with R A R^-1 of a motion in SU(2), whose column k has the coordinates for A_k."""
+    unitary = Motion(replace(setting, group="SU2"))
+    K = float(np.linalg.norm(unitary.momentum(RATES0)))
+    known = {**constants(), symbol("K"): K, symbol("H"): unitary.energy(RATES0)}
+    steps = found(setting)
+    phi1_rate = sympy.lambdify([RATES], steps["line32.rate"].value.subs(known))
+    R, momentum, phi1 = unitary.run(phi1_rate)
+    columns = [unitary.coordinates(R @ A @ R.conj().T) for A in unitary.basis]
+    before = rotation(steps, setting, unitary.momentum(RATES0), 0.0)
+    after = rotation(steps, setting, momentum, phi1)
+    axes = np.array(setting.order) - 1
+    assert np.allclose((before.T @ after)[np.ix_(axes, axes)], np.transpose(columns), atol=1e-9)
+
+
+def test_the_rotation_matrix_is_that_of_the_package():
+    setting = ROTATIONS[0]
+    motion, steps = Motion(setting), found(setting)
+    K = float(np.linalg.norm(motion.momentum(RATES0)))
+    known = {**constants(), symbol("K"): K}
+    _, _, phi1 = motion.run(sympy.lambdify([RATES], steps["line32.rate"].value.subs(known)))
+    q, omega = rigidsym.TorqueFreeMotion(INERTIA, RATES0)(TIME)
+    before = rotation(steps, setting, motion.momentum(RATES0), 0.0)
+    after = rotation(steps, setting, motion.momentum(omega), phi1)
+    assert np.allclose(before.T @ after, quaternions.matrices(q), atol=1e-9)
+
+
+def test_the_momentum_is_a_row_of_the_rotation_matrix_and_no_angle_is_halved():
+    steps = found(ROTATIONS[0])
+    assert [*steps["theorem1.by_momentum"].value.row(0)] == [m / symbol("K") for m in MOMENTA]
+    angles = {x.args[0] for x in steps["theorem1.matrix"].value.atoms(sympy.Function)}
+    assert angles == {symbol(f"phi{k}") for k in (1, 2, 3)}
+    facts = {fact for fact in steps if fact.startswith(("half_tangent", "theorem1.outer"))}
+    assert not facts
+
+
+def test_rotation_matrices_that_multiply_in_the_other_order_are_refused(monkeypatch):
+    so3 = GROUPS["SO3"]
+    monkeypatch.setitem(GROUPS, "SO3", lambda q: so3(q).T)
+    with pytest.raises(DerivationError, match=r"fact quaternions\.product: undecided"):
+        derive(["lie_algebra"], setting=Setting(group="SO3"))
+
+
+def test_an_exponential_without_the_square_of_its_matrix_is_refused(monkeypatch):
+    monkeypatch.setattr(
+        conjugacy,
+        "_exponential",
+        lambda A, w, x: (
+            conjugacy.ImmutableMatrix.eye(A.rows) * sympy.cos(w * x) + A * sympy.sin(w * x) / w
+        ),
+    )  # as in SU(2)
+    with pytest.raises(DerivationError, match=r"fact three_angles\.exponential: undecided"):
+        derive(["conjugacy"], setting=Setting(group="SO3"))
+    derive(["conjugacy"], setting=Setting())
+
+
+def test_the_groups_have_the_same_brackets_equations_and_angles():
+    one, other = found(OTHER), found(ROTATIONS[1])
+    facts = ["quaternions.bracket_12", "variation.euler", "three_angles.momentum"]
+    facts += ["compared.phi2", "compared.phi3", "rates.angles", "line32.by_invariants"]
+    for fact in facts:
+        assert one[fact].value == other[fact].value
+
+
+IN_SO3 = [Setting(sequence, group="SO3") for sequence in SEQUENCES]
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS, FULL], ids=str)
+@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS, FULL, *IN_SO3], ids=str)
 def test_every_derivation_is_a_motion_by_numbers(setting):
     follows(setting, "line32.by_invariants")
 
@@ -447,11 +527,12 @@ def test_a_wrong_answer_is_refused(monkeypatch, module, name, change, chapter, f
 # The command.
 
 
-def test_a_variant_leaves_the_sealed_ledger_and_both_checkers_accept_its_own(tmp_path, run):
+@pytest.mark.parametrize("choice", ["--sequence 3-1-3 --axis 3", "--group SO3"])
+def test_a_variant_leaves_the_sealed_ledger_and_both_checkers_accept_its_own(tmp_path, choice, run):
     sealed, path = FOLDER / "ledger.json", tmp_path / "own.json"
     before = sealed.read_bytes(), sealed.stat().st_mtime_ns
-    run("derive --sequence 3-1-3 --axis 3 -o", path)
-    run("derive lie_algebra --sequence 3-1-3 --axis 3")
+    run(f"derive {choice} -o", path)
+    run(f"derive lie_algebra {choice}")
     assert (sealed.read_bytes(), sealed.stat().st_mtime_ns) == before
     for options in ([], ["--independent"]):
         # It is not what numbers rest on.
@@ -465,6 +546,8 @@ BAD = [
     ("--sequence", "1-1-1", "must be one of: 1-2-1"),
     ("--sequence", "1-4-1", "must be one of: 1-2-1, 1-2-3, 1-3-1"),
     ("--sequence", "", "must be one of: 1-2-1"),
+    ("--group", "SO(3)", "must be one of: SU2, SO3"),
+    ("--group", "", "must be one of: SU2, SO3"),
     ("--order", "1-2", "must be one of: 1-2-3, 1-3-2, 2-1-3, 2-3-1, 3-1-2, 3-2-1"),
     ("--axis", "4", "must be 1, 2 or 3"),
     ("--axis", "x", "must be a whole number"),

@@ -28,6 +28,7 @@ _NOT_RUN = {
         "python3 -m venv .venv", ". .venv/bin/activate", "pip install uv", "pip install -e .",
         'pip install -e ".[lab]"', "pip install pre-commit", "pre-commit install",
         "uv sync --group all", "apt-get install chromium chromium-driver",
+        "apt-get install texlive-latex-recommended",
     ),
     "other commands follow it": ("uv run", "uv run --no-sync"),
     "it writes into the checkout": (

@@ -63,3 +63,11 @@ def test_rows_of_the_sealed_ledger_fit():
     printed = [PRINTER.of(parse(text)) for text in texts]
     assert sum(width(text) > 60 for text in printed) > 20
     assert all(width(row) <= 62 for text in printed for row in rows(text, 60))
+
+
+def test_a_matrix_is_not_broken_and_is_as_wide_as_its_columns():
+    entry = "x + y + z + 10"
+    matrix = rf"\left[\begin{{matrix}}{entry} & 1 \\ 1 & {entry}\end{{matrix}}\right]"
+    assert rows(f"x + {matrix} + y", width(matrix) + 5) == [f"x + {matrix}", "+ y"]
+    assert width(matrix) >= 2 * width(entry)
+    assert width(matrix + entry) == width(matrix) + width(entry)

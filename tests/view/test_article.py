@@ -29,6 +29,7 @@ VARIANTS = [
     Setting(),
     Setting((3, 1, 3), 2, sympy.Integer(1), -1),
     Setting(lagrangian=f"{Setting().lagrangian} + h1*Omega1"),
+    Setting((3, 2, 1), 1, sympy.Integer(1), group="SO3"),
 ]
 # How each form shows the name of a fact, without what LaTeX needs to break and to escape it.
 NAMED = {"text": "[{}]", "markdown": "`{}`", "latex": r"\fact{{{}}}", "html": ">{}<"}

@@ -144,10 +144,16 @@ def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
     )
 
 
-def circle(cosine: str, sine: str, angle: str) -> Part:
-    """Return the part that introduces cos and sin of an angle at one instant."""
-    names = {sine: f"sin({angle})", cosine: f"cos({angle})"}
-    return Part(names, relations=(f"{cosine}**2 + {sine}**2 - 1",))
+def circle(cosine: str, sine: str, angle: str, rate: str = "") -> Part:
+    """Return the part that introduces cos and sin of an angle.
+
+    `rate` is the time derivative of the angle.
+    """
+    return Part(
+        {sine: f"sin({angle})", cosine: f"cos({angle})"},
+        relations=(f"{cosine}**2 + {sine}**2 - 1",),
+        rates={cosine: f"-({rate})*{sine}", sine: f"({rate})*{cosine}"} if rate else {},
+    )
 
 
 def jacobi(sn: str, cn: str, dn: str, argument: str, parameter: str, rate: str) -> Part:

@@ -1,15 +1,14 @@
 """Complex square matrices whose entries have names in a context.
 
-A matrix R has up to two definitions for each entry in its context, such as R_11_re and R_11_im;
-parts that are zero have none.  The symbols of matrices are of any size n; those of a context have
-the size of the values that they have there.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
+An entry of a matrix R has up to two definitions in its context, such as R_11_re and R_11_im; parts
+that are zero have none.  A symbol stands for a matrix of any size n, which its value in a context
+has.  The kernel gets the entries of a product as unexpanded sums of products of these names, and
 expands them.  The inverse is written as the conjugate transpose; `Scope.decide_matrices` checks
 that an inverted matrix is unitary.
 """
 
 from collections.abc import Callable, Mapping
 from functools import reduce
-from itertools import product
 from math import isqrt
 from typing import Any, TypeAlias
 
@@ -65,7 +64,8 @@ def matrix(name: str) -> MatrixSymbol:
 
 def indices(size: int) -> tuple[tuple[int, int], ...]:
     """Return the indices of a square matrix, row by row, from (1, 1)."""
-    return tuple(product(range(1, size + 1), repeat=2))
+    places = range(1, size + 1)
+    return tuple((i, j) for i in places for j in places)
 
 
 def size_of(values: Mapping[str, ImmutableMatrix]) -> int:

@@ -9,7 +9,7 @@ from sympy import I, Identity, ImmutableMatrix, MatAdd, MatMul, ZeroMatrix
 from rigidsym.language._expression import parse
 from rigidsym.language.functions._jacobi import jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, circle, half_angle, jacobi
-from rigidsym.proof.steps import Rate, Scope, StepError, matrix
+from rigidsym.proof.steps import SIZE, Rate, Scope, StepError, matrix, multiply
 from rigidsym.proof.steps._matrices import part_name, split
 from rigidsym.proof.steps._names import (
     collected,
@@ -26,13 +26,13 @@ NAMES = ("P", "Q", "S")
 POOL = (0, 1, -1, I, -I, x, -x, I * y, x + I * y, 2 - I * a, sympy.Rational(1, 2))
 
 
-def drawn(random: random.Random) -> ImmutableMatrix:
-    return ImmutableMatrix(2, 2, [random.choice(POOL) for _ in range(4)])
+def drawn(random: random.Random, size: int) -> ImmutableMatrix:
+    return ImmutableMatrix(size, size, [random.choice(POOL) for _ in range(size**2)])
 
 
 def expression(random: random.Random, depth: int):
     if depth == 0:
-        return random.choice([*map(matrix, NAMES), Identity(2), ZeroMatrix(2, 2)])
+        return random.choice([*map(matrix, NAMES), Identity(SIZE), ZeroMatrix(SIZE, SIZE)])
     one, two = (expression(random, depth - 1) for _ in range(2))
     match random.randrange(4):
         case 0:
@@ -47,7 +47,8 @@ def expression(random: random.Random, depth: int):
 @pytest.mark.parametrize("seed", range(25))
 def test_entries_are_those_of_explicit_multiplication(seed):
     draw = random.Random(seed)
-    values = {name: drawn(draw) for name in NAMES}
+    size = 2 + seed // 2 % 2
+    values = {name: drawn(draw, size) for name in NAMES}
     witness = dict.fromkeys("xya", "1")
     rates = {"x": "a*y", "y": "x - a"}
     scope = Scope.open(
@@ -57,11 +58,35 @@ def test_entries_are_those_of_explicit_multiplication(seed):
     if seed % 2:
         whole = Rate(whole)
     explicit = scope.explicit(whole)
+    assert explicit.shape == (size, size)
+    assert len(scope.entries(whole)) == size**2
     for (i, j), texts in scope.entries(whole).items():
         parts = split(explicit[i - 1, j - 1])
         for text, part in zip(texts, parts, strict=True):
             said = scope.ring.read(text or "0")
             assert not (said - scope.ring.read(scope.text(part))).numerator
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4])
+def test_a_determinant_is_that_of_sympy(size):
+    values = {"P": drawn(random.Random(size), size)}
+    scope = Scope.open(
+        LedgerBuilder(), "named", Part(witness=dict.fromkeys("xya", "1")), matrices=values
+    )
+    parts = split(sympy.expand(values["P"].det(method="berkowitz")))
+    for text, part in zip(scope.determinant(matrix("P")), parts, strict=True):
+        assert not (scope.ring.read(text or "0") - scope.ring.read(scope.text(part))).numerator
+
+
+def test_an_explicit_matrix_may_stand_in_an_equation():
+    builder, value = LedgerBuilder(), ImmutableMatrix(3, 3, [x, 0, I * y, 1, y, 0, 0, 0, x])
+    parts = Part(witness={"x": "1", "y": "1"})
+    scope = Scope.open(builder, "named", parts, matrices={"P": value}, static=True)
+    step = multiply(scope, "named.square", matrix("P") ** 2, value * value, "why")
+    assert step.value == value * value
+    assert step.shown[0].rhs == value * value
+    with pytest.raises(StepError, match=r"fact named\.wrong: undecided"):
+        multiply(scope, "named.wrong", matrix("P") ** 2, value, "why")
 
 
 def test_an_entry_is_sums_of_products_of_names_unexpanded():
