@@ -1,5 +1,6 @@
 """Numbers are computed from the sealed ledger only."""
 
+import json
 from importlib import resources
 
 import pytest
@@ -12,9 +13,12 @@ from rigidsym.solution import _formulas as formulas
 
 @pytest.fixture
 def changed(monkeypatch):
-    """Change the sign of A_a in the ledger, which no checker would accept."""
-    text = ledger_text().replace('"A_a": "B_a/c_a"', '"A_a": "-B_a/c_a"')
-    assert text != ledger_text()
+    """Empty a proof in the ledger, which no checker would accept."""
+    data = json.loads(ledger_text())
+    (fact,) = (fact for fact in data["facts"] if fact["id"] == "attitude.solution")
+    assert any(term != "0" for row in fact["certificate"]["cofactors"] for term in row)
+    fact["certificate"]["cofactors"] = [["0" for _ in x] for x in fact["certificate"]["cofactors"]]
+    text = json.dumps(data, indent=1)
     monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
     formulas.sealed.cache_clear()
     yield text
