@@ -82,6 +82,7 @@ motion([0.0, 90.0, 180.0])[0].round(4)  # attitudes: quaternions, scalar first, 
 # | a motion | more digits than a double has | [get fifty digits](howto_fifty_digits.ipynb) |
 # | flight code | the solution in C, traceable | [generate C](howto_c_for_my_flight_code.ipynb) |
 # | an integrator | its errors | [validate my integrator](howto_validate_my_integrator.ipynb) |
+# | limits, spins or thrusters | a manoeuvre that keeps to them | [limits and thrusters](howto_limits_and_thrusters.ipynb) |
 # | an equation | a proof or a counterexample | [add an equation](howto_add_an_equation.ipynb) |
 # | another language | the solution in it | [add a target](howto_add_a_target.ipynb) |
 

@@ -28,7 +28,8 @@
 # Three rates are unknown, and three angles are prescribed. The paper does not say more than that.
 # This notebook plans such a manoeuvre, explains why *all* natural motions that reach the target can
 # be found, flies it under the disturbances of a small satellite (Figures 1 to 3), and exports it to
-# other programs.
+# other programs. [How to plan within limits and fly by
+# thrusters](howto_limits_and_thrusters.ipynb) goes on from here: durations, spins, half turns, burns.
 #
 # | | |
 # |---|---|
@@ -42,14 +43,13 @@ from dataclasses import replace
 from fractions import Fraction
 
 import matplotlib.pyplot as plt
-import mpmath
 import numpy as np
+from IPython.display import display
 
 import rigidsym
 from rigidsym import _engines as engines
-from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre import directions_of, solve
 from rigidsym.manoeuvre._manoeuvre import open_manoeuvre
-from rigidsym.proof.kernel import Grade
 from support import grades, sealed, show, table
 
 BLUE, RED, GREEN, PINK = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
@@ -73,19 +73,6 @@ plan
 # The table is ranked by **cost**, the momentum that both bursts change. From rest to rest that is
 # $|I\Omega(0)|+|I\Omega(T)|=2K$, because a free body keeps the size of its momentum.
 
-# %%
-best = plan.best
-K = [transfer.momentum for transfer in plan.transfers]
-table(
-    {
-        "transfer": f"{rank}",
-        "$2K$ (N m s)": f"{2 * size:.6f}",
-        "cost (N m s)": f"{transfer.cost:.6f}",
-        "moves as": str(transfer.motion.regime),
-    }
-    for rank, (size, transfer) in enumerate(zip(K, plan.transfers, strict=True), 1)
-)
-
 # %% [markdown]
 # ## Why all motions can be found
 #
@@ -108,6 +95,8 @@ show(ledger, "manoeuvre.cone", "manoeuvre.trace", "manoeuvre.axis")
 # %%
 from rigidsym.manoeuvre._problem import problem
 
+best = plan.best
+K = [transfer.momentum for transfer in plan.transfers]
 posed = problem(asked.inertia, asked.start, asked.target, engines.engine("c"))
 inertia = np.array([float(c) for c in asked.inertia])
 R, J = posed.rotation, np.diag(1 / inertia)
@@ -123,8 +112,6 @@ table([{"eigenvalues of $A$, 1/(kg m²)": f"{below:.3f}, {between:.3f}, {above:.
 # $N$.
 
 # %%
-from rigidsym.manoeuvre import directions_of
-
 directions_of(plan).show()
 
 # %% [markdown]
@@ -241,167 +228,16 @@ table(
 # The gain is four per cent; the paper expects natural motions to be "reasonably close to the
 # minimum-fuel one". But the turn about a fixed axis needs a torque $\Omega\times I\Omega$ all the
 # time. A spacecraft that has only thrusters, fired in two bursts, cannot fly it.
-#
-# ## Durations, limits, spins
-#
-# The equations scale with time: a motion run $s$ times as fast, with rates $W=s\,\Omega$, is also a
-# motion.
-
-# %%
-show(ledger, "faster.euler")
 
 # %% [markdown]
-# Half the duration gives twice the rates and twice the cost, without a new search.
-
-# %%
-ours = {"inertia": asked.inertia, "start": asked.start, "target": asked.target}
-scaled = {T: rigidsym.plan(**ours, duration=T).best for T in (30, 60, 120, 240)}
-table(
-    {
-        "duration (s)": T,
-        "cost (N m s)": f"{one.cost:.5e}",
-        "cost times duration": f"{one.cost * T:.6f}",
-    }
-    for T, one in scaled.items()
-)
-
-# %% [markdown]
-# So a limit determines the duration. Give the spacecraft's limits without a duration, and the
-# planner computes it. If both are given and do not agree, the planner raises an error.
-
-# %%
-quick = rigidsym.plan(**ours, max_rate="0.05").best
-gentle = rigidsym.plan(**ours, max_burst="5e-4").best
-try:
-    rigidsym.plan(**ours, duration=60, max_burst="5e-4")
-    refused = ""
-except rigidsym.InputError as error:
-    refused = error.rule
-print(f"|omega| up to 0.05 rad/s: {quick.duration:.2f} s")
-print(f"bursts up to 5e-4 N m s:  {gentle.duration:.2f} s")
-print("both 60 s and 5e-4 N m s:", refused)
-
-# %% [markdown]
-# With **spins** before or after (for example, if the spacecraft tumbles when the manoeuvre begins)
-# costs do not scale: a burst is a difference of momenta, and the duration decides which motion is
-# the cheapest. The set of motions is the same.
-
-# %%
-from rigidsym.manoeuvre._cheapest import Bursts
-
-tumbling = (0.01, 0.02, -0.01)  # rad/s
-durations = np.geomspace(40, 600, 141)
-
-
-def costs(spin, durations):
-    """Of the motions found (N m s), a row for each duration."""
-    bursts = Bursts.of(posed, rigidsym.plan(**ours, duration=120, start_spin=spin).manoeuvre)
-    sizes = [bursts.sizes(found, T).sum(axis=1) / T for T in durations.tolist()]
-    return inertia.max() * np.array(sizes)
-
-
-figure, panels = plt.subplots(1, 2, figsize=(8.4, 3.4), sharey=True, layout="constrained")
-cases = {"from rest": (0, 0, 0), "from a tumble": tumbling}
-for panel, (name, spin) in zip(panels, cases.items(), strict=True):
-    first = costs(spin, durations)[:, :4]
-    for rank, colour in enumerate((BLUE, RED, GREEN, PINK)):
-        panel.loglog(durations, first[:, rank], color=colour, label=f"motion {rank + 1}")
-    panel.set(xlabel="duration (s)", title=name, xticks=(50, 100, 200, 400))
-    panel.set_xticks([], minor=True)
-    panel.xaxis.set_major_formatter("{x:g}")
-panels[0].set_ylabel("cost (N m s)")
-panels[0].legend(loc="lower left")
-plt.show()
-
-# %%
-few = np.array([60.0, 120.0, 240.0])
-curves = costs(tumbling, few)
-planned = [rigidsym.plan(**ours, duration=T, start_spin=tumbling).best.cost for T in few.tolist()]
-print("the cheapest in 60, 120 and 240 s: motions", *(curves.argmin(axis=1) + 1))
-
-# %% [markdown]
-# ## Half turns, and the middle axis
-#
-# A half turn about a principal axis is a special case: it is a symmetry of the body,
-# $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the whole sphere. The transfers then form families of
-# equal cost along a polhode: if $q(t)$ is a motion, so is its product $x(t)=q(t)\,p$ with the half
-# turn $p$. The plan lists one transfer of each family.
-
-# %%
-show(ledger, "manoeuvre.symmetry", "ring.euler")
-
-# %%
-AXES = {"smallest": (0, 1, 0, 0), "middle": (0, 0, 1, 0), "largest": (0, 0, 0, 1)}
-flips = {
-    name: rigidsym.plan(asked.inertia, (1, 0, 0, 0), target, 120, families=2)
-    for name, target in AXES.items()
-}
-table(
-    {
-        "half turn about the axis of": f"{name} moment",
-        "cheapest (N m s)": f"{one.best.cost:.4e}",
-        "": str(one.best.motion.regime),
-        "next (N m s)": f"{one.transfers[1].cost:.4e}",
-    }
-    for name, one in flips.items()
-)
-
-# %%
-directions_of(flips["largest"]).show()
-
-# %% [markdown]
-# A spin about the axis is the cheapest. About the *middle* axis it is unstable, as [notebook
-# 5](05_edges.ipynb) shows: an error of the burst grows like $e^{\lambda t}$. The next cell shows
-# its effect in half a turn, for errors of one per cent of the rate in any direction:
-
-# %%
-rng = np.random.default_rng(5)
-
-
-def scatter(transfer):
-    """Median angle (degrees) between target and arrival, with rates wrong by one per cent."""
-    wrong = rng.normal(size=(2000, 3)) * np.linalg.norm(transfer.omega0) / np.sqrt(3) / 100
-    given = [float(x) for x in transfer.manoeuvre.start]
-    q, _ = rigidsym.propagate(inertia, transfer.omega0 + wrong, [transfer.duration], given)
-    target = np.array([float(x) for x in transfer.manoeuvre.target])
-    sine = np.linalg.norm(np.minimum(*(np.abs(q[:, 0] - s * target) for s in (1, -1))), axis=1)
-    return np.degrees(np.median(4 * np.arcsin(sine / 2)))
-
-
-named = {f"half turn, {name} moment": one.best for name, one in flips.items()}
-errors = {name: scatter(one) for name, one in {**named, "the paper's": best}.items()}
-table(
-    {"manoeuvre": name, "off by, median (degrees)": f"{error:.1f}"}
-    for name, error in errors.items()
-)
-
-# %% [markdown]
-# Over half a turn, the error about the middle axis is up to four times the error about the other
-# axes.
-#
 # ## Accuracy at the target
 #
 # Every transfer is checked before it is returned: its rates are exact numbers, and the proved
-# solution gives the final attitude at thirty digits. The same check by hand, at fifty digits:
+# solution gives the final attitude at thirty digits. Each transfer has the angle by which it misses.
 
 # %%
-DIGITS = 50
-
-
-def miss(transfer):
-    """The angle between where the exact rates lead and the target (rad)."""
-    asked = transfer.manoeuvre
-    q, _ = transfer.motion.precise(asked.duration, DIGITS)
-    with mpmath.workdps(DIGITS):
-        target = [mpmath.mpf(x.numerator) / x.denominator for x in asked.target]
-        unit = [x / mpmath.norm(target) for x in target]
-        chords = [[x - side * y for x, y in zip(q, unit, strict=True)] for side in (1, -1)]
-        return float(4 * mpmath.asin(min(map(mpmath.norm, chords)) / 2))
-
-
-everything = [*plan.transfers, quick, gentle, *(one.best for one in flips.values())]
-misses = np.array([miss(one) for one in everything])
-print(f"{len(misses)} transfers miss by less than 1e-12 rad:", bool(misses.max() < 1e-12))
+residuals = [transfer.residual for transfer in plan.transfers]
+print("all transfers miss by less than 1e-12 rad:", max(residuals) < 1e-12)
 
 # %% [markdown]
 # ## The flight
@@ -425,18 +261,12 @@ tracked
 # %% [markdown]
 # **Figure 2** of the paper is the attitude: the natural motion is thin and dashed, the flown
 # attitude is thick. The natural motion goes on after the target has been reached; the controller no
-# longer follows it there.
+# longer follows it there. **Figure 3** is the torque of each wheel. It is close to a scheme of two
+# bursts, as the paper says. A burst takes about ten seconds because of the wheels' limits.
 
 # %%
 pictures = figures.drawn()
-pictures["figure2"]
-
-# %% [markdown]
-# **Figure 3** is the torque of each wheel. It is close to a scheme of two bursts, as the paper
-# says. A burst takes about ten seconds because of the wheels' limits.
-
-# %%
-pictures["figure3"]
+display(pictures["figure2"], pictures["figure3"])
 
 # %% [markdown]
 # **Figure 1** is the paper's argument for quaternions: the same natural motion in Euler's angles,
@@ -496,61 +326,12 @@ print(f"by wheels, natural motion over fixed axis: {natural_torque / fixed_torqu
 # %% [markdown]
 # Over random manoeuvres the median of this ratio is 1.28. For thrusters the natural motion is the
 # better choice: it is within 4 % of minimum fuel (see the [comparison](site/pages/manoeuvres.md)).
-# With feed-forward, the controller supplies the gyroscopic torque before an error appears:
-
-# %%
-knowing = replace(flight, controller=replace(flight.controller, feedforward=True))
-told = fly(plan.manoeuvre, knowing, best)
-late = (told.t > 60) & (told.t < told.arrival)
-table(
-    {
-        "controller": name,
-        "error on the way, greatest after 60 s (degrees)": f"{np.degrees(one.error[late].max()):.3f}",
-        "greatest torque there (N m)": f"{np.abs(one.torque[late]).max():.1e}",
-    }
-    for name, one in (("PD alone, as in the paper", run), ("PD and $\\Omega\\times h$", told))
-)
-
-# %% [markdown]
-# ### A flight by thrusters
-#
-# Thrusters are on or off: a burn takes as long as its impulse needs. A burn that is centred on the
-# instant of the ideal burst has an error of second order in its length; a burn that begins at that
-# instant is late by half its length. This flight has only the burns, no controller and no
-# disturbances:
-
-# %%
-from rigidsym.manoeuvre.flight._settings import Thrusters
-
-blind = replace(quiet, controller=replace(flight.controller, natural_frequency=0.0))
-blind = replace(blind, run=replace(flight.run, length=Fraction(123), period=Fraction(1)))
-burnt = {
-    (torque, centred): fly(
-        plan.manoeuvre, replace(blind, thrusters=Thrusters(torque, 0.0, centred)), best
-    )
-    for torque in (5e-4, 1e-3, 1e-2)
-    for centred in (True, False)
-}
-table(
-    {
-        "thrusters (N m)": f"{torque:g}",
-        "burns (s)": ", ".join(f"{np.ptp(span, axis=1).max():.2f}" for span in one.burns.spans),
-        "": "centred" if centred else "begun at the instants",
-        "misses by (degrees)": f"{np.degrees(one.last_burn()['error']):.3f}",
-    }
-    for (torque, centred), one in burnt.items()
-)
-
-# %% [markdown]
-# Disturbances have a larger effect: in two minutes without control they turn this small spacecraft
-# by some degrees. Thrusters are therefore combined with wheels that remove the remaining error, or
-# with a burst on the way. In a manoeuvre file this is the table `[thrusters]`, with or without
-# `[controller]`.
 #
 # ## Export
 #
 # Flight dynamics software reads CCSDS attitude ephemeris messages (AEM), Python code likes SciPy's
-# `RotationSpline`. Both take samples of a motion:
+# `RotationSpline`. Both take samples of a motion. (The spline is less accurate at its ends, so it has
+# some samples on both sides.)
 
 # %%
 from rigidsym.io import aem, rotation_spline, sampled
@@ -561,18 +342,7 @@ names = {"object_name": "NANO", "object_id": "UNKNOWN", "originator": "RIGIDSYM"
 message = aem(track, epoch, creation_date=epoch, **names)
 print("\n".join(f"{line:.60}" for line in message.splitlines()[:20]))
 
-# %% [markdown]
-# An independent reader reads the file back: the attitude is the same except for the last digit, and
-# the spline is also accurate between the samples. (SciPy's spline is less accurate at its ends; add
-# some samples on both sides, as here.)
-
-# %%
-lines = message.partition("DATA_START")[2].partition("DATA_STOP")[0].split("\n")[1:-1]
-states = np.array([line.split()[1:] for line in lines], dtype=float)
-q, omega = best.motion(track.times)
-
-wider = sampled(best.motion, np.linspace(-20, 140, 161))
-spline = rotation_spline(wider)
+spline = rotation_spline(sampled(best.motion, np.linspace(-20, 140, 161)))
 between = np.linspace(0, 120, 1201)
 angles = (best.motion.rotation(between).inv() * spline(between)).magnitude()
 print("spline off by less than 1e-7 rad between samples a second apart:", angles.max() < 1e-7)
@@ -600,7 +370,7 @@ print("spline off by less than 1e-7 rad between samples a second apart:", angles
 numbers = figures.numbers()
 assert np.allclose([transfer.cost for transfer in plan.transfers], 2 * np.array(K), rtol=1e-13)
 assert np.all(np.diff(K) > 0)
-assert best.residual < 1e-12
+assert max(residuals) < 1e-12
 assert {transfer.motion.regime for transfer in plan.transfers} == {
     rigidsym.Regime.LARGEST,
     rigidsym.Regime.SMALLEST,
@@ -615,18 +385,6 @@ assert nearest.min(axis=1).max() < 1e-6
 assert len({*nearest.argmin(axis=1)}) > len(found) / 2
 assert least_energy <= fixed_axis[1]
 assert best.cost < fixed_axis[0]
-assert np.ptp([one.cost * T for T, one in scaled.items()]) < 1e-12
-assert np.allclose([one.omega0 * T for T, one in scaled.items()], best.omega0 * 120, atol=1e-9)
-assert abs(quick.peak_rate - 0.05) < 1e-9
-assert np.isclose(np.linalg.norm(gentle.bursts, axis=1).max(), 5e-4, rtol=1e-9)
-assert refused
-assert np.allclose(planned, curves.min(axis=1), rtol=1e-9)
-assert len({*curves.argmin(axis=1)}) == 3
-assert errors["half turn, middle moment"] == max(errors.values())
-assert errors["half turn, largest moment"] == min(v for k, v in errors.items() if "half" in k)
-assert all(one.best.motion.regime == rigidsym.Regime.SPIN for one in flips.values())
-assert misses.max() < 1e-12
-assert np.allclose(misses, [one.residual for one in everything], rtol=1e-6, atol=1e-25)
 assert sum(numbers["jumps"].values()) > 0
 assert numbers["apart"] < 1e-9
 assert numbers["step"] < 1e-3
@@ -638,11 +396,9 @@ size = np.linalg.norm(gyroscopic[coast], axis=1)
 assert np.linalg.norm(still.torque - gyroscopic, axis=1)[coast].max() < 0.05 * size.max()
 assert size.max() < 0.02 * numbers["highest"]
 assert 1.2 < natural_torque / fixed_torque < 1.4
-missed = {key: one.last_burn()["error"] for key, one in burnt.items()}
-assert missed[1e-2, True] < missed[1e-3, True] < missed[5e-4, True] < np.radians(0.2)
-assert all(missed[torque, False] > 2 * missed[torque, True] for torque in (5e-4, 1e-3, 1e-2))
-assert told.error[late].max() < 0.5 * run.error[late].max()
-assert np.isclose(np.abs(told.torque[late]).max(), np.abs(run.torque[late]).max(), rtol=0.5)
+lines = message.partition("DATA_START")[2].partition("DATA_STOP")[0].split("\n")[1:-1]
+states = np.array([line.split()[1:] for line in lines], dtype=float)
+q, omega = best.motion(track.times)
 assert np.abs(np.roll(states[:, :4], 1, axis=1) - q).max() < 1e-15
 assert np.abs(np.radians(states[:, 4:]) - omega).max() < 1e-16
 assert angles.max() < 1e-7
@@ -652,6 +408,5 @@ target = np.array([float(x) for x in asked.target])
 assert 1 - abs(arrival @ target) < 1e-14
 assert best.motion.regime == rigidsym.Regime.LARGEST
 cited = ["manoeuvre.cone", "manoeuvre.trace", "manoeuvre.axis", "manoeuvre.first_burst"]
-cited += ["manoeuvre.last_burst", "manoeuvre.symmetry", "arrival.gap", "arrival.angle"]
-cited += ["faster.kinematics", "faster.euler", "ring.kinematics", "ring.momentum", "ring.euler"]
-assert grades(ledger, *cited) == {Grade.PROVED}
+cited += ["manoeuvre.last_burst", "arrival.gap", "arrival.angle"]
+assert grades(ledger, *cited) == {"PROVED"}
