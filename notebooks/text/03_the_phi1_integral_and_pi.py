@@ -48,7 +48,7 @@ from support.steps import Setting, begun, display, lines, step
 #
 # The setting is the paper's. **Change it here and run on**: `Setting(sequence=(3, 2, 1))` for other
 # axes of the three turns, `Setting(sign=-1)`, `Setting(factor=1)` or `Setting(order=(2, 3, 1))` for
-# another basis. (A body with wheels needs other steps, because its rate is no multiple of
+# another basis, `Setting(group="SO3")` for rotation matrices. (A body with wheels needs other steps, because its rate is no multiple of
 # $\mathrm{sn}$; [notebook 11](11_derive_your_own.ipynb) derives one.) The first framed lines are
 # the results of notebook 2, where $R$ stands for $\bar R$.
 

@@ -72,8 +72,7 @@ plan
 #
 # The table is ranked by **cost**, the momentum that both bursts change. From rest to rest that is
 # $|I\Omega(0)|+|I\Omega(T)|=2K$, because a free body keeps the size of its momentum.
-
-# %% [markdown]
+#
 # ## Why all motions can be found
 #
 # An optimiser in three variables finds *one* solution and cannot tell which others exist. Three
@@ -228,8 +227,7 @@ table(
 # The gain is four per cent; the paper expects natural motions to be "reasonably close to the
 # minimum-fuel one". But the turn about a fixed axis needs a torque $\Omega\times I\Omega$ all the
 # time. A spacecraft that has only thrusters, fired in two bursts, cannot fly it.
-
-# %% [markdown]
+#
 # ## Accuracy at the target
 #
 # Every transfer is checked before it is returned: its rates are exact numbers, and the proved

@@ -297,6 +297,14 @@ general = begun(tilted, "lemma1")
 lines(general, "line32.by_invariants", "pencil.quartic")
 
 # %% [markdown]
+# With rotation matrices in the place of $SU(2)$, the chapters end in the matrix of the attitude, by the
+# three angles and by the momentum $M$ in body axes:
+
+# %%
+matrices = begun(Setting(group="SO3"), "theorem1")
+lines(matrices, "theorem1.matrix", "theorem1.by_momentum")
+
+# %% [markdown]
 # The same in a terminal, proved in the same way, and as an article with `--format latex`, `markdown`
 # or `html`:
 #
@@ -424,6 +432,7 @@ assert grades(ledger, *ledger.facts) == {"PROVED"}
 assert grades(varied_book.ledger, "line32.by_invariants") == {"PROVED"}
 assert grades(regular.ledger, *regular.ledger.facts) == {"PROVED"}
 assert grades(general.ledger, *general.ledger.facts) == {"PROVED"}
+assert grades(matrices.ledger, *matrices.ledger.facts) == {"PROVED"}
 derived_here = ("variation.euler", "body.lax", "partner.found", "flow.lax", "reduced.conjugate",
                 "compared.phi3", "line32.by_invariants", "gyrostat.quartic", "pencil.quartic")  # fmt: skip
 assert {*derived_here} <= {*ledger.facts}

@@ -117,6 +117,14 @@ def test_a_notebook_checks_itself_in_one_folded_cell_at_its_end(name):
         assert not any(re.search("^assert ", cell.source, re.M) for cell in others)
 
 
+@pytest.mark.parametrize("name", [name for name in NAMES if name[0].isdigit()])
+def test_contexts_come_from_chapters_and_imports_are_short(name):
+    codes = [cell.source for cell in build.source(name).cells if cell.cell_type == "code"]
+    assert not any(re.search(r"\bPart\(|\bwitness\b", code) for code in codes)
+    assert max(len(re.findall("(?m)^(?:import|from) ", code)) for code in codes) <= 12
+    assert not any(re.search(r"(?m)^from .* import \($", code) for code in codes)
+
+
 def test_checks_and_pictures_are_folded_here_and_on_the_site():
     folded = build.source("02_from_lax_pair_to_k_a1")
     tagged = [cell for cell in folded.cells if {*cell.metadata.get("tags", ())} & build.FOLDED]
@@ -168,8 +176,11 @@ def test_the_kernel_runs_the_package_of_this_repository():
 
 # Notebooks that derive: all their cells follow the one line with the setting.
 
-AIRCRAFT = "Setting(sequence=(3, 2, 1), axis=2, sign=-1)"
-DERIVING = ("02_from_lax_pair_to_k_a1", "03_the_phi1_integral_and_pi")
+AIRCRAFT = "sequence=(3, 2, 1), axis=2, sign=-1"
+DERIVING = {
+    "02_from_lax_pair_to_k_a1": f'Setting({AIRCRAFT}, group="SO3")',
+    "03_the_phi1_integral_and_pi": f"Setting({AIRCRAFT})",
+}
 
 
 def run(name, chosen, monkeypatch):
@@ -189,7 +200,7 @@ def run(name, chosen, monkeypatch):
 @pytest.mark.parametrize("name", DERIVING)
 def test_a_notebook_follows_its_setting(name, monkeypatch):
     """Check that it runs to its end, where it checks its numbers, with the angles of aircraft."""
-    left = run(name, AIRCRAFT, monkeypatch)
+    left = run(name, DERIVING[name], monkeypatch)
     (nutation,) = left["step"](left["builder"], "compared.phi2").value
     assert str(nutation) == "sin(phi2)"
 
