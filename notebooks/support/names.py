@@ -2,14 +2,13 @@
 
 from derivations.conjugacy import PHI, K
 from derivations.euler_lax import MOMENTA, RATES
-from derivations.lie_algebra import A, M, Omega, R, commutator
+from derivations.lie_algebra import M, Omega, R, commutator
 from rigidsym.proof.steps._names import read, symbol, symbols
 
 __all__ = [
     "MOMENTA",
     "PHI",
     "RATES",
-    "A",
     "K",
     "M",
     "Omega",

@@ -11,7 +11,7 @@ from sympy import ImmutableMatrix
 from derivations import FORWARD
 from derivations.setting import KINETIC, Setting
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.steps import Rate, Scope, Step, StepError, rewrite, solve
+from rigidsym.proof.steps import Rate, Scope, Step, StepError, rewrite
 from rigidsym.view._article import line_html
 
 __all__ = [
@@ -23,7 +23,6 @@ __all__ = [
     "display",
     "lines",
     "rewrite",
-    "solve",
     "source",
     "step",
     "within",

@@ -300,7 +300,7 @@ display(equation(r"\nu^2", attitude.NU_SQUARED))
 # %% [markdown]
 # So $S=(s_0,s_a,s_b,s_d)$ has no component along $a$, and $\sigma M_a=|M_a|$ is never negative.
 #
-# $\psi$ follows from the kinematics. With $\bar R=\exp(\psi\,\sigma A_a)\,S$, the angular velocity
+# $\psi$ follows from the kinematics. With $\bar R=\exp(\frac\psi2\sigma e_a)\,S$, the angular velocity
 # $\bar R^{-1}\dot{\bar R}=\Omega$ has two parts: $\dot\psi$ times $M/K$, the direction in the body
 # which the first factor turns about, and $S^{-1}\dot S$. The component along $a$ is one linear
 # equation for $\dot\psi$. These are the chapter's own lines (`times` multiplies quaternions, `rate`
@@ -486,7 +486,7 @@ print(f"{len(seen)} kinds of motion; worst error below 1e-14: {worst < 1e-14}")
 #
 # * The printed step from $y$ to $y^\star$ holds only where $c_3\Omega_3>0$; no constant signs carry
 #   Theorem 1 past a zero of $\Omega_3$. Both are refutations with exact points.
-# * $\bar R=\exp(\psi\,\sigma A_a)\cdot S$ is the same solution without sign functions. Its only
+# * $\bar R=\exp(\frac\psi2\sigma e_a)\cdot S$ is the same solution without sign functions. Its only
 #   denominators are $K$, $K+|M_a|$ and $\nu$, which vanish for no motion.
 # * Three formulas with $\mathrm{dn},\mathrm{sn},\mathrm{cn}$ serve both circulations, all orders
 #   and signs.

@@ -383,16 +383,19 @@ display(source(sensitivities.change), source(sensitivities.by_chain_rule))
 
 # %% [markdown]
 # $S$ itself changes with $p$ and $r$, although $t$ stays. Since $t$ is the integral of
-# $dS/\sqrt{(1-pS^2)(1-rS^2)}$, the change of $S$ and that of the integrand cancel. The latter is an
-# integral of $S^2/D^2$ where $r$ grows; it is called $F$, with the index $t$. So
+# $dS/\sqrt{(1-pS^2)(1-rS^2)}$ from $0$ to $S$, its change is zero:
+#
+# $$0=\frac1{CD}\,\frac{\partial S}{\partial r}+\frac12F,\qquad F=\int_0^t\frac{S^2}{D^2}\,dt.$$
+#
+# The chapter solves this, and the relations above for the changes of $C$ and $D$:
 
 # %%
 for name, form in zip("SCD", sensitivities.ALONG_R, strict=True):
     display(equation(rf"\frac{{\partial {name}}}{{\partial r}}", form))
 
 # %% [markdown]
-# and nothing divides by $p$, $r$ or $p-r$: no body and no motion is an exception. Compare with a
-# quotient of differences, for Jacobi's functions:
+# and nothing divides by $p$, $r$ or $p-r$, so symmetric bodies and the separatrix are no exceptions. ($D$ is
+# positive where $0\le r\le p$, which an order of the axes gives.) Compare with a quotient of differences:
 
 # %%
 p, r, t_ = 2.0, 0.7, 0.9
