@@ -79,7 +79,7 @@ table(
 # %% [markdown]
 # ## Limits
 #
-# So a limit determines the duration. Give the spacecraft's limits without a duration, and the
+# A limit determines the duration, too. Give the spacecraft's limits without a duration, and the
 # planner computes it. If both are given and do not agree, the planner raises an error.
 
 # %%
@@ -143,10 +143,12 @@ print("the cheapest in 60, 120 and 240 s: motions", *(curves.argmin(axis=1) + 1)
 # %% [markdown]
 # ## Half turns, and the middle axis
 #
-# A half turn about a principal axis is a special case: it is a symmetry of the body,
-# $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the whole sphere. The transfers then form families of
-# equal cost along a polhode: if $q(t)$ is a motion, so is its product $x(t)=q(t)\,p$ with the half
-# turn $p$. The plan lists one transfer of each family.
+# Let $R$ be the rotation from the start to the target and $J=\mathrm{diag}(1/c_k)$. In notebook 10, the
+# momentum $M$ of a transfer lies on the cone $M^\mathsf{T}AM=0$ with $A=RJR^\mathsf{T}-J$. A half turn
+# about a principal axis is a symmetry of the body, $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the
+# whole sphere. The transfers then form families of equal cost along a polhode, the curve of the momentum
+# in the body: if $q(t)$ is a motion, so is its product $x(t)=q(t)\,p$ with the half turn $p$. The plan
+# lists one transfer of each family.
 
 # %%
 show(ledger, "manoeuvre.symmetry", "ring.euler")
@@ -172,7 +174,7 @@ directions_of(flips["largest"]).show()
 
 # %% [markdown]
 # A spin about the axis is the cheapest. About the *middle* axis it is unstable, as [notebook
-# 5](05_edges.ipynb) shows: an error of the burst grows like $e^{\lambda t}$. The next cell shows
+# 5](05_edges.ipynb) shows: an error of the burst grows exponentially. The next cell shows
 # its effect in half a turn, for errors of one per cent of the rate in any direction:
 
 # %%
