@@ -38,7 +38,44 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Errors: not measured since this code changed; `rigidsym validate c --record`
+Worst errors measured by `rigidsym validate c --cases 200 --digits 40 --seed 1 --record`:
+rotation angle in rad, |domega|/|omega|
+  paper                  8.7e-16  2.9e-16
+  published              7.3e-16  3.6e-16
+  axis orders and signs  8.8e-16  3.7e-16
+  uniform                1.0e-15  4.6e-16
+  near separatrix        8.6e-16  4.7e-16
+  beside separatrix      8.2e-16  3.6e-16
+  nearest separatrix     7.8e-16  3.6e-16
+  separatrix             7.4e-16  3.1e-16
+  symmetric              7.0e-16  2.7e-16
+  near prolate           1.1e-15  5.6e-16
+  near oblate            8.2e-16  4.0e-16
+  nearest symmetric      7.4e-16  3.3e-16
+  sphere                 5.9e-16  6.9e-43
+  near sphere            9.3e-16  4.2e-16
+  nearest sphere         8.0e-16  3.4e-16
+  spin                   5.2e-16  7.6e-53
+  near spin, largest     6.1e-16  3.7e-16
+  near spin, middle      6.9e-16  3.6e-16
+  near spin, smallest    6.3e-16  2.3e-16
+  rest                   1.6e-16  3.0e-53
+  flat                   9.3e-16  4.8e-16
+  rod                    9.9e-16  4.7e-16
+  needle                 1.0e-15  4.9e-16
+  special values         8.9e-16  4.7e-16
+  special attitudes      7.8e-16  4.4e-16
+  scales                 9.2e-16  5.0e-16
+  small scales           8.0e-16  4.9e-16
+  large scales           8.5e-16  4.2e-16
+  extreme scales         8.6e-16  4.8e-16
+  decimals               9.6e-16  5.0e-16
+  long times             9.0e-16  4.3e-16
+  longest times          8.7e-16  4.3e-16
+  near separatrix, long  9.4e-16  5.1e-16
+  branch switch          1.1e-15  4.9e-16
+  zeros of the rates     8.1e-16  6.0e-16
+  quarter periods        9.1e-16  4.5e-16
 
 rigidsym 0.1.0, emitter c/2
 digest 50a151230d5c62816e6eb527a698198c1fa3b1e751c8062a08e4850d1b368ccf

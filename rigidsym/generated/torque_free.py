@@ -37,7 +37,44 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Errors: not measured since this code changed; `rigidsym validate numpy --record`
+Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
+rotation angle in rad, |domega|/|omega|
+  paper                  6.0e-16  3.4e-16
+  published              7.7e-16  3.2e-16
+  axis orders and signs  1.1e-15  4.2e-16
+  uniform                1.1e-15  4.6e-16
+  near separatrix        8.6e-16  4.7e-16
+  beside separatrix      9.1e-16  3.6e-16
+  nearest separatrix     8.4e-16  3.6e-16
+  separatrix             9.7e-16  3.1e-16
+  symmetric              7.7e-16  3.1e-16
+  near prolate           1.0e-15  6.5e-16
+  near oblate            9.7e-16  5.1e-16
+  nearest symmetric      8.2e-16  4.2e-16
+  sphere                 8.1e-16  6.9e-43
+  near sphere            1.1e-15  4.2e-16
+  nearest sphere         1.1e-15  3.4e-16
+  spin                   8.1e-16  7.6e-53
+  near spin, largest     7.5e-16  3.7e-16
+  near spin, middle      1.0e-15  3.6e-16
+  near spin, smallest    8.1e-16  2.3e-16
+  rest                   1.6e-16  3.0e-53
+  flat                   1.2e-15  4.8e-16
+  rod                    1.0e-15  4.3e-16
+  needle                 1.2e-15  4.9e-16
+  special values         9.5e-16  4.1e-16
+  special attitudes      8.6e-16  4.4e-16
+  scales                 9.5e-16  5.0e-16
+  small scales           1.0e-15  4.9e-16
+  large scales           9.8e-16  4.8e-16
+  extreme scales         9.5e-16  4.7e-16
+  decimals               1.1e-15  5.0e-16
+  long times             9.7e-16  4.3e-16
+  longest times          9.5e-16  5.0e-16
+  near separatrix, long  1.0e-15  5.1e-16
+  branch switch          1.1e-15  5.2e-16
+  zeros of the rates     9.6e-16  6.0e-16
+  quarter periods        1.1e-15  5.0e-16
 
 rigidsym 0.1.0, emitter numpy/2
 digest 0cee5d5b9db7f302148d96ca9d96ef674ca051f6c218ad068856608aa753485d
