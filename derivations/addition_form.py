@@ -31,10 +31,15 @@ t, S_t, C_t, D_t, E_t, F_t, p, r = symbols("t S_t C_t D_t E_t F_t p r")
 g_a, g_d, below, lambda_, m, sn, cn, dn = symbols("g_a g_d below lambda_ m sn cn dn")
 A_a, A_d, S_0, C_0, D_0, I_a, I_b, I_d = symbols("A_a A_d S_0 C_0 D_0 I_a I_b I_d")
 OTHERS = {"a": ("b", "d"), "b": ("d", "a"), "d": ("a", "b")}
-EULER = {f"D(Omega_{x})": f"alpha_{x}*Omega_{y}*Omega_{z}" for x, (y, z) in OTHERS.items()}
 FORCES = {
     str(alpha): (RATES_OF_BODY[w] * w / (Omega_a * Omega_b * Omega_d)).cancel().factor()
     for alpha, w in zip(ALPHA, OMEGA, strict=True)
+}
+EULER = {
+    f"D({w})": (RATES_OF_BODY[w] * alpha / FORCES[str(alpha)])
+    .cancel()
+    .ordered(f"{alpha} Omega_{first} Omega_{second}")
+    for w, alpha, (first, second) in zip(OMEGA, ALPHA, OTHERS.values(), strict=True)
 }
 MEANING = {f"alpha_{x}": f"the coefficient of Omega_{x}' in Euler's equations" for x in "abd"}
 
@@ -109,6 +114,7 @@ INTEGRALS = Part(
         I_d: Omega_d0**2 * t + alpha_d / alpha_b * (I_b - Omega_b0**2 * t),
     },
 )
+INTEGRANDS = "an integral has its integrand as rate"
 START = Part(relations=(t, S_t, C_t - 1, D_t - 1, E_t))
 
 
@@ -120,25 +126,23 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, the functions, the integrals of squared rates, and the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
     builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
-    euler = {
-        rate_of(w): (RATES_OF_BODY[w] * alpha / FORCES[str(alpha)]).cancel()
-        for w, alpha in zip(OMEGA, ALPHA, strict=True)
-    }
-    builder.claim("addition.euler", euler, ["5", "10"])
+    builder.claim("addition.euler", EULER, ["5", "10"])
     energy, size = (
         (_moment(1, OMEGA), _moment(1, OMEGA_0)),
         (_moment(2, OMEGA), _moment(2, OMEGA_0)),
     )
-    builder.claim("addition.invariants", [energy, size], ["6", "15"])
+    law = "the energy and the square of the momentum stay what they are at t = 0"
+    builder.claim("addition.invariants", [energy, size], ["6", "15"], law=law)
     builder.open(
         join("addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_"))
     )
     rates = {rate_of(name): rate for name, rate in FUNCTIONS.rates.items()}
     curves = dict.fromkeys(FUNCTIONS.relations, 0)
-    builder.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"])
+    law = "equations that S_t, C_t and D_t are the solutions of"
+    builder.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"], law=law)
     builder.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
     squares = named(map(rate_of, (I_a, I_b, I_d)), (w**2 for w in OMEGA))
-    builder.claim("addition_integrals.squares", squares, ["10"])
+    builder.claim("addition_integrals.squares", squares, ["10"], law=INTEGRANDS)
     still = [Part(part.names, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
     parts = (COEFFICIENTS, GIVEN, *still, RATES, INTEGRALS, START)
     builder.open(join("addition_start", *parts, static=True))

@@ -164,7 +164,7 @@ def derive(builder: LedgerBuilder) -> None:
     defined = {**MOVING, **DIRECTION, **AT_TIME}
     parts = (BODY, RATES_AT_START, RATES, EXCESS, ARMS, VARIED, ATTITUDE)
     builder.open(join("turned_columns", *parts, Part(definitions=defined, units=(K_squared,))))
-    builder.claim("turned_columns.momentum", {f"D({x})": 0 for x in L}, ["6"])
+    builder.evaluate("turned_columns.momentum", [f"D({x})" for x in L], ["6"])
     for y in CHANGES:
         turns = compute(R).multiply(Matrix([by(x, y) for x in OMEGA]))
         claims = named((f"D({by(f'eta{i}', y)})" for i in AXES), turns)
@@ -172,7 +172,8 @@ def derive(builder: LedgerBuilder) -> None:
     spin = Matrix([by(f"eta{i}", "t") for i in AXES])
     turned = named((f"D({x})" for x in R), compute(spin.hat()).multiply(R))
     turned |= {f"D({x})": by(x, "t") for x in OMEGA}
-    builder.claim("turned_columns.by_t", turned, ["3", "5"])
+    law = "what changes with the time has its rate as change"
+    builder.claim("turned_columns.by_t", turned, ["3", "5"], law=law)
     _start(builder)
 
 
@@ -195,5 +196,5 @@ def _start(builder: LedgerBuilder) -> None:
     )
     parts = (*still(BODY, RATES_AT_START, EXCESS), attitude, begun)
     builder.open(join("turned_columns_start", *parts, static=True))
-    zero = {by(f"eta{i}", y): 0 for y in CHANGES for i in AXES}
-    builder.claim("turned_columns_start.turn", zero, ["37"])
+    turns = [by(f"eta{i}", y) for y in CHANGES for i in AXES]
+    builder.evaluate("turned_columns_start.turn", turns, ["37"])

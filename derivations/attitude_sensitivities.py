@@ -98,14 +98,16 @@ def derive(builder: LedgerBuilder) -> None:
     )
     parts = (*given, STATE, beside, MOMENTUM, INTEGRALS, BEGUN, TURN)
     builder.open(join("turned", *parts))
-    builder.claim("turned.energy", {"D(dH)": "0"}, ["6"])
-    builder.claim("turned.along", {XI.dot(M): s}, ["6"])
+    builder.evaluate("turned.energy", ["D(dH)"], ["6"])
+    law = "s is the small turn along the momentum"
+    builder.claim("turned.along", {XI.dot(M): s}, ["6"], law=law)
     claims = named((f"D({x})" for x in XI), TURNING)
     builder.claim("turned.variation", claims, ["3"])
     builder.open(join("turned_attitude", *parts, ATTITUDE))
     variation = {f"D(d{q})": change(rate) for q, rate in TURNED.items()}
     builder.claim("turned_attitude.variation", variation, ["3"])
-    builder.claim("turned_attitude.norm", {sum(q * symbol(f"d{q}") for q in Q): 0}, ["1"])
+    norm = sum(q * symbol(f"d{q}") for q in Q)
+    builder.evaluate("turned_attitude.norm", [norm], ["1"])
     momenta = Part(definitions=named(M, (quantities[m] for m in M)))
     begun = Part(
         ETA,
@@ -119,7 +121,7 @@ def derive(builder: LedgerBuilder) -> None:
     )
     parts = (dynamics.parameters, momenta, STATE, *still(INTEGRALS), beside, begun, TURN)
     builder.open(join("turned_start", *parts, static=True))
-    builder.claim("turned_start.turn", named(XI, ETA), ["37"])
+    builder.evaluate("turned_start.turn", XI, ["37"])
     _rest(builder)
 
 

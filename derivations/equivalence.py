@@ -7,8 +7,13 @@ to e_1: they are the shortest rotation that does so.  psi' has lost the denomina
 (32); what is left, K + c1 Omega1, is zero only where phi2 = pi.
 """
 
+from sympy import factor_terms
+
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
 from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.algebra._quaternion import conjugate, product
+from rigidsym.proof.steps._names import symbols
 
 # The regular form's names about axis 1: a, b, d = 1, 2, 3 are right-handed, sigma = 1, p = 1.
 AXES = {"a": 1, "b": 2, "d": 3}
@@ -42,24 +47,25 @@ def derive(builder: LedgerBuilder) -> None:
     angles = part_of(builder.ledger.contexts["three_angle_motion"])
     builder.open(join("both_forms", angles, ABOUT_1))
     builder.model("both_forms", "attitude")
-    builder.claim("both_forms.turn", {"psi_rate": "phi1_rate + phi3_rate"}, ["32", "33"])
-    builder.claim(
-        "both_forms.shortest",
-        {
-            "s_0": "cos_half_phi2",
-            "s_b": "sin_half_phi2*cos_phi3",
-            "s_d": "-sin_half_phi2*sin_phi3",
-        },
-        ["27", "28"],
+    sum_ = "psi is phi1 + phi3: two turns about one axis are one"
+    turn = {"psi_rate": "phi1_rate + phi3_rate"}
+    builder.claim("both_forms.turn", turn, ["32", "33"], why=sum_)
+    turns = [symbols(f"cos_half_phi{k} sin_half_phi{k}") for k in (1, 2, 3)]
+    first, last = ((c, s, 0, 0) for c, s in (turns[0], turns[2]))
+    middle = turns[1][0], 0, turns[1][1], 0
+    shortest = compute(conjugate(last)).apply(product, middle, 1).apply(product, last, 1)
+    whole, (c, s) = symbols("cos_phi3 sin_phi3"), turns[2]
+    doubled = {s**2: 1 - c**2, s * c: whole[1] / 2}
+    found = [x.expand().subs(doubled).expand().subs(c**2, (1 + whole[0]) / 2) for x in shortest]
+    claims = dict(zip(("s_0", "s_a", "s_b", "s_d"), (x.expand() for x in found), strict=True))
+    claims.pop("s_a")
+    builder.claim("both_forms.shortest", claims, ["27", "28"])
+    quaternion = compute(first).apply(product, middle, 1).apply(product, last, 1)
+    claims = dict(
+        zip(
+            ("q_0", "q_a", "q_b", "q_d"),
+            (x.expand().apply(factor_terms) for x in quaternion),
+            strict=True,
+        )
     )
-    F1, F2, F3, F4 = "cos_half_phi2", "sin_half_phi2", "cos_half_phi3", "sin_half_phi3"
-    builder.claim(
-        "both_forms.quaternion",
-        {
-            "q_0": f"{F1}*(cos_half_phi1*{F3} - sin_half_phi1*{F4})",
-            "q_a": f"{F1}*(sin_half_phi1*{F3} + cos_half_phi1*{F4})",
-            "q_b": f"{F2}*(cos_half_phi1*{F3} + sin_half_phi1*{F4})",
-            "q_d": f"{F2}*(sin_half_phi1*{F3} - cos_half_phi1*{F4})",
-        },
-        ["18", "25"],
-    )
+    builder.claim("both_forms.quaternion", claims, ["18", "25"])

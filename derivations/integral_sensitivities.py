@@ -12,7 +12,7 @@ coefficients follow from its derivative.
 
 from typing import Any
 
-from derivations.addition_form import FUNCTIONS, START
+from derivations.addition_form import FUNCTIONS, INTEGRANDS, START
 from derivations.rate_sensitivities import (
     ALONG_K,
     ALONG_R,
@@ -81,7 +81,8 @@ def derive(builder: LedgerBuilder) -> None:
         varied = {f"D({str(x)[0]}_{way})": change(RATES[x], by) for x in (S, C, D, E, F)}
         builder.claim(f"varied_integrals.along_{way}", varied, ["10"])
     builder.open(join("fourth_powers", MODULI, *FUNCTION_PARTS, ELEMENTARY))
-    builder.claim("fourth_powers.rates", {f"D({x})": RATES[x] for x in (U, V, W)}, ["10"])
+    rates = {f"D({x})": RATES[x] for x in (U, V, W)}
+    builder.claim("fourth_powers.rates", rates, ["10"], law=INTEGRANDS)
     _start(builder)
 
 

@@ -68,7 +68,9 @@ TURNING = Part(
 def derive(builder: LedgerBuilder) -> None:
     """Prove how a fixed direction turns in the body, and that the torque conserves energy."""
     builder.open(join("kick", TURNING))
-    builder.claim("kick.fixed", named(map(rate_of, v), v.cross(Omega)), ["3"])
+    law = "a fixed direction turns in the body by its cross product with the rates"
+    builder.claim("kick.fixed", named(map(rate_of, v), v.cross(Omega)), ["3"], law=law)
     builder.evaluate("kick.size", [v.dot(v)], ["3"])
-    builder.claim("kick.work", {rate_of(Symbol("U")): -Omega.dot(T - b - k * v)}, ["3"])
+    work, law = -Omega.dot(T - b - k * v), "the potential falls by the work of its torque"
+    builder.claim("kick.work", {rate_of(Symbol("U")): work}, ["3"], law=law)
     builder.begin("kick", (q0 - 1, *r), "", v, "3")

@@ -15,6 +15,7 @@ from derivations.conjugacy import MOMENTUM, PHI, TURNING, K, Reduction, by_angle
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps import Rate, Scope, coordinates, eliminate, multiply, rewrite, solve
 from rigidsym.proof.steps._names import read, symbol, symbols
 
@@ -48,7 +49,7 @@ def derive(builder: LedgerBuilder) -> None:
     equations = list(zip(RATES, velocity.value, strict=True))
     why = "R' = R Omega, solved for the rates of the angles"
     rates = solve(scope, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
-    found = _phi1(builder, reduction, rates[UNKNOWN[0]])
+    found = _phi1(builder, reduction, rates.found[UNKNOWN[0]])
     builder.keep(found)
     setting = builder.result(Algebra).setting
     along = setting.sequence[2] - 1
@@ -57,7 +58,7 @@ def derive(builder: LedgerBuilder) -> None:
     _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
 
 
-def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi1:
+def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: Computation) -> Phi1:
     """Prove phi1' by the momentum, (32), and by H and K, (33)."""
     dynamics = builder.result(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.circles)
@@ -66,40 +67,40 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> Phi
     )
     momenta: Any = dict(zip(MOMENTA, dynamics.momenta, strict=True))
     put_in: Any = {rate: base.read(base.context.definitions[str(rate)]) for rate in RATES}
-    by_phi = base.reduced(rate.subs(put_in))
+    by_phi = rate.subs(put_in).apply(base.reduced)
     why = "phi1' with the momentum put in"
-    units = Part(units=tuple(map(base.text, base.divisors(rate))))
+    units = Part(units=tuple(map(base.text, base.divisors(rate.value))))
     named = Part(definitions={"phi1_rate": base.text(rate)})
     body = by_angles(builder, reduction, *parts)
     line = Scope.open(builder, "line32", *parts, units, body, named, static=True)
     rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
     by_momentum = _by_momentum(builder, reduction, rate)
-    quotient = base.reduced(by_momentum.subs(momenta))
+    quotient = by_momentum.subs(momenta).apply(base.reduced)
     why = "phi1' with the momentum in the place of the angles"
     found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
     if not found.value.has(*RATES):  # equal moments across the last axis
-        return Phi1(found.value, by_phi, base.divisors(by_phi))
+        return Phi1(found.value, by_phi.value, base.divisors(by_phi.value))
     setting = builder.result(Algebra).setting
     _, middle, third = (axis - 1 for axis in setting.axes)
     given, unknown = found.value, [RATES[middle] ** 2, RATES[third] ** 2]
     equations = [2 * H - 2 * read(dynamics.body.definitions["H"]), K**2 - _square(dynamics.momenta)]
     why = "two rates eliminated by H and K"
     if not setting.about_principal_axes or setting.alike(middle + 1, third + 1):
-        given, unknown = by_momentum, [MOMENTA[middle] * RATES[middle], MOMENTA[middle] ** 2]
+        given, unknown = by_momentum.value, [MOMENTA[middle] * RATES[middle], MOMENTA[middle] ** 2]
         triples = zip(MOMENTA, setting.wheel(), RATES, strict=True)
         equations = [2 * H - sum((m - h) * w for m, h, w in triples), K**2 - _square(MOMENTA)]
         why = "the momentum across the last axis eliminated by H and K"
     eliminated = eliminate(
         line, "line32.by_invariants", given, equations, unknown, why, ["33"], UNKNOWN[0]
     )
-    return Phi1(eliminated.value, by_phi, base.divisors(by_phi))
+    return Phi1(eliminated.value, by_phi.value, base.divisors(by_phi.value))
 
 
 def _square(vector: Sequence[sympy.Expr]) -> sympy.Expr:
     return sympy.Add(*(x**2 for x in vector))
 
 
-def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr) -> sympy.Expr:
+def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: Computation) -> Computation:
     """Substitute phi3, and phi2 by the square of the momentum across the last axis, into phi1'."""
     setting = builder.result(Algebra).setting
     _, middle, third = (axis - 1 for axis in setting.axes)
@@ -108,8 +109,8 @@ def _by_momentum(builder: LedgerBuilder, reduction: Reduction, rate: sympy.Expr)
     gaps = [MOMENTA[k] - K * reduction.direction[k] for k in (middle, third)]
     angles = sympy.solve(gaps, last, dict=True)[0]
     square = (MOMENTA[middle] ** 2 + MOMENTA[third] ** 2) / K**2
-    above, below = sympy.fraction(sympy.together(rate.subs(angles)))
-    return sympy.cancel(above / below.subs(across**2, square))
+    above, below = rate.subs(angles).together().apply(sympy.fraction)
+    return (above / below.subs(across**2, square)).cancel()
 
 
 def _motion(

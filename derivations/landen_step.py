@@ -154,7 +154,8 @@ def _modulus(builder: LedgerBuilder) -> None:
     smaller = compute((1 - kc) * (1 + kc)).expand().subs(kc**2, 1 - k**2) / (1 + kc) ** 2
     builder.claim("landen.k_next", {k_next: smaller}, ["DLMF 22.7.1"])
     builder.root("landen.root_kc", root_kc, _named(root_kc, kc), ["DLMF 22.7.1"])
-    builder.root("landen.complement", kc_next, 1 - k_next**2, ["DLMF 22.7.1"])
+    square = compute(k_next**2 + kc_next**2 - 1).solve_for(kc_next**2)
+    builder.root("landen.complement", kc_next, square, ["DLMF 22.7.1"])
 
 
 def _named(root: Symbol, name: Symbol) -> Computation:
@@ -165,7 +166,8 @@ def _named(root: Symbol, name: Symbol) -> Computation:
 def _argument(builder: LedgerBuilder) -> None:
     """Prove that the new functions satisfy the equations of Jacobi's, and find them by the old."""
     old = {s**2 + c**2: 1, d**2 + k**2 * s**2: 1}
-    builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"])
+    curves = "the curves of sn, cn and dn"
+    builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"], law=curves)
     # d_next (1 + d) is a root of what d says; s and c are linear.
     s_squared = (DN - d).solve_for(s_next**2)
     v_squared = ((1 + d) ** 2 * (1 - k_next**2 * s_squared)).subs(k_next, DESCENDED).factor()
@@ -207,6 +209,7 @@ def _scale(builder: LedgerBuilder) -> None:
     builder.claim("scaling.h_plus", {h_plus: found[h_plus]}, ["28"])
     builder.claim("scaling.h_minus", {h_minus: found[h_minus]}, ["28"])
     builder.open(join("unscaled", SCALING, MOMENTUM, UNSCALED, static=True))
-    builder.claim("unscaled.top", {Y: root_Q * x, k_1: root_Q**2 * r}, ["28"])
+    scales = "how Y, r and the exponentials were chosen: the scale taken out"
+    builder.claim("unscaled.top", {Y: root_Q * x, k_1: root_Q**2 * r}, ["28"], why=scales)
     sinh = {Y_b: root_Q * (exp_b - exp_minus_b) / 2, exp_b * exp_minus_b: 1}
-    builder.claim("unscaled.bottom", sinh, ["28"])
+    builder.claim("unscaled.bottom", sinh, ["28"], why=scales)

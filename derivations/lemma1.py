@@ -36,6 +36,7 @@ INERTIA = Part(
     reading={f"c_{x}": f"moment of inertia about axis {x}, kg m^2" for x in "ijk"},
 )
 MOMENTS = symbols("c_i c_j c_k")
+FUNCTIONS_OF_JACOBI = "equations that sn, cn and dn are the solutions of (DLMF 22.13)"
 RATE, *OTHERS = symbols("Omega_i Omega_j Omega_k")
 H, K_SQUARED = symbols("H K_squared")
 # s_i = zeta^2 and s_j are the roots, xi = sqrt(alpha s_j).
@@ -105,7 +106,8 @@ def derive(builder: LedgerBuilder) -> None:
     alpha, beta, chi = map(symbol, quartic.definitions)
     polynomial = alpha * RATE**4 + beta * RATE**2 + chi
     why = "a quadratic in the square of the rate"
-    rewrite(scope, "axis.quartic", squared, polynomial, why, ["14"])
+    named = "the same as `eliminated.square`, with names for its coefficients"
+    rewrite(scope, "axis.quartic", squared, polynomial, why, ["14"], law=named)
     there = Scope(builder, builder.ledger.contexts["eliminated"], {})
     factored = _roots(there, found.value)
     _distinct(builder, moving, quartic, factored)
@@ -230,4 +232,5 @@ def _reciprocal(builder: LedgerBuilder) -> None:
         )
     for fact, one in (("circle", C**2 + S**2), ("parameter", E**2 + S**2 / mu)):
         why = "and are on the same curves"
-        rewrite(scope, f"reciprocal.{fact}", one, sympy.S.One, why, ["footnote 1", "11"])
+        source = ["footnote 1", "11"]
+        rewrite(scope, f"reciprocal.{fact}", one, sympy.S.One, why, source, law=FUNCTIONS_OF_JACOBI)

@@ -15,7 +15,7 @@ from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
 from rigidsym.language.functions._jacobi import jacobi_dn, jacobi_sn
 from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi
-from rigidsym.proof.algebra._computation import Computation
+from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import Scope, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps._names import symbol, symbols
 
@@ -109,12 +109,13 @@ def derive(builder: LedgerBuilder) -> None:
         why,
         ["19", "33"],
         "differentiate",
+        law="(33), which phi1 was integrated from",
     )
     builder.keep(ThirdKind(axis, (*given, table, named), split))
 
     scope = Scope.open(builder, "amplitude", given[0], FUNCTIONS, AMPLITUDE)
     why = "the square of the rate of the amplitude theta"
-    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2, simplify=False)[0]
+    by_sn = compute(DN**2 + MU * SN**2 - 1).solve_for(DN**2)
     squared = rate_of(symbol("theta")) ** 2
     rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 

@@ -41,6 +41,7 @@ EPSILON = symbol("epsilon")
 p, r, S, C, D, E, F = symbols("p r S_t C_t D_t E_t F_t")
 dp, dr, *VARIED = symbols("dp dr dS_t dC_t dD_t")
 MOVED = (*GIVEN.names, *FORCES, *FUNCTIONS.names)
+PARAMETER = "a change is the derivative by the parameter that D is about"
 MODULI = Part({p: "lambda^2", r: "m lambda^2"})
 PARAMETERS = Part(
     (*MODULI.names, dp, dr),
@@ -172,14 +173,15 @@ def _perturbed(builder: LedgerBuilder) -> None:
     along = Part(rates={x: f"d{x}" for x in MOVED}, definitions=CHANGES)
     fixed = Part(FUNCTIONS.names, reading=FUNCTIONS.reading)
     builder.open(join("perturbed", COEFFICIENTS, GIVEN, fixed, RATES, small(*MOVED), along))
-    builder.claim("perturbed.changes", {f"D({name[1:]})": name for name in CHANGES}, ["5"])
+    changes = {f"D({name[1:]})": name for name in CHANGES}
+    builder.claim("perturbed.changes", changes, ["5"], law=PARAMETER)
     forces = defined(HANDEDNESS, INERTIA, Part(definitions=FORCES))
     by_moments = {f"d{name}": change_of(name, value) for name, value in forces.items()}
     along = Part(rates={c: f"d{c}" for c in INERTIA.names}, definitions={**FORCES, **by_moments})
     moments = (HANDEDNESS, INERTIA, small(*INERTIA.names))
     builder.open(join("perturbed_moments", *moments, along))
     claims = {f"D({name})": f"d{name}" for name in FORCES}
-    builder.claim("perturbed_moments.changes", claims, ["5"])
+    builder.claim("perturbed_moments.changes", claims, ["5"], law=PARAMETER)
 
 
 def _moving(builder: LedgerBuilder) -> None:
@@ -190,11 +192,11 @@ def _moving(builder: LedgerBuilder) -> None:
     rates = (RATES, constant, functions, Part(definitions=CHANGES))
     builder.open(join("varied", *given, FUNCTIONS, *rates, VARIED_FUNCTIONS))
     builder.claim("varied.euler", EULER, ["5"])
-    varied = {f"D(dOmega_{x})": change(read(EULER[f"D(Omega_{x})"])) for x in OTHERS}
+    varied = {f"D(dOmega_{x})": change(EULER[f"D(Omega_{x})"]) for x in OTHERS}
     builder.claim("varied.variation", varied, ["5"])
     start = Part(relations=("S_t", "C_t - 1", "D_t - 1", *VARIED))
     builder.open(join("varied_start", *given, *still(FUNCTIONS), *rates, start, static=True))
-    builder.claim("varied_start.rates", {f"dOmega_{x}": f"dOmega_{x}0" for x in "abd"}, ["12"])
+    builder.evaluate("varied_start.rates", [f"dOmega_{x}" for x in "abd"], ["12"])
 
 
 def _functions(builder: LedgerBuilder) -> None:

@@ -7,9 +7,15 @@ circulation axis both roots are squares but alpha times either is minus a square
 vanishes, and no real constants make it a sine amplitude.
 """
 
+from sympy import discriminant
+
 from derivations.lemma1 import INERTIA, Lemma1
 from derivations.regular_form import REGULAR
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._computation import compute
+from rigidsym.proof.steps._names import symbols
+
+COMPARED = "Lemma 1's roots and rates are those of the regular form, but for signs"
 
 # (13) calls s_i the root with + before the square root: the smaller one, where alpha < 0.
 NAMED = Part(
@@ -41,11 +47,11 @@ def _circulating(builder: LedgerBuilder) -> None:
         },
     )
     builder.open(join("circulating_axis", *REGULAR, roots))
-    builder.claim("circulating_axis.outer", {"alpha_a*root_d": "-(lambda_)**2"}, ["10", "16"])
-    builder.claim("circulating_axis.inner", {"alpha_a*root_b": "-(lambda_)**2*m_1"}, ["10", "16"])
-    builder.claim(
-        "circulating_axis.roots", {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}, ["10", "13"]
-    )
+    outer, inner = {"alpha_a*root_d": "-(lambda_)**2"}, {"alpha_a*root_b": "-(lambda_)**2*m_1"}
+    builder.claim("circulating_axis.outer", outer, ["10", "16"], law=COMPARED)
+    builder.claim("circulating_axis.inner", inner, ["10", "16"], law=COMPARED)
+    squares = {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}
+    builder.claim("circulating_axis.roots", squares, ["10", "13"], why=COMPARED)
     # sn(C) = Omega_a/sqrt(s) is beyond 1 for the inner root; for the outer, dn(C) is imaginary.
     builder.claim(
         "circulating_axis.start",
@@ -54,6 +60,7 @@ def _circulating(builder: LedgerBuilder) -> None:
             "root_d - Omega_a**2": "m*(A_a*sn)**2",
         },
         ["12", "footnote 2"],
+        law=COMPARED,
     )
     real = {"alpha_a*root_d": "lambda_**2", "alpha_a*root_b": "lambda_**2*m_1"}
     builder.refute("circulating_axis.real_rate", real, {}, ["10", "20", "21"])
@@ -94,8 +101,8 @@ def _state(
 ) -> None:
     """State the roots of (13) on an axis, and alpha times them."""
     builder.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
-    builder.claim(f"{axis}.roots", roots, ["10", "13"])
-    builder.claim(f"{axis}.rates", rates, ["10", "16"])
+    builder.claim(f"{axis}.roots", roots, ["10", "13"], why=COMPARED)
+    builder.claim(f"{axis}.rates", rates, ["10", "16"], law=COMPARED)
 
 
 def _choice(builder: LedgerBuilder) -> None:
@@ -110,9 +117,9 @@ def _choice(builder: LedgerBuilder) -> None:
     lemma = builder.result(Lemma1)
     body = (INERTIA, lemma.moving, lemma.quartic, lemma.roots, NAMED)
     builder.open(join("two_conditions", *body, differ))
-    builder.root(
-        "two_conditions.names", "root_of_discriminant", "beta**2 - 4*alpha*chi", ["13", "Remark 1"]
-    )
+    alpha, beta, chi, x = symbols("alpha beta chi x")
+    under = compute(alpha * x**2 + beta * x + chi).apply(discriminant, x)
+    builder.root("two_conditions.names", "root_of_discriminant", under, ["13", "Remark 1"])
     builder.refute("two_conditions.differ", {"s_i**2": "s_j**2"}, {}, ["10", "16", "Remark 1"])
     negative = Part(
         witness={"Omega_k": 2},

@@ -26,6 +26,7 @@ from derivations.addition_form import (
     EULER,
     FUNCTIONS,
     INTEGRALS,
+    INTEGRANDS,
     NODE,
     OTHERS,
     OVER_SQUARE,
@@ -59,7 +60,7 @@ from derivations.rate_sensitivities import (
 )
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._computation import Computation, compute, guess
-from rigidsym.proof.steps._names import collected, read, symbol, symbols
+from rigidsym.proof.steps._names import collected, symbol, symbols
 
 AXES = ("a", "b", "d")
 t, epsilon, tilt, k, below, over, leant, turning, f = symbols(
@@ -352,7 +353,7 @@ def _passing() -> dict[Any, Any]:
     """
     passed, half_over_p, since, share, x = symbols("passed half_over_p since share x")
     grows = by(p, "Omega_a")
-    rates = {OMEGA[y]: read(EULER[f"D(Omega_{y})"]) for y in AXES}
+    rates = {OMEGA[y]: EULER[f"D(Omega_{y})"] for y in AXES}
     begun = {S: 0, C: 1, D: 1, **{OMEGA[y]: OMEGA_0[y] for y in AXES}}
     by_node = compute(TURNED_OVER).subs(NODE).subs(NODE_MODULI[r], r) * D**2 / S**2
     ratio = OMEGA["b"] / OMEGA["a"]
@@ -395,6 +396,7 @@ GIVEN = Part(
         },
     },
 )
+ANOTHER = "two computed forms of one quantity"
 DEFINED = Part(definitions={tilt: TILT, **TILT_BY, **CONSTANTS, **AT_TIME}, units=(below,))
 
 
@@ -419,12 +421,14 @@ def _moments(builder: LedgerBuilder) -> None:
     builder.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, moved, static=True))
     forces = defined(HANDEDNESS, INERTIA, BODY)
     euler = {x: compute(forces[alpha[x]] * c[x]) for x in AXES}
-    builder.claim("coefficients.euler", {c[x] * alpha[x]: euler[x] for x in AXES}, ["5"])
+    law = "Euler's equations, times the moments"
+    builder.claim("coefficients.euler", {c[x] * alpha[x]: euler[x] for x in AXES}, ["5"], law=law)
     by_moments = {c[x]: h[x] for x in AXES}
     small = {**by_moments, **{alpha[x]: symbol(f"dalpha_{x}") for x in AXES}}
     varied = {change(c[x] * alpha[x], small): change(euler[x], by_moments) for x in AXES}
     builder.claim("coefficients.variation", varied, ["5"])
-    builder.claim("coefficients.tilt", {tilt: TILT}, ["6", "15"])
+    why = "what tilt was computed from"
+    builder.claim("coefficients.tilt", {tilt: TILT}, ["6", "15"], why=why)
     builder.claim("coefficients.tilt_by", TILT_BY, ["6", "15"])
 
 
@@ -433,25 +437,23 @@ def _columns_vary(builder: LedgerBuilder) -> None:
     given = (GIVEN, RATES_AT_START)
     parts = (*given, *FUNCTION_PARTS, DEFINED)
     builder.open(join("varied_rates", *parts))
-    claims = {below: 1 - k * S**2, p - r: symbol("apart")}
-    builder.claim("varied_rates.below", claims, ["10"])
+    claims, why = {below: 1 - k * S**2, p - r: symbol("apart")}, "what they were computed from"
+    builder.claim("varied_rates.below", claims, ["10"], why=why)
     builder.claim("varied_rates.euler", EULER, ["5"])
     for y in CHANGES:
         moved = {OMEGA[x]: by(OMEGA[x], y) for x in AXES}
         if y.startswith("c"):
             moved |= {alpha[x]: by(alpha[x], y) for x in AXES}
-        varied = {
-            f"D({by(OMEGA[x], y)})": change(read(EULER[f"D({OMEGA[x]})"]), moved) for x in AXES
-        }
+        varied = {f"D({by(OMEGA[x], y)})": change(EULER[f"D({OMEGA[x]})"], moved) for x in AXES}
         builder.claim(f"varied_rates.by_{y}", varied, ["5"])
-    builder.claim("varied_rates.excess", {"D(excess_b)": _square("b")}, ["10"])
+    builder.claim("varied_rates.excess", {"D(excess_b)": _square("b")}, ["10"], law=INTEGRANDS)
     _other_forms(builder, *parts)
     start = Part(relations=(*START.relations, F))
     parts = (*given, *still(*FUNCTION_PARTS), DEFINED, start)
     builder.open(join("varied_rates_start", *parts, static=True))
-    begun: dict[Any, Any] = {OMEGA[x]: OMEGA_0[x] for x in AXES}
-    begun |= {by(OMEGA[x], y): int(y == f"Omega_{x}") for y in CHANGES for x in AXES}
-    builder.claim("varied_rates_start.rates", {**begun, "excess_b": 0}, ["12"])
+    columns = (by(OMEGA[x], y) for y in CHANGES for x in AXES)
+    begun = [*OMEGA.values(), *columns, EXCESS_B[0]]
+    builder.evaluate("varied_rates_start.rates", begun, ["12"])
 
 
 def _square(x: str) -> Expr:
@@ -463,22 +465,22 @@ def _other_forms(builder: LedgerBuilder, *parts: Part) -> None:
     defined = Part(definitions=dict(EXCESSES), units=(alpha["b"],))
     builder.open(join("excesses", *parts, defined))
     squares = {f"D({name})": _square(str(name)[-1]) for name, _ in EXCESSES}
-    builder.claim("excesses.squares", squares, ["10"])
+    builder.claim("excesses.squares", squares, ["10"], law=INTEGRANDS)
     units = (alpha["a"], alpha["d"], OMEGA["b"])
     builder.open(join("middle_columns", *parts, Part(definitions=MIDDLE, units=units)))
     same = {name: str(name).replace("middle", "Omega_b") for name in MIDDLE}
-    builder.claim("middle_columns.products", same, ["10"])
+    builder.claim("middle_columns.products", same, ["10"], why=ANOTHER)
     by_F = Part(definitions={E: ELAPSED[E][1]})
     parts = tuple(x for x in parts if x is not SQUARED)
     # p is alpha_d g_a.
     units = (alpha["b"], alpha["d"], OMEGA["a"], OMEGA_0["a"], "g_a")
     builder.open(join("passing", *parts, by_F, Part(definitions=PASSING, units=units)))
-    builder.claim("passing.integral", {"D(passed)": TURNED_OVER}, ["10"])
+    builder.claim("passing.integral", {"D(passed)": TURNED_OVER}, ["10"], law=INTEGRANDS)
     same = {f"Omega_{x}_p": along(x, "k") - along(x, "r") for x in AXES}
-    builder.claim("passing.changes", same, ["10"])
+    builder.claim("passing.changes", same, ["10"], why=ANOTHER)
     builder.open(join("spun", *parts, by_F, Part(definitions=SPUN, units=(p, C + D))))
     same = {"swung": OMEGA["b"] - OMEGA_0["b"], "excess_spun": "excess_b"}
-    builder.claim("spun.excess", same, ["10"])
+    builder.claim("spun.excess", same, ["10"], why=ANOTHER)
 
 
 def _elapsed(builder: LedgerBuilder) -> None:
@@ -488,7 +490,8 @@ def _elapsed(builder: LedgerBuilder) -> None:
         defined = Part(definitions={name: value}, units=(D, divisor))
         context = f"elapsed_{str(name)[0]}"
         builder.open(join(context, MODULI, FUNCTIONS, TIME, known, defined))
-        builder.claim(f"{context}.integral", {f"D({name})": MOVING[name]}, ["DLMF 22.16"])
+        integrand = {f"D({name})": MOVING[name]}
+        builder.claim(f"{context}.integral", integrand, ["DLMF 22.16"], law=INTEGRANDS)
         begun = Part(relations=(t, S, C - 1, D - 1, other))
         parts = (MODULI, *still(FUNCTIONS, TIME, known), begun, defined)
         builder.open(join(f"{context}_start", *parts, static=True))

@@ -443,6 +443,7 @@ RATE_OF_J = Part(
         J_rate: after - turn_0 + G_rate / 2,
     },
 )
+CIRCLE = "a point of the unit circle that turns at a rate"
 # At the start no time has passed, and nothing has turned.
 ELAPSED_START = (X, Y - 1)
 TURN_START = (W_re - 1, W_im, R - 1)
@@ -491,9 +492,10 @@ def _doubling(builder: LedgerBuilder) -> None:
         rate_of(X_next): 2 * Y_next,
         rate_of(Y_next): 2 * (-e_1 * X_next + 2 * e_2 * X_next**3),
     }
-    builder.claim("doubling.rates", moved, ["DLMF 22.6.5"])
+    law = "X and Y of the double time satisfy the equations of X and Y"
+    builder.claim("doubling.rates", moved, ["DLMF 22.6.5"], law=law)
     curve = {Y_next**2: 1 - e_1 * X_next**2 + e_2 * X_next**4}
-    builder.claim("doubling.curve", curve, ["DLMF 22.6.5"])
+    builder.claim("doubling.curve", curve, ["DLMF 22.6.5"], law=law)
     builder.begin("doubling", ELAPSED_START, "", [X_next, Y_next], "DLMF 22.6.5")
 
 
@@ -505,15 +507,21 @@ def _turn(builder: LedgerBuilder) -> None:
         rate_of(n_b): h_b * n_d * n_a,
         rate_of(n_d): h_d * n_a * n_b,
     }
-    builder.claim("turn.euler", euler, ["5", "10"])
+    law = "Euler's equations for the direction of the momentum"
+    builder.claim("turn.euler", euler, ["5", "10"], law=law)
     builder.evaluate("turn.point", [n_a**2 + n_b**2 + n_d**2], ["6", "15"])
     projected = {w_re * (1 + n_a): n_d, w_im * (1 + n_a): n_b}
-    builder.claim("turn.projection", projected, ["27"])
+    law = "w is the stereographic projection of the direction of the momentum"
+    builder.claim("turn.projection", projected, ["27"], law=law)
     _shared(builder, "share", "turn", SHARE)
     builder.open(join("parts", PARTS, EVEN, static=True))
-    builder.claim("parts.psi", {after: turn_0 + J_rate - G_rate / 2}, ["33", "34", "36"])
+    by_J = compute(J_rate - EVEN.definitions[J_rate]).solve_for(even)
+    by_G = (G_rate - PARTS.definitions[G_rate]).solve_for(odd)
+    by_rates = BY_PRODUCT[after].subs({even: by_J, odd: by_G}).expand()
+    builder.claim("parts.psi", {after: by_rates}, ["33", "34", "36"])
     parts = {J_rate: EVEN.definitions[J_rate], G_rate: PARTS.definitions[G_rate]}
-    builder.claim("turn.parts", parts, ["36"])
+    even_part = "J is chosen: its rate is the even part of psi's, less that at the start"
+    builder.claim("turn.parts", parts, ["36"], why=even_part)
     builder.model("turn", "parts", ["turn.after", "turn.parts"])
     builder.carry("turn", ["parts.psi"])
 
@@ -525,9 +533,11 @@ def _shared(builder: LedgerBuilder, name: str, context: str, *shares: Part) -> N
     builder.open(join(name, *shares, static=True))
     for turn in defined:
         builder.claim(f"{name}.{turn}", {turn: BY_PRODUCT[turn]}, ["36"])
-    builder.claim(f"{context}.conserved", defined, ["6"])
+    constant = "psi's rate times 1 + n_a is a sum of two invariants: found by hand"
+    builder.claim(f"{context}.conserved", defined, ["6"], why=constant)
     known = {products[turn]: one_0**2 * square for turn in defined}
-    builder.claim(f"{context}.product", known, ["36"])
+    law = "1 + n_a at t and -t have a product without a square root, found by hand"
+    builder.claim(f"{context}.product", known, ["36"], law=law)
     builder.model(context, name, [f"{context}.conserved", f"{context}.product"])
     builder.carry(context, [f"{name}.{turn}" for turn in defined])
 
@@ -537,14 +547,15 @@ def _halves(builder: LedgerBuilder) -> None:
     builder.open(join("halves", *STEP, BEFORE, HALVES))
     _shared(builder, "shares", "halves", SHARE, EARLIER)
     builder.open(join("difference", PARTS, BACK, static=True))
-    builder.claim("difference.rates", {after: before - G_rate}, ["33", "34", "36"])
+    gap = "G's rate was computed as the difference of the other two"
+    builder.claim("difference.rates", {after: before - G_rate}, ["33", "34", "36"], why=gap)
     builder.claim("halves.odd", {G_rate: PARTS.definitions[G_rate]}, ["36"])
     builder.model("halves", "difference", [f"halves.{x}" for x in ("after", "before", "odd")])
     builder.carry("halves", ["difference.rates"])
     builder.open(join("second_half", ANY_G, ANY_BEFORE, HALVES))
     builder.root("second_half.R", R, MODULUS.solve_for(R**2), ["36"])
     later = {rate_of(V_re): -after * V_im, rate_of(V_im): after * V_re, V_re**2 + V_im**2: 1}
-    builder.claim("second_half.turn", later, ["33", "34", "36"])
+    builder.claim("second_half.turn", later, ["33", "34", "36"], law=CIRCLE)
     builder.model("halves", "second_half", ["halves.rates"])
     builder.carry("halves", ["second_half.turn", "second_half.R"])
     start = (G_re - 1, G_im, *TURN_START)
@@ -562,7 +573,7 @@ def _psi(builder: LedgerBuilder) -> None:
         rate_of(sin_half_psi): psi_rate / 2 * cos_half_psi,
         cos_half_psi**2 + sin_half_psi**2: 1,
     }
-    builder.claim("thirds.turn", turn, ["33", "34", "36"])
+    builder.claim("thirds.turn", turn, ["33", "34", "36"], law=CIRCLE)
     start = (G_re - 1, G_im, *THIRDS_START)
     builder.begin("thirds", start, "R N", [cos_half_psi, sin_half_psi], "33", "34")
 
@@ -571,18 +582,21 @@ def _body(builder: LedgerBuilder) -> None:
     """Prove Euler's equations for the rates of a body, and psi' as in `attitude`."""
     signs = (HANDEDNESS, SENSE)
     builder.open(join("direction", *signs, DIRECTION, TURNING, static=True))
-    builder.claim("direction.psi_rate_of_point", {psi_rate: K * i_a + 2 * after}, ["33", "34"])
+    twice, why = {psi_rate: K * i_a + 2 * after}, "what `after` was computed as half of"
+    builder.claim("direction.psi_rate_of_point", twice, ["33", "34"], why=why)
     parts = (*signs, STARTED, ELAPSED, START, FACTOR, MOVED, POINTED, TURNING, QUOTIENT)
     builder.open(join("step", *parts))
     builder.claim("step.euler", {rate_of(w): rate for w, rate in EULER.items()}, ["5", "10"])
     for w, i, c, m in zip(OMEGA_0, I_N, MOMENTS, M_0, strict=True):
         momentum = compute(w - i * m).solve_for(m).subs(i, 1 / c)
         builder.claim(f"step.{m}", {m: momentum}, ["8"])
-    builder.claim("step.momentum", {M_a**2 + M_b**2 + M_d**2: K**2}, ["6", "15"])
-    builder.claim("step.energy", {H: H_0}, ["6"])
+    law = "the size of the momentum stays what it is"
+    builder.claim("step.momentum", {M_a**2 + M_b**2 + M_d**2: K**2}, ["6", "15"], law=law)
+    builder.claim("step.energy", {H: H_0}, ["6"], why="the energy stays what it is at the start")
     size = compute(STARTED.relations[0]).solve_for(K**2).ordered("M_a0 M_b0")
     builder.root("step.K", K, size, ["6", "15"])
-    builder.claim("step.turn_0", {turn_0: psi_0 / 2 - K * i_a / 2}, ["33", "34"])
+    half = {turn_0: psi_0 / 2 - K * i_a / 2}
+    builder.claim("step.turn_0", half, ["33", "34"], why=why)
     builder.model("step", "direction", ["step.momentum"])
     builder.carry("step", ["direction.psi_rate_of_point"])
     builder.model("step", "turn")
@@ -625,7 +639,7 @@ def _motion(builder: LedgerBuilder) -> None:
     angle = Part(definitions=half_angle("psi").definitions)
     builder.open(join("turned_by_thirds", *turned, THIRDS, TURN, angle, PULL_BACK))
     turning = {psi_rate: psi_0 + 2 * J_rate - G_rate}
-    builder.claim("turned_by_thirds.rate", turning, ["33", "34"])
+    builder.claim("turned_by_thirds.rate", turning, ["33", "34"], why="how J was chosen")
     builder.model("turned_by_thirds", "thirds", ["turned_by_thirds.rate"])
     builder.carry("turned_by_thirds", ["thirds.turn", "thirds.R", "thirds.N"])
     builder.model("turned_by_thirds", "attitude", ["turned_by_thirds.turn"])

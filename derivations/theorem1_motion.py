@@ -60,7 +60,8 @@ def derive(builder: LedgerBuilder) -> None:
     names = " ".join(map(str, QBAR)), "Omega1 Omega2 Omega3"
     unit = {sum(q**2 for q in QBAR): 1}
     solves = {**unit, **kinematics(*names)}
-    builder.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"])
+    law = "(3), q' = q (0, Omega)/2 with |q| = 1"
+    builder.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"], law=law)
 
 
 def _one_rate(builder: LedgerBuilder) -> None:
@@ -102,7 +103,8 @@ def _angles(builder: LedgerBuilder) -> None:
     across = (1 - angles.along**2).subs(symbol("Omega1"), ZETA * SN)
     below = {"sin_phi2**2": across.subs(third["n"], symbol("n"))}
     builder.claim("theorem1_motion.third_kind", below, ["27", "34"])
-    builder.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
+    rate, why = {"D(phi1)": "phi1_rate"}, "phi1 has the rate (32), as `third_kind.phi1` says"
+    builder.claim("theorem1_motion.phi1", rate, ["19", "33", "36"], law=why)
 
 
 def _without_matrices(builder: LedgerBuilder) -> Part:

@@ -15,6 +15,7 @@ from rigidsym.proof.algebra import LedgerBuilder, Part, equal, half_angle, join,
 from rigidsym.proof.steps import Scope, matrix
 from rigidsym.proof.steps._names import symbol
 
+HALF_ANGLE = "y* is the tangent or the cotangent of half of phi3"
 ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 
 # cos(phi3) = side * rho with rho = 1/sqrt(1 + y^2) > 0: side tells the half plane phi3 is in.
@@ -83,14 +84,16 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             f"sin_half**2*(1 + ({mended})**2)": f"({mended})**2",
         },
         ["19", "Remark 2"],
+        law=HALF_ANGLE,
     )
-    builder.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
+    rho = {"rho**2*(1 + y**2)": "1"}
+    builder.claim("half_angle_step.rho", rho, ["19"], law="rho is 1/sqrt(1 + y^2)")
     half_turn = Part(relations=("cos_half",))
     builder.open(join("half_turn", TANGENT, half_turn, static=True))
-    builder.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
+    builder.evaluate("half_turn.denominator", ["rho + side"], ["19", "Remark 2"])
     right = Part(relations=("side - 1",))
     builder.open(join("half_angle_right", TANGENT, right, static=True))
-    builder.claim("half_angle_right.tangent", tangent, ["19"])
+    builder.claim("half_angle_right.tangent", tangent, ["19"], law=HALF_ANGLE)
     builder.claim(
         "half_angle_right.squares",
         {
@@ -98,10 +101,12 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             "sin_half**2*(1 + y_star**2)": "y_star**2",
         },
         ["19"],
+        law=HALF_ANGLE,
     )
     left = Part(relations=("side + 1",))
     builder.open(join("half_angle_left", TANGENT, left, static=True))
-    builder.claim("half_angle_left.cotangent", {"y_star*sin_half": "-cos_half"}, ["19"])
+    cotangent = {"y_star*sin_half": "-cos_half"}
+    builder.claim("half_angle_left.cotangent", cotangent, ["19"], law=HALF_ANGLE)
     builder.claim(
         "half_angle_left.squares",
         {
@@ -109,6 +114,7 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             "cos_half**2*(1 + y_star**2)": "y_star**2",
         },
         ["19", "Remark 2"],
+        law=HALF_ANGLE,
     )
 
 
@@ -123,15 +129,14 @@ def _signs(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "signed", *FACTORS, matrices=matrices, static=True)
     # A reflected frame would have the determinant -1.
     size = scope.determinant(R)[0]
-    builder.claim("signed.frame", {size: "1"}, ["footnote 3"])
+    builder.evaluate("signed.frame", [size], ["footnote 3"])
 
     matched = Part(relations=("S2 - side*S1", "S4 - S3"))
     scope = Scope.open(builder, "matched_signs", *FACTORS, matched, matrices=matrices, static=True)
     source = ["19", "24", "Remark 2"]
-    builder.claim("matched_signs.momentum", scope.entrywise(found, M), source)
-    builder.claim(
-        "matched_signs.side", {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, ["19", "Remark 2", "footnote 3"]
-    )
+    scope.decide_matrices("matched_signs.momentum", found, M, source)
+    side, why = {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, "(29), where S1 S2 is the sign of Omega3"
+    builder.claim("matched_signs.side", side, ["19", "Remark 2", "footnote 3"], law=why)
 
 
 def _crossing(builder: LedgerBuilder) -> None:
@@ -141,7 +146,8 @@ def _crossing(builder: LedgerBuilder) -> None:
     c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
     before = _by_18(c, s, F1, F2, "h", "h")
     turned = _by_18(f"(-{s})", c, F1, f"-{F2}", "h", "(-h)")
-    builder.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
+    law = "(18) is the same with F2 and F4 negative and phi1 larger by pi"
+    builder.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"], law=law)
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
@@ -168,4 +174,4 @@ def _pull_back(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "pulled_back", *quaternions, matrices=matrices, static=True)
     R_int, Rbar = map(matrix, matrices)
     start = MatMul(R_int, Adjoint(Rbar), Rbar)
-    builder.claim("pulled_back.start", scope.entrywise(start, R_int), ["37", "Remark 3"])
+    scope.decide_matrices("pulled_back.start", start, R_int, ["37", "Remark 3"])

@@ -186,7 +186,7 @@ COMMANDS = (
             "unchanged keep the counts of the sealed ledger",
         ),
         _switch("--show", "print the derivation line by line in the terminal"),
-        _switch("--guesses", "list the statements that were guessed, and why"),
+        _switch("--guesses", "list guesses and laws under their reasons"),
         _choice("--format", ARTICLES, "write an article, to stdout or --output"),
         Group(
             *(_value(f"--{name}", *texts) for name, texts in SETTING.items()),

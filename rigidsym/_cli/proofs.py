@@ -74,16 +74,22 @@ def _chapters(derivation: "Derivation") -> None:
     table("rigidsym derive", ("chapter", "", *Standing, "time"), rows)
 
 
+_REASONS = {"guessed": "no reason is given", "stated": "refuted at a point"}
+
+
 def _guesses(derivation: "Derivation") -> None:
-    """Print each fact whose statement was guessed, and why it was not computed."""
+    """Print the facts whose statements were typed, under the reasons: guesses, then laws."""
     from rigidsym.proof.algebra._computation import Standing, reasons, standing
     from rigidsym.proof.derivation import statement
 
-    facts = (fact for chapter in derivation.chapters for fact in chapter.facts)
-    for fact in facts:
-        if standing(fact) == Standing.GUESSED:
-            why = "; ".join(reasons(fact)) or "no reason is given"
-            print(f"{fact.id}: {statement(fact)}\n    {why}")
+    facts = [fact for chapter in derivation.chapters for fact in chapter.facts]
+    for kind in (Standing.GUESSED, Standing.STATED):
+        by_reason: dict[str, list[str]] = {}
+        for fact in (fact for fact in facts if standing(fact) == kind):
+            why = "; ".join(reasons(fact)) or _REASONS[kind]
+            by_reason.setdefault(why, []).append(f"    {fact.id}: {statement(fact)}")
+        for why, said in by_reason.items():
+            print(f"{kind}: {why}", *said, sep="\n")
 
 
 def _mutants(derivation: "Derivation") -> None:

@@ -13,7 +13,7 @@ from typing import Any, TypeAlias, TypeVar
 from sympy import Expr, cancel
 
 from rigidsym.proof.algebra import _parts
-from rigidsym.proof.algebra._computation import Computation, Printed
+from rigidsym.proof.algebra._computation import Computation, Printed, explained
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
 from rigidsym.proof.algebra._witness import witness
@@ -72,12 +72,21 @@ class LedgerBuilder:
             raise KernelError(f"context {context.name}: {error}") from None
         return self.ledger.open(replace(context, witness=point))
 
-    def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+    def claim(
+        self,
+        fact_id: str,
+        equations: Equations,
+        source: Iterable[str] = (),
+        law: str = "",
+        why: str = "",
+    ) -> Fact:
         """Prove equations by their normal form.
 
         The part of the id before the dot is the context.  Each component is proved by itself.
+        Typed equations are a `law`, or `why` says why they were not computed.
         """
-        return self.decide(self._fact(fact_id, "equal", equations, "identity", source))
+        fact = self._fact(fact_id, "equal", equations, "identity", source)
+        return self.decide(explained(fact, law, why))
 
     def value(self, context: str, expression: Side) -> Computation:
         """Compute what an expression is in a context: zero, a number or a short expression.

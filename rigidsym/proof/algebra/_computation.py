@@ -162,12 +162,21 @@ class Guess(str):
     why: str
 
 
+class Law(Guess):
+    """Text of a law that results are held against, with the reason why it is one."""
+
+
 class Standing(StrEnum):
-    """Where the statement of a fact, or the text of a definition, comes from."""
+    """Where the statement of a fact, or the text of a definition, comes from.
+
+    Stated are laws that computed results are held against, such as Euler's equations, and
+    statements that a point refutes: neither has an answer to compute.
+    """
 
     COMPUTED = "computed"
     CHOSEN = "chosen"
     PRINTED = "printed"
+    STATED = "stated"
     GUESSED = "guessed"
 
 
@@ -180,15 +189,38 @@ def standing(fact: Fact) -> Standing:
     if fact.kind in ("model", "partition"):
         return Standing.CHOSEN
     lines = [*zip(fact.lhs, fact.rhs, strict=True)]
-    if all(isinstance(x, Computed) or isinstance(y, Computed) for x, y in lines):
+    if all(map(_found, lines)):
         return Standing.COMPUTED
     if all(isinstance(side, Printed) for line in lines for side in line):
         return Standing.PRINTED
+    if fact.kind == "unequal" or all(_found(line) or isinstance(line[1], Law) for line in lines):
+        return Standing.STATED
     return Standing.GUESSED
 
 
+def _found(line: tuple[str, str]) -> bool:
+    """Return whether one side of a line was computed."""
+    return any(isinstance(side, Computed) for side in line)
+
+
+def explained(fact: Fact, law: str = "", why: str = "") -> Fact:
+    """Return a fact whose typed lines have a reason: they are laws, or were not computed.
+
+    Raises ValueError for a law of the form name = expression: that is an answer.
+    """
+    reason, kind = (law, Law) if law else (why, Guess)
+    if not reason:
+        return fact
+    rhs = []
+    for line in zip(fact.lhs, fact.rhs, strict=True):
+        if law and not _found(line) and line[0].isidentifier():
+            raise ValueError(f"{fact.id}: {line[0]} = {line[1]} is an answer and no law")
+        rhs.append(line[1] if _found(line) else _told(kind, line[1], reason))
+    return replace(fact, rhs=tuple(rhs))
+
+
 def reasons(fact: Fact) -> tuple[str, ...]:
-    """Return why the typed lines of a guessed fact were not computed."""
+    """Return why the typed lines of a fact were not computed."""
     return tuple(dict.fromkeys(x.why for x in (*fact.lhs, *fact.rhs) if isinstance(x, Guess)))
 
 
@@ -214,7 +246,11 @@ def computed(text: str, origin: Any) -> str:
 
 def guess(text: str, why: str) -> Guess:
     """Return typed text as a guess with a reason: why SymPy does not find it by itself."""
-    found = Guess(text)
+    return _told(Guess, text, why)
+
+
+def _told(kind: type[Guess], text: str, why: str) -> Guess:
+    found = kind(text)
     found.why = why
     return found
 

@@ -44,15 +44,17 @@ def rewrite(
     why: str,
     source: Sequence[str] = (),
     verb: str = "rewrite",
+    law: str = "",
 ) -> Step:
     """Prove that an expression equals another form of it.
 
-    The other form, `value`, was typed unless it is a computation.
+    The other form, `value`, was typed unless it is a computation; then the line is a `law`, or was
+    guessed.
     """
     form = plain(value)
     conditions = scope.divisors(expression, form)
     there = scope.at(fact_id, *conditions)
-    fact = there.decide(fact_id, [(expression, value)], source)
+    fact = there.decide(fact_id, [(expression, value)], source, law=law)
     return there.note(verb, why, form, [(expression, form)], fact, conditions)
 
 

@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any
 
 import sympy
-from sympy import Eq, Identity, ImmutableMatrix, Inverse, MatrixExpr
+from sympy import Eq, Identity, ImmutableMatrix, Inverse, MatrixExpr, MatrixSymbol
 
 from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
@@ -26,6 +26,8 @@ from rigidsym.proof.steps._names import Dictionary, collected, positive, read, s
 from rigidsym.proof.steps._record import Step, StepError
 
 ONE = Identity(SIZE)
+MULTIPLIED = "an equation between named matrices: the kernel multiplies both sides out"
+SOLVED = "an equation between named matrices, solved for one of them by hand"
 # Quantities that never vanish for a moving body.
 STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
@@ -212,15 +214,18 @@ class Scope:
         pairs: Iterable[tuple[Any, Any]],
         source: Sequence[str],
         origin: Computation | None = None,
+        law: str = "",
+        why: str = "",
     ) -> Fact:
         """Prove equations with the kernel.
 
-        `origin` is the computation that found their right sides, if one did.
+        `origin` is the computation that found their right sides, if one did; else they
+        are a `law`, or `why` says why they were not computed.
         Raises StepError if the kernel cannot decide them.
         """
         texts = [(self.text(left), computed(self.text(right), origin)) for left, right in pairs]
         try:
-            return self.builder.claim(fact_id, texts, source)
+            return self.builder.claim(fact_id, texts, source, law, why)
         except KernelError as error:
             raise StepError(str(error)) from None
 
@@ -244,7 +249,9 @@ class Scope:
         pairs = self.entrywise(left, right)
         if not pairs:
             raise StepError(f"fact {fact_id}: both sides are the same: {left}")
-        return self.decide(fact_id, pairs, source, origin)
+        # A named matrix on the left has its value on the right, which is no law.
+        law, why = ("", SOLVED) if isinstance(left, MatrixSymbol) else (MULTIPLIED, "")
+        return self.decide(fact_id, pairs, source, origin, law, why)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
         """Return the equations between corresponding entries of two matrices.

@@ -90,6 +90,46 @@ def test_a_guess_says_why():
     assert reasons(fact) == ("it is shorter",)
 
 
+def claimed(equations, **reasons):
+    """Return a fact about x and y, as the builder admits it with reasons."""
+    builder = LedgerBuilder()
+    builder.open(join("here", CONTEXT, Part(definitions={"s": X + Y})))
+    return builder.claim("here.fact", equations, **reasons)
+
+
+def test_a_law_is_stated_with_its_reason():
+    fact = claimed({X**2 - Y**2: "s*(x - y)"}, law="how squares differ")
+    assert standing(fact) == Standing.STATED
+    assert reasons(fact) == ("how squares differ",)
+    assert standing(claimed({X**2 - Y**2: "s*(x - y)"})) == Standing.GUESSED
+
+
+QUOTIENT = (X**2 - Y**2) / (X - Y)
+
+
+@pytest.mark.parametrize("equations", [{"s": QUOTIENT}, {X * (X - Y): "x**2 - x*y", "s": QUOTIENT}])
+def test_an_answer_is_no_law(equations):
+    with pytest.raises(ValueError, match=r"s = .* is an answer"):
+        claimed(equations, law="what s is")
+    fact = claimed(equations, why="what s is")
+    assert standing(fact) == Standing.GUESSED
+    assert reasons(fact) == ("what s is",)
+
+
+def test_a_computed_line_needs_no_reason():
+    found = {X**2 - Y**2: compute(X**2 - Y**2).factor()}
+    assert standing(claimed(found, law="of no use")) == Standing.COMPUTED
+    mixed = claimed({**found, 2 * X: "x + x"}, law="what two of them are")
+    assert standing(mixed) == Standing.STATED
+    assert reasons(mixed) == ("what two of them are",)
+
+
+def test_a_statement_that_a_point_refutes_is_stated():
+    builder = LedgerBuilder()
+    builder.open(join("here", CONTEXT))
+    assert standing(builder.refute("here.refuted", {X: Y}, {})) == Standing.STATED
+
+
 def test_lines_are_judged_one_by_one():
     lines = (Computed("1"), "2")
     whole = Fact("here.two", "here", "equal", ("a", "b"), lines, "identity")
