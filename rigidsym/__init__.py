@@ -4,10 +4,9 @@ Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with
 (rad/s), inertia in kg m^2 about principal axes, time in s.
 """
 
-from importlib import import_module
-from types import ModuleType
 from typing import TYPE_CHECKING
 
+from rigidsym._lazy import lazily
 from rigidsym._version import __version__
 
 if TYPE_CHECKING:
@@ -42,38 +41,25 @@ __all__ = [
     "symbolic",
 ]
 
-# Imported at first use, so that `import rigidsym` and the help of the command are fast.
-_HOMES = {
-    "Generated": "rigidsym._codegen",
-    "InputError": "rigidsym.errors",
-    "PrecisionError": "rigidsym.errors",
-    "PrincipalAxes": "rigidsym.principal",
-    "Regime": "rigidsym.solution._polhode",
-    "Symbolic": "rigidsym.solution._symbolic",
-    "TorqueFreeMotion": "rigidsym.motion",
-    "Trajectory": "rigidsym.splitting",
-    "fit": "rigidsym.fitting",
-    "generate": "rigidsym._codegen",
-    "integrate": "rigidsym.splitting",
-    "plan": "rigidsym.manoeuvre",
-    "principal_axes": "rigidsym.principal",
-    "propagate": "rigidsym.motion",
-    "step": "rigidsym.steps",
-    "symbolic": "rigidsym.solution._symbolic",
-}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'rigidsym' has no attribute {name!r}")
-    # Cached, so that this is called once for each name.
-    globals()[name] = found = getattr(import_module(_HOMES[name]), name)
-    return found
-
-
-def __dir__() -> list[str]:
-    """Return the package's public names and its modules that are already imported."""
-    public = [
-        name for name, x in globals().items() if isinstance(x, ModuleType) or name[:2] == "__"
-    ]
-    return sorted({*__all__, *(name for name in public if name != "_version")})
+# Modules are imported at first use too: `import rigidsym` and the help of the command are fast.
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "Generated": "rigidsym._codegen",
+        "InputError": "rigidsym.errors",
+        "PrecisionError": "rigidsym.errors",
+        "PrincipalAxes": "rigidsym.principal",
+        "Regime": "rigidsym.solution._polhode",
+        "Symbolic": "rigidsym.solution._symbolic",
+        "TorqueFreeMotion": "rigidsym.motion",
+        "Trajectory": "rigidsym.splitting",
+        "fit": "rigidsym.fitting",
+        "generate": "rigidsym._codegen",
+        "integrate": "rigidsym.splitting",
+        "plan": "rigidsym.manoeuvre",
+        "principal_axes": "rigidsym.principal",
+        "propagate": "rigidsym.motion",
+        "step": "rigidsym.steps",
+        "symbolic": "rigidsym.solution._symbolic",
+    },
+)

@@ -1,8 +1,8 @@
 """Fits of torque-free motions to observations."""
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
+from rigidsym._lazy import lazily
 from rigidsym.errors import require
 
 if TYPE_CHECKING:
@@ -24,21 +24,14 @@ __all__ = [
     "periods",
 ]
 
-# Modules by public name; they are imported at first use, which keeps the command's help fast.
-_HOMES = {
-    "fit": "estimate",
-    "Fit": "fit",
-    **dict.fromkeys(("Attitudes", "Directions", "Modelled", "Rates"), "observations"),
-    **dict.fromkeys(("Alternative", "Periods", "Prediction", "periods"), "result"),
-}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'rigidsym.fitting' has no attribute {name!r}")
-    require("rigidsym.fitting", "scipy")
-    return getattr(import_module(f"rigidsym.fitting._{_HOMES[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+# At first use, which keeps the command's help fast.
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "fit": "._estimate",
+        "Fit": "._fit",
+        **dict.fromkeys(("Attitudes", "Directions", "Modelled", "Rates"), "._observations"),
+        **dict.fromkeys(("Alternative", "Periods", "Prediction", "periods"), "._result"),
+    },
+    lambda: require("rigidsym.fitting", "scipy"),
+)

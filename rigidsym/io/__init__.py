@@ -1,7 +1,8 @@
 """Case files, tables of states, CCSDS attitude messages, and attitude splines."""
 
-from importlib import import_module
 from typing import TYPE_CHECKING
+
+from rigidsym._lazy import lazily
 
 if TYPE_CHECKING:
     from rigidsym.io._attitude_ephemeris import aem
@@ -9,13 +10,11 @@ if TYPE_CHECKING:
 
 __all__ = ["Track", "aem", "rotation_spline", "sampled"]
 
-
-def __getattr__(name: str) -> object:
-    """Import a public name of this package when it is first used.
-
-    Modules that only read files are then imported without those of motions.
-    """
-    if name not in __all__:
-        raise AttributeError(f"module 'rigidsym.io' has no attribute {name!r}")
-    home = "attitude_ephemeris" if name == "aem" else "tracks"
-    return getattr(import_module(f"rigidsym.io._{home}"), name)
+# At first use: modules that only read files are then imported without those of motions.
+__getattr__, __dir__ = lazily(
+    __name__,
+    {
+        "aem": "._attitude_ephemeris",
+        **dict.fromkeys(("Track", "rotation_spline", "sampled"), "._tracks"),
+    },
+)

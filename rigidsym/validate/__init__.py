@@ -3,6 +3,7 @@
 Strata of cases, oracles, error measures, and reports.
 """
 
+from rigidsym._lazy import lazily
 from rigidsym.validate._bounds import BOUNDS, MEANINGS
 from rigidsym.validate._finding import Finding, measure_case
 from rigidsym.validate._implementations import check_target
@@ -31,3 +32,6 @@ __all__ = [
     "measure_case",
     "validate",
 ]
+
+# `faults` is imported at first use.
+__getattr__, __dir__ = lazily(__name__, {})
