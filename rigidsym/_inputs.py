@@ -16,6 +16,7 @@ from functools import cache
 from numbers import Rational, Real
 from typing import TYPE_CHECKING, Any, TypedDict, Union
 
+from rigidsym import _containers as containers
 from rigidsym.errors import InputError, written
 
 if TYPE_CHECKING:
@@ -165,7 +166,7 @@ def exact(field: str, value: ExactNumber) -> Fraction:
     given: Any = value
     if isinstance(given, str):
         return _exact_text(field, given)
-    if isinstance(given, bool):
+    if isinstance(given, bool) or type(given).__name__ == "timedelta64":  # an integer to NumPy
         raise InputError(field, given, "must be a number")
     if isinstance(given, Uncertain) or (_is_ball(given) and given.rad() != 0):
         raise InputError(field, given, "is uncertain; it must be exact")
@@ -225,6 +226,7 @@ def sequence(field: str, values: Any, ndim: int = 1) -> list[Any]:
 
     Raises InputError for other values.
     """
+    values = containers.plain(field, values)
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
         raise InputError(field, written(values, repr), "must be a list of numbers")
@@ -305,6 +307,9 @@ def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
     Also returns True if they are a single number.
     """
     given: Any = values
+    if (found := containers.ticks("t", containers.plain("", given))) is not None:
+        count, unit = found
+        return tuple(int(k) * unit for k in count.ravel()), not count.ndim
     if isinstance(given, str | Real | Decimal) or hasattr(given, "_mpf_"):
         return (exact("t", given),), True
     if getattr(given, "ndim", 1) == 0:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigidsym import _containers as containers
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
 from rigidsym.quaternions import conjugate, matrices, of_matrix, product
@@ -201,7 +202,7 @@ def _solved(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def _array(field: str, values: ArrayLike, size: int) -> np.ndarray:
     try:
-        array = np.asarray(values, dtype=float)
+        array = np.asarray(containers.plain(field, values), dtype=float)
     except (TypeError, ValueError):
         raise InputError(field, repr(values), "must be numbers") from None
     if array.shape[-1:] != (size,):

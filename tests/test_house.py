@@ -19,8 +19,9 @@ ALLOWED = {
     "rigidsym.sensitivity": "errors",
     "rigidsym.language": "",
     "rigidsym.generated": "",
-    "rigidsym.inputs": "errors",
-    "rigidsym.principal": "errors inputs quaternions sensitivity",
+    "rigidsym.containers": "errors",
+    "rigidsym.inputs": "containers errors",
+    "rigidsym.principal": "containers errors inputs quaternions sensitivity",
     "rigidsym.motion": f"{NUMBERS} engines sensitivity view",
     "rigidsym.steps": "engines errors",
     # What is true.
@@ -48,8 +49,8 @@ ALLOWED = {
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
     # Reference vectors of the flight profile are precise states in the strata of validation.
     "rigidsym.codegen.flight": f"{NUMBERS} codegen io.files io.ledger validate.strata",
-    "rigidsym.engines": f"{FOUNDATION} codegen.forms codegen.targets generated inputs io.files "
-    "solution",
+    "rigidsym.engines": f"{FOUNDATION} codegen.forms codegen.targets containers generated inputs "
+    "io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
     "rigidsym.validate.torques": "errors quaternions splitting validate",

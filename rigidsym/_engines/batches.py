@@ -11,6 +11,7 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigidsym import _containers as containers
 from rigidsym import _inputs as inputs
 from rigidsym._engines import arrays
 from rigidsym.errors import EngineError, InputError, written
@@ -24,9 +25,10 @@ def array(
 ) -> np.ndarray:
     """Convert user input to an array of doubles with given trailing axes.
 
-    last: the sizes of these axes.  Raises InputError for the first number that is masked or, unless
-    `lenient`, not finite.
+    This is the way in for arrays, those of other libraries among them.  last: the sizes of the
+    axes.  Raises InputError for the first number that is masked or, unless `lenient`, not finite.
     """
+    value = containers.plain(name, value)
     if isinstance(value, np.ma.MaskedArray):
         for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
             _refuse(name, value, tuple(place), "is masked")

@@ -1,0 +1,106 @@
+"""Values of pandas, xarray and SciPy, and dates and times, as arrays of numbers.
+
+No library is imported for a check: a value can be of a library only once that is imported.
+"""
+
+import sys
+from datetime import datetime, timedelta
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from rigidsym.errors import InputError
+
+_PLAIN = (np.ndarray, list, tuple, float, int, str, type(None))
+# Arguments that are times, and their spans.
+_TIMES, _SPANS = ("t", "times"), ("t", "times", "dt")
+_SECONDS = {
+    **{"W": Fraction(604800), "D": Fraction(86400), "h": Fraction(3600), "m": Fraction(60)},
+    **{
+        unit: Fraction(1, 1000**k)
+        for k, unit in enumerate(("s", "ms", "us", "ns", "ps", "fs", "as"))
+    },
+}
+_UNITS = {
+    **{"inertia": "kg m^2", "tensor": "kg m^2", "omega0": "rad/s", "omega": "rad/s"},
+    **dict.fromkeys(_SPANS, "s"),
+}
+_SUBTRACT = "subtract the epoch of t = 0 first: t - epoch"
+
+
+def is_a(value: object, module: str, name: str) -> bool:
+    """Return True if a value is an instance of a library's class, without importing the library."""
+    return isinstance(value, getattr(sys.modules.get(module), name, ()))
+
+
+def plain(field: str, value: Any) -> Any:
+    """Convert a value of another library to an array or a number.
+
+    A SciPy Rotation becomes quaternions (..., 4) with the scalar first; arrays and indices of
+    pandas and xarray become NumPy's; dates and times become seconds, see `ticks`.  Other values are
+    returned as they are.  Raises InputError for values with units, and for dates and times that
+    have no value in seconds.
+    """
+    if type(value) not in _PLAIN:
+        if is_a(value, "scipy.spatial.transform", "Rotation"):
+            return value.as_quat(scalar_first=True)
+        if hasattr(value, "to_numpy"):
+            value = _to_numpy(value)
+        elif isinstance(value, timedelta):
+            value = np.asarray(value, "timedelta64[us]")
+        elif isinstance(value, datetime):
+            value = np.asarray(value.replace(tzinfo=None), "datetime64[us]")
+        elif hasattr(value, "units") or (hasattr(value, "unit") and hasattr(value, "dtype")):
+            unit = f" in {_UNITS[field]}" if field in _UNITS else ""
+            raise InputError(field, value, f"has a unit: give its numbers{unit}")
+    found = ticks(field, value)
+    if found is None:
+        return value
+    count, unit = found
+    if unit.denominator == 1:
+        return count * float(unit)
+    # In two parts, because a double has not all digits of nanoseconds.
+    whole, rest = np.divmod(count, unit.denominator)
+    return whole + rest / unit.denominator
+
+
+def ticks(field: str, value: Any) -> tuple[np.ndarray, Fraction] | None:
+    """Convert dates and times to whole numbers of a unit, and return them with that unit in s.
+
+    Spans (timedelta64) are times themselves.  Dates (datetime64) count from the first one, in days
+    of 86400 s.  Returns None for other values.  Raises InputError for NaT, for a single date, and
+    for arguments that are not times.
+    """
+    kind = getattr(getattr(value, "dtype", None), "kind", "")
+    argument = field.rpartition(".")[2]
+    if kind not in ("m", "M") or argument not in (_TIMES if kind == "M" else _SPANS):
+        return None
+    given = np.asarray(value)
+    for place in np.argwhere(np.isnat(given))[:1].tolist():
+        name = f"{field}[{', '.join(map(str, place))}]" if place else field
+        raise InputError(name, "NaT", "must be a date or a time")
+    if kind == "M" and given.ndim != 1:
+        shown = f"an array of dates of shape {given.shape}" if given.ndim else given
+        rule = "dates count from the first of a one-dimensional array"
+        raise InputError(field, shown, rule, next_step=_SUBTRACT)
+    name, multiple = np.datetime_data(given.dtype)
+    if kind == "M" and name in ("Y", "M"):
+        given, name, multiple = given.astype("datetime64[D]"), "D", 1
+    if name not in _SECONDS:
+        raise InputError(field, f"times in units of {name!r}", "must be in weeks or shorter units")
+    count = given.astype(np.int64)
+    if kind == "M" and count.size:
+        first, later = count[0], count >= count[0]
+        count = count - first
+        if np.any((count >= 0) != later):
+            raise InputError(field, f"dates in {name}", "the first and another are too far apart")
+    return count, multiple * _SECONDS[name]
+
+
+def _to_numpy(value: Any) -> np.ndarray:
+    """Convert an array of pandas or xarray to NumPy, and dates with a time zone to UTC."""
+    dtype = getattr(value, "dtype", None)
+    if getattr(dtype, "tz", None) is not None:
+        return value.to_numpy(f"datetime64[{getattr(dtype, 'unit', 'ns')}]")
+    return value.to_numpy()
