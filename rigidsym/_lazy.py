@@ -22,7 +22,7 @@ def lazily(
     def modules() -> frozenset[str]:
         return frozenset(x.name for x in iter_modules(own.__path__) if not x.name.startswith("_"))
 
-    def __getattr__(name: str) -> object:
+    def attribute(name: str) -> object:
         if name in homes:
             check()
             found = getattr(import_module(homes[name], package), name)
@@ -33,8 +33,8 @@ def lazily(
             return import_module(f"{package}.{name}")
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
-    def __dir__() -> list[str]:
+    def names() -> list[str]:
         special = (name for name in vars(own) if name[:2] == "__")
         return sorted({*special, *getattr(own, "__all__", ()), *homes, *modules()})
 
-    return __getattr__, __dir__
+    return attribute, names

@@ -4,8 +4,8 @@ import pytest
 from house import circle, imported, imports, modules, package
 
 GRAPH = imports()
-# What each package may import, itself, `_version` and `_lazy` aside; the longest name that fits a module
-# counts.  Names are of folders, with all that is in them, and of modules.
+# What each package may import, itself, `_version` and `_lazy` aside; the longest name that
+# fits a module counts.  Names are of folders, with all that is in them, and of modules.
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
