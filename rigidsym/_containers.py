@@ -37,24 +37,9 @@ def is_a(value: object, module: str, name: str) -> bool:
 def plain(field: str, value: Any) -> Any:
     """Convert a value of another library to an array or a number.
 
-    A SciPy Rotation becomes quaternions (..., 4) with the scalar first; arrays and indices of
-    pandas and xarray become NumPy's; dates and times become seconds, see `ticks`.  Other values are
-    returned as they are.  Raises InputError for values with units, and for dates and times that
-    have no value in seconds.
+    Dates and times become seconds, see `ticks`; for other values see `unwrapped`.
     """
-    if type(value) not in _PLAIN:
-        if is_a(value, "scipy.spatial.transform", "Rotation"):
-            return value.as_quat(scalar_first=True)
-        if hasattr(value, "to_numpy"):
-            value = _to_numpy(value)
-        elif isinstance(value, timedelta):
-            value = np.asarray(value, "timedelta64[us]")
-        elif isinstance(value, datetime):
-            value = np.asarray(value.replace(tzinfo=None), "datetime64[us]")
-        elif hasattr(value, "units") or (hasattr(value, "unit") and hasattr(value, "dtype")):
-            unit = f" in {_UNITS[field]}" if field in _UNITS else ""
-            raise InputError(field, value, f"has a unit: give its numbers{unit}")
-    found = ticks(field, value)
+    found = ticks(field, value := unwrapped(field, value))
     if found is None:
         return value
     count, unit = found
@@ -63,6 +48,35 @@ def plain(field: str, value: Any) -> Any:
     # In two parts, because a double has not all digits of nanoseconds.
     whole, rest = np.divmod(count, unit.denominator)
     return whole + rest / unit.denominator
+
+
+def unwrapped(field: str, value: Any) -> Any:
+    """Convert a value of another library to NumPy's, and return others as they are.
+
+    A SciPy Rotation becomes quaternions (..., 4) with the scalar first; arrays and indices of
+    pandas and xarray become arrays.  Raises InputError for values with units.
+    """
+    if type(value) in _PLAIN:
+        if isinstance(value, list | tuple) and value and type(value[0]) not in _PLAIN:
+            _refuse_unit(field, value[0], value)
+        return value
+    if is_a(value, "scipy.spatial.transform", "Rotation"):
+        return value.as_quat(scalar_first=True)
+    if hasattr(value, "to_numpy"):
+        return _to_numpy(value)
+    if isinstance(value, timedelta):
+        return np.asarray(value, "timedelta64[us]")
+    if isinstance(value, datetime):
+        return np.asarray(value.replace(tzinfo=None), "datetime64[us]")
+    _refuse_unit(field, value, value)
+    return value
+
+
+def _refuse_unit(field: str, one: object, given: object) -> None:
+    """Raise InputError if a value has a unit, as those of pint and of astropy have."""
+    if hasattr(one, "units") or (hasattr(one, "unit") and hasattr(one, "dtype")):
+        unit = f" in {_UNITS[field]}" if field in _UNITS else ""
+        raise InputError(field, given, f"has a unit: give its numbers{unit}")
 
 
 def ticks(field: str, value: Any) -> tuple[np.ndarray, Fraction] | None:

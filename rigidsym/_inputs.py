@@ -307,7 +307,7 @@ def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
     Also returns True if they are a single number.
     """
     given: Any = values
-    if (found := containers.ticks("t", containers.plain("", given))) is not None:
+    if (found := containers.ticks("t", containers.unwrapped("t", given))) is not None:
         count, unit = found
         return tuple(int(k) * unit for k in count.ravel()), not count.ndim
     if isinstance(given, str | Real | Decimal) or hasattr(given, "_mpf_"):

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
-from rigidsym._engines import EngineError, batches
+from rigidsym._engines import EngineError, batches, blocks
 from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
 from rigidsym.errors import InputError, package
 from rigidsym.sensitivity import Sensitivity
@@ -190,7 +190,8 @@ class TorqueFreeMotion:
             Times, s.
         out : pair of arrays
             C-contiguous float64 arrays of the shapes returned, to fill; they share no memory with
-            each other or t.
+            each other or t.  Memory maps, Zarr arrays and others that take slices are written
+            block by block.
         errors : {"raise", "nan"}
             "nan": times that are refused have states of NaN.
 
@@ -212,6 +213,12 @@ class TorqueFreeMotion:
         prepared = self._prepared
         times = t if type(t) is float and math.isfinite(t) else batches.times(t, errors)
         try:
+            if out is not None and blocks.are_streams(out):
+
+                def compute(part: blocks.Part, states: engines.States) -> None:
+                    self._engine.states(prepared, np.asarray(times)[part], states, errors)
+
+                return blocks.fill(out, np.shape(times), (times,), compute, 0)
             return self._engine.states(prepared, times, out, errors)
         except EngineError as error:
             raise batches.input_error(error, {"t": times, "errors": errors}) from None
@@ -876,6 +883,7 @@ def propagate(
         As for `TorqueFreeMotion`.
     out : pair of arrays
         Arrays of the shapes returned, to fill, which share no memory with each other or an input.
+        Memory maps, Zarr arrays and others that take slices are written block by block.
     allow_nonphysical : bool
         Accept moments that no body has.
     errors : {"raise", "nan"}

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym import _engines as engines
-from rigidsym._engines import EngineError, arrays, batches
+from rigidsym._engines import EngineError, arrays, batches, blocks
 from rigidsym.errors import InputError
 
 _SIZES = {"inertia": 3, "q": 4, "omega": 3}
@@ -42,6 +42,7 @@ def step(
         As for `TorqueFreeMotion`.
     out : pair of arrays
         Float64 arrays of the shapes returned, to fill; (q, omega) themselves for a step in place.
+        Memory maps and Zarr arrays are written block by block.
     allow_nonphysical : bool
         Accept moments that no body has.
 
@@ -69,20 +70,35 @@ def step(
     given = {"inertia": inertia, "q": q, "omega": omega, "dt": dt}
     doubles = {name: batches.array(name, value) for name, value in given.items()}
     doubles["inertia"] = batches.possible(doubles["inertia"], allow_nonphysical)
-    shape = _shape(doubles)
-    after = arrays.outputs(out, shape, *doubles.values(), own=(doubles["q"], doubles["omega"]))
-    count = math.prod(shape)
-    if not count:
-        return after
-    moments = arrays.row_or_rows(doubles["inertia"], shape)
-    start = (arrays.rows(doubles[name], shape) for name in ("q", "omega"))
-    times = arrays.row_or_rows(doubles["dt"][..., None], shape).reshape(-1)
-    flat = after[0].reshape(count, 4), after[1].reshape(count, 3)
+    shape, stepper = _shape(doubles), engines.stepper(engine)
     try:
-        engines.stepper(engine).step(moments, *start, times, flat)
+        if out is not None and blocks.are_streams(out):
+
+            def compute(part: blocks.Part, after: engines.States) -> None:
+                leading = {n: arrays.along(part, _bodies(n, x)) for n, x in doubles.items()}
+                _advance(stepper, {n: x[leading[n]] for n, x in doubles.items()}, after)
+
+            read = [x for x in given.values() if x is not out[0] and x is not out[1]]
+            return blocks.fill(out, shape, read, compute, len(shape))
+        own = doubles["q"], doubles["omega"]
+        after = arrays.outputs(out, shape, *doubles.values(), own=own)
+        _advance(stepper, doubles, after)
     except EngineError as error:
         raise batches.input_error(error, doubles) from None
     return after
+
+
+def _advance(stepper: engines.Stepper, given: dict[str, np.ndarray], after: engines.States) -> None:
+    """Compute the states of bodies after a step, and write them to arrays."""
+    shape = after[0].shape[:-1]
+    count = math.prod(shape)
+    if not count:
+        return
+    moments = arrays.row_or_rows(given["inertia"], shape)
+    q, omega = (arrays.rows(given[name], shape) for name in ("q", "omega"))
+    times = arrays.row_or_rows(given["dt"][..., None], shape).reshape(-1)
+    flat = after[0].reshape(count, 4), after[1].reshape(count, 3)
+    stepper.step(moments, q, omega, times, flat)
 
 
 def _one(
@@ -120,10 +136,15 @@ def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
         size, found = _SIZES.get(name), f"an array of shape {array.shape}"
         if size and array.shape[-1:] != (size,):
             raise InputError(name, found, f"the last axis must have {size} numbers")
-        own = array.shape[:-1] if size else array.shape
+        own = _bodies(name, array)
         try:
             shape = np.broadcast_shapes(shape, own)
         except ValueError:
             rule = f"leading shape {own} must broadcast with {shape} of what comes before"
             raise InputError(name, found, rule) from None
     return shape
+
+
+def _bodies(name: str, array: np.ndarray) -> tuple[int, ...]:
+    """Return the shape of an input over its bodies."""
+    return array.shape[:-1] if name in _SIZES else array.shape

@@ -135,7 +135,7 @@ class UnitArray(np.ndarray):
     unit = "deg/s"
 
 
-@pytest.mark.parametrize("given", [Quantity(), np.array(RATES).view(UnitArray)])
+@pytest.mark.parametrize("given", [Quantity(), np.array(RATES).view(UnitArray), [Quantity()] * 3])
 def test_units_are_refused_and_not_dropped(given):
     for call in (propagate, TorqueFreeMotion):
         with pytest.raises(InputError, match=r"^omega0 = .*has a unit: give its numbers in rad/s$"):

@@ -60,6 +60,13 @@ class Batch(NamedTuple):
         """
         return row_or_rows(self.t, self.leading)
 
+    def part(self, index: tuple[slice, ...]) -> "Batch":
+        """Return some bodies and times, given a slice for each axis of `shape`."""
+        leading, times = index[: len(self.leading)], index[len(self.leading) :]
+        bodies = {name: x[along(leading, x.shape[:-1])] for name, x in self.bodies.items()}
+        t = self.t[(*along(leading, self.t.shape[:-1]), *times)]
+        return Batch(bodies, t, tuple(x.stop - x.start for x in leading))
+
 
 def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayLike) -> Batch:
     """Combine arrays of bodies and times to a batch.
@@ -85,6 +92,15 @@ def batch(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike, t: ArrayL
     except ValueError:
         rule = f"the leading shape must broadcast with {leading} of the bodies"
         raise InputError("t", f"an array of shape {times.shape}", rule) from None
+
+
+def along(index: tuple[slice, ...], shape: tuple[int, ...]) -> tuple[slice, ...]:
+    """Return the part of an index that applies to an array which broadcasts to the whole.
+
+    Axes of one are taken whole.
+    """
+    own = index[len(index) - len(shape) :]
+    return tuple(slice(None) if n == 1 else x for x, n in zip(own, shape, strict=True))
 
 
 def times(t: ArrayLike) -> np.ndarray:
@@ -256,8 +272,8 @@ def _memory(size: int) -> np.ndarray:
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
     rule = None
-    if type(array) is not np.ndarray:
-        rule = f"{name} is a {type(array).__name__}: must be an array"
+    if type(array) is not np.ndarray and type(array) is not np.memmap:
+        rule = f"{name} is a {type(array).__name__}: must be an array in memory"
     elif array.dtype != _DOUBLE or array.shape != shape:
         found = f"{array.dtype} of shape {array.shape}"
         rule = f"{name} is {found}: must be float64 of shape {shape}"

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from rigidsym._engines import arrays
+from rigidsym._engines import arrays, blocks
 from rigidsym._engines.arrays import Batch, Outputs, Sensitivities, States
 from rigidsym.errors import EngineError
 
@@ -132,6 +132,13 @@ class Engine(ABC):
 
         With `lenient`, bodies and times that are refused have states of NaN.
         """
+        if blocks.are_streams(out):
+
+            def compute(part: blocks.Part, states: States) -> None:
+                self._fill(batch.part(part), states, lenient, None)
+
+            given = (batch.t, *batch.bodies.values())
+            return blocks.fill(out, batch.shape, given, compute, len(batch.leading))
         states = arrays.outputs(out, batch.shape, batch.t, *batch.bodies.values())
         self._fill(batch, states, lenient, None)
         return states
