@@ -273,7 +273,7 @@ def _memory(size: int) -> np.ndarray:
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
     rule = None
     if type(array) is not np.ndarray and type(array) is not np.memmap:
-        rule = f"{name} is a {type(array).__name__}: must be an array in memory"
+        rule = f"{name} is a {type(array).__name__}: must be an array"
     elif array.dtype != _DOUBLE or array.shape != shape:
         found = f"{array.dtype} of shape {array.shape}"
         rule = f"{name} is {found}: must be float64 of shape {shape}"

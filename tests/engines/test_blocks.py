@@ -128,7 +128,7 @@ def test_outputs_that_cannot_take_states_are_refused(tmp_path):
             MOTION(TIMES, out=(q, omega))
     with pytest.raises(InputError, match="must not overlap"):
         MOTION(memory[:, 0], out=(memory, Stored((7, 3))))
-    with pytest.raises(InputError, match="must be an array in memory"):
+    with pytest.raises(InputError, match="must be an array"):
         MOTION.grid(0, 1, 7, out=(Stored(shape), omega))
     assert MOTION.grid(0, 1, 7, out=(memory, omega))[0] is memory
     np.testing.assert_array_equal(memory, MOTION(TIMES)[0])
