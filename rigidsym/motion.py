@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
+from rigidsym import _layers as layers
 from rigidsym._engines import EngineError, batches, blocks
 from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
 from rigidsym.errors import InputError, package
@@ -53,7 +54,7 @@ class TorqueFreeMotion:
         `allow_nonphysical`.
     omega0 : array_like (3,)
         Body rates at t = 0, rad/s.
-    attitude0 : array_like (4,)
+    attitude0 : array_like (4,) or Rotation
         Attitude quaternion at t = 0, scalar first, body to inertial; it is normalised.
     engine : {"numpy", "c"}
         `c` is the generated C source, compiled once on this machine; without a compiler NumPy
@@ -187,7 +188,8 @@ class TorqueFreeMotion:
         Parameters
         ----------
         t : number or array_like (N,)
-            Times, s.
+            Times, s.  Dates (datetime64, DatetimeIndex) count from the first one; for another epoch
+            give `t - epoch`.  Arrays of xarray and Dask are taken as `propagate` does.
         out : pair of arrays
             C-contiguous float64 arrays of the shapes returned, to fill; they share no memory with
             each other or t.  Memory maps, Zarr arrays and others that take slices are written
@@ -211,7 +213,12 @@ class TorqueFreeMotion:
             middle axis, where binary64 cannot tell them apart; `precise` follows all motions.
         """
         prepared = self._prepared
-        times = t if type(t) is float and math.isfinite(t) else batches.times(t, errors)
+        if type(t) is float and math.isfinite(t):
+            times = t
+        elif layers.is_layered(t):
+            return layers.called(self, {"t": t}, out=out, errors=errors)
+        else:
+            times = batches.times(t, errors)
         try:
             if out is not None and blocks.are_streams(out):
 
@@ -868,6 +875,8 @@ def propagate(
     """Return the states of many torque-free bodies at given times.
 
     Leading shapes broadcast; all numbers are float64.  Contiguous float64 arrays are read in place.
+    For DataArrays of xarray the results are DataArrays with their dimensions and coordinates, for
+    arrays of Dask they are lazy.
 
     Parameters
     ----------
@@ -876,8 +885,9 @@ def propagate(
     omega0 : array_like (..., 3)
         Body rates at t = 0, rad/s.
     t : number or array_like (N,) or (..., N)
-        Times, s: a number or (N,) for all bodies, (B, N) a row for each.
-    attitude0 : array_like (..., 4)
+        Times, s: a number or (N,) for all bodies, (B, N) a row for each.  Dates (N,) count from the
+        first one, and timedeltas are times.
+    attitude0 : array_like (..., 4) or Rotation
         Attitude quaternions at t = 0, scalar first, body to inertial; they are normalised.
     engine : {"numpy", "c"}
         As for `TorqueFreeMotion`.
@@ -916,6 +926,11 @@ def propagate(
     >>> q.shape, omega.shape
     ((2, 3, 4), (2, 3, 3))
     """
+    if layers.is_layered(inertia, omega0, t, attitude0):
+        given = {"inertia": inertia, "omega0": omega0, "t": t, "attitude0": attitude0}
+        options = {"engine": engine, "out": out, "allow_nonphysical": allow_nonphysical}
+        more = {"errors": errors, "degrees": degrees, "sensitivity": sensitivity}
+        return layers.called(propagate, given, **options, **more, columns=columns)
     lenient, chosen = engines.is_lenient(errors), engines.engine(engine)
     batch = batches.batch(inertia, omega0, attitude0, t, lenient, degrees, allow_nonphysical)
     with_sensitivity = inputs.is_true("sensitivity", sensitivity)

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym import _engines as engines
+from rigidsym import _layers as layers
 from rigidsym._engines import EngineError, arrays, batches, blocks
 from rigidsym.errors import InputError
 
@@ -25,14 +26,14 @@ def step(
     """Return the states of bodies after dt seconds of torque-free motion.
 
     A step starts from any state and costs the same in every regime.  Leading shapes broadcast.
-    For one body, tuples, lists and arrays of floats are fastest; the constants of the last bodies
-    are cached for the next call.
+    Arrays of xarray and Dask are taken as `propagate` does.  For one body, tuples, lists and arrays
+    of floats are fastest; the constants of the last bodies are cached for the next call.
 
     Parameters
     ----------
     inertia : array_like (..., 3)
         Principal moments, kg m^2.
-    q : array_like (..., 4)
+    q : array_like (..., 4) or Rotation
         Attitude quaternions, scalar first, body to inertial, of any length but zero.
     omega : array_like (..., 3)
         Body rates, rad/s.
@@ -68,6 +69,10 @@ def step(
     if (one := _one(inertia, q, omega, dt, engine, out)) is not None:
         return one
     given = {"inertia": inertia, "q": q, "omega": omega, "dt": dt}
+    if layers.is_layered(*given.values()):
+        return layers.called(
+            step, given, engine=engine, out=out, allow_nonphysical=allow_nonphysical
+        )
     doubles = {name: batches.array(name, value) for name, value in given.items()}
     doubles["inertia"] = batches.possible(doubles["inertia"], allow_nonphysical)
     shape, stepper = _shape(doubles), engines.stepper(engine)

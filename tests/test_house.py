@@ -21,9 +21,10 @@ ALLOWED = {
     "rigidsym.generated": "",
     "rigidsym.containers": "errors",
     "rigidsym.inputs": "containers errors",
+    "rigidsym.layers": "containers errors sensitivity",
     "rigidsym.principal": "containers errors inputs quaternions sensitivity",
-    "rigidsym.motion": f"{NUMBERS} engines sensitivity view",
-    "rigidsym.steps": "engines errors",
+    "rigidsym.motion": f"{NUMBERS} engines layers sensitivity view",
+    "rigidsym.steps": "engines errors layers",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
