@@ -56,9 +56,10 @@ class TorqueFreeMotion:
         Body rates at t = 0, rad/s.
     attitude0 : array_like (4,) or Rotation
         Attitude quaternion at t = 0, scalar first, body to inertial; it is normalised.
-    engine : {"numpy", "c"}
+    engine : {"auto", "c", "c-portable", "numpy"}
         `c` is the generated C source, compiled once on this machine; without a compiler NumPy
-        computes, with a warning.  `c-portable` is C with the same bits on every processor.
+        computes, with a warning.  `auto` is `c`, and without a compiler NumPy, without a warning.
+        `c-portable` is C with the same bits on every processor.
     allow_nonphysical : bool
         Accept moments that no body has.
     degrees : bool
@@ -89,7 +90,7 @@ class TorqueFreeMotion:
         omega0: Vector3,
         attitude0: Quaternion = IDENTITY,
         *,
-        engine: str = "numpy",
+        engine: str = engines.DEFAULT,
         allow_nonphysical: bool = False,
         degrees: bool = False,
     ) -> None:
@@ -322,8 +323,8 @@ class TorqueFreeMotion:
 
         Times are start + k step for k = 0 ... count - 1.
 
-        With engine="c" these times are exact and sines are computed once in 64 samples; NumPy takes
-        the doubles nearest to them.
+        C takes these times exactly and computes sines once in 64 samples; NumPy takes the doubles
+        nearest to them.
 
         Parameters
         ----------
@@ -835,7 +836,7 @@ def propagate(
     t: ArrayLike,
     attitude0: ArrayLike = IDENTITY,
     *,
-    engine: str = "numpy",
+    engine: str = engines.DEFAULT,
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
     errors: str = "raise",
@@ -850,7 +851,7 @@ def propagate(
     t: ArrayLike,
     attitude0: ArrayLike = IDENTITY,
     *,
-    engine: str = "numpy",
+    engine: str = engines.DEFAULT,
     out: None = None,
     allow_nonphysical: bool = False,
     errors: str = "raise",
@@ -864,7 +865,7 @@ def propagate(
     t: ArrayLike,
     attitude0: ArrayLike = IDENTITY,
     *,
-    engine: str = "numpy",
+    engine: str = engines.DEFAULT,
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
     errors: str = "raise",
@@ -889,7 +890,7 @@ def propagate(
         first one, and timedeltas are times.
     attitude0 : array_like (..., 4) or Rotation
         Attitude quaternions at t = 0, scalar first, body to inertial; they are normalised.
-    engine : {"numpy", "c"}
+    engine : {"auto", "c", "c-portable", "numpy"}
         As for `TorqueFreeMotion`.
     out : pair of arrays
         Arrays of the shapes returned, to fill, which share no memory with each other or an input.

@@ -19,7 +19,7 @@ def step(
     omega: ArrayLike,
     dt: ArrayLike,
     *,
-    engine: str = "numpy",
+    engine: str = engines.DEFAULT,
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -39,7 +39,7 @@ def step(
         Body rates, rad/s.
     dt : number or array_like (...)
         Time, s, forwards or back; |omega dt| may be up to 8 rad.
-    engine : {"numpy", "c"}
+    engine : {"auto", "c", "c-portable", "numpy"}
         As for `TorqueFreeMotion`.
     out : pair of arrays
         Float64 arrays of the shapes returned, to fill; (q, omega) themselves for a step in place.

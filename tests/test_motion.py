@@ -285,7 +285,7 @@ REFUSED = [
     (lambda _: MOTION.replace(degrees=True),
      "degrees = True: is about omega0, which is not given$"),
     (lambda _: TorqueFreeMotion(BODY, RATES, engine="fortran"),
-     "engine = 'fortran': must be one of: numpy, c"),
+     "engine = 'fortran': must be one of: auto, numpy, c"),
     (lambda _: propagate(BODY, RATES, 1.0, engine="fortran"), "engine = 'fortran': must be one of"),
     (lambda _: generate(["c"]), r"target = \['c'\]: must be one of: numpy, c"),
 ]  # fmt: skip

@@ -115,7 +115,7 @@ def test_energy_and_momentum_drift_no_faster_than_a_random_walk(kind, steps):
         ({"omega": [RATES, (0, 90, 0)]}, r"^dt = 0.1: \|omega dt\| .* 8 rad \(body 1\)"),
         ({"dt": [0.1, 0.2, 0.3]}, r"^dt = an array of shape \(3,\): leading shape \(3,\)"),
         ({"q": np.zeros((2, 3))}, r"^q = an array of shape \(2, 3\): the last axis"),
-        ({"engine": "fortran"}, r"^engine = 'fortran': must be one of: numpy, c"),
+        ({"engine": "fortran"}, r"^engine = 'fortran': must be one of: auto, numpy, c"),
         ({"inertia": (1e-70, 1, 1)}, r"^inertia = .*differ by more than binary64"),
     ],
     ids=str,

@@ -72,6 +72,10 @@ class CompilerError(Exception):
     """
 
 
+class MissingCompilerError(CompilerError):
+    """Error for a machine without a C compiler."""
+
+
 @dataclass(frozen=True, slots=True)
 class Compiler:
     """C compiler, given by its command and version.
@@ -98,7 +102,7 @@ def find() -> Compiler:
             command = (path, *named[1:])
             return Compiler(command, _run([*command, "--version"]).stdout)
     wanted = f"CC={named[0]}" if named else ", ".join(NAMES)
-    raise CompilerError(f"no C compiler found ({wanted})")
+    raise MissingCompilerError(f"no C compiler found ({wanted})")
 
 
 def compile_library(

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import chi2 as chi2_law
 
+from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym.errors import InputError
 from rigidsym.fitting._fit import Fit
@@ -47,7 +48,7 @@ def fit(
     starts: int = STARTS,
     fastest: float | None = None,
     delta_chi2: float = DELTA_CHI2,
-    engine: str = "c",
+    engine: str = engines.DEFAULT,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Fit:
     """Fit a torque-free motion to observations, with its errors and the alternatives.

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym import _inputs as inputs
-from rigidsym._engines import batches, checked
+from rigidsym._engines import DEFAULT, batches, checked
 from rigidsym.errors import InputError
 from rigidsym.fitting._observations import KINDS, Observations, middle, whitening
 from rigidsym.fitting._parameters import (
@@ -49,7 +49,7 @@ class Problem:
     sets: tuple[Observations, ...]
     parameters: Parameters
     prior: Prior | None = None
-    engine: str = "numpy"
+    engine: str = DEFAULT
     epoch: float = 0.0
 
     @cached_property

@@ -173,7 +173,7 @@ def plan(
     max_burst: ExactNumber | None = None,
     degrees: bool = False,
     families: int = 1,
-    engine: str = "c",
+    engine: str = engines.DEFAULT,
 ) -> Plan:
     """Plan torque-free motions that take a body from one attitude to another in a given time.
 
@@ -233,7 +233,7 @@ def plan(
     return solve(asked, families, engine)
 
 
-def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
+def solve(asked: Manoeuvre, families: int = 1, engine: str = engines.DEFAULT) -> Plan:
     """Plan the transfers of a `Manoeuvre`.
 
     Arguments and errors are those of `plan`.

@@ -28,7 +28,7 @@ def integrate(
     tolerance: float | None = None,
     discontinuities: ArrayLike = (),
     rate_dependent: bool = False,
-    engine: str = "numpy",
+    engine: str = engines.DEFAULT,
     allow_nonphysical: bool = False,
 ) -> Trajectory:
     """Integrate the motion of rigid bodies under a torque.
@@ -44,8 +44,7 @@ def integrate(
         Rates at times[0].
     torque : function
         Torque in body axes, N m, (..., 3), of t (s), q (..., 4) and omega (..., 3); common ones are
-        in `rigidsym.splitting`.  With engine="c" those, except `Potential`, run without Python in
-        between.
+        in `rigidsym.splitting`.  In C those, except `Potential`, run without Python in between.
     times : (N,)
         Times, s, increasing.
     step : float or None
@@ -145,7 +144,7 @@ def _started(
         shapes = f"shapes inertia {moments.shape}, q0 {q.shape}, omega0 {omega.shape}"
         raise InputError("omega0", shapes, "leading shapes must broadcast") from None
     start = np.broadcast_to(q / lengths[..., None], (*shape, 4))
-    bodies = Bodies(moments, engines.checked(engine))
+    bodies = Bodies(moments, engines.resolved(engine))
     return bodies, State(start, np.broadcast_to(omega, (*shape, 3)))
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from rigidsym._engines import build, engine, forget
+from rigidsym._engines import DEFAULT, build, engine, forget, resolved
 from rigidsym._engines.c_engine import CEngine
 from rigidsym._engines.library import LibraryError, load, written_digest
 from rigidsym._engines.numpy_engine import NumpyEngine
@@ -260,6 +260,30 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch, tmp_path,
     assert remarks == []
 
 
+def test_by_default_a_missing_compiler_is_no_problem_and_a_failing_one_is(monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", "")
+    found, remarks = heard(DEFAULT)
+    assert isinstance(found, NumpyEngine)
+    assert remarks == []
+    assert resolved(DEFAULT) == "numpy"
+    # Who asks for C is told, and once.
+    assert [len(heard("c")[1]) for _ in range(2)] == [1, 0]
+    forget()
+    script = tmp_path / "failing"
+    script.write_text("#!/bin/sh\nexit 1\n")
+    script.chmod(stat.S_IRWXU)
+    monkeypatch.setenv("CC", str(script))
+    assert [len(heard(name)[1]) for name in (DEFAULT, DEFAULT, "c")] == [1, 0, 0]
+
+
+@needs_compiler
+def test_the_default_is_c_where_a_compiler_is(wrapped):
+    log = wrapped()
+    assert heard(DEFAULT) == heard("c")
+    assert isinstance(heard(DEFAULT)[0], CEngine)
+    assert len(calls(log)) == 1
+
+
 @needs_compiler
 def test_a_compiler_that_does_not_know_this_machine_is_asked_without(wrapped):
     log = wrapped('case "$*" in *-march=native*) echo "error: unknown" >&2; exit 1;; esac')
@@ -397,6 +421,6 @@ def test_the_place_of_the_cache(monkeypatch, variables, place):
 def test_an_unknown_engine_is_refused():
     with pytest.raises(
         InputError,
-        match=r"^engine = 'fortran': must be one of: numpy, c, numpy-pi, c-pi, javascript, ",
+        match=r"^engine = 'fortran': must be one of: auto, numpy, c, numpy-pi, c-pi, javascript, ",
     ):
         engine("fortran")
