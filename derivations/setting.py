@@ -12,7 +12,7 @@ from typing import Any, NoReturn
 
 import sympy
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.proof.algebra._quaternion import rotated
 from rigidsym.proof.steps._names import read, symbols
 
@@ -76,7 +76,7 @@ class Setting:
             rule = "must have each of 1, 2, 3 once: another basis spans no algebra"
             raise InputError("order", _dashed(self.order), rule)
         if self.group not in GROUPS:
-            raise InputError("group", self.group, f"must be one of: {', '.join(GROUPS)}")
+            raise unknown("group", self.group, GROUPS, plain=True)
         self._check_lagrangian()
 
     @property

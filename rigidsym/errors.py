@@ -3,7 +3,7 @@
 Exceptions have one-line messages.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from importlib import import_module
 from importlib.util import find_spec
@@ -65,6 +65,38 @@ class InputError(ValueError):
         """Return the arguments, so that the error can be pickled."""
         given = self.field, self.value, self.rule, self.body, self.time, self.next_step
         return type(self), given
+
+
+def unknown(
+    field: str, value: object, known: Iterable[object], note: str = "", plain: bool = False
+) -> InputError:
+    """Create the error for a name that is not one of those known.
+
+    Its message lists these and proposes the nearest.  note: what follows the list.  plain: show a
+    text without quotation marks.
+
+    >>> print(unknown("form", "thta", ("theta", "pi", "step")))
+    form = 'thta': must be one of: theta, pi, step (did you mean theta?)
+    """
+    names = [str(name) for name in known]
+    shown = value if plain and isinstance(value, str) else written(value, repr)
+    near = nearest(value, names)
+    listed = map(repr, names) if any("," in name for name in names) else names
+    step = f"did you mean {near}?" if near else ""
+    return InputError(field, shown, f"must be one of: {', '.join(listed)}{note}", next_step=step)
+
+
+def nearest(value: object, known: Iterable[str]) -> str:
+    """Return the name that is most like a value, or "" if none is like it."""
+    from difflib import get_close_matches
+
+    by_folded = {_folded(name): name for name in known}
+    found = get_close_matches(_folded(str(value)[:_LONGEST]), by_folded, 1)
+    return by_folded[found[0]] if found else ""
+
+
+def _folded(name: str) -> str:
+    return name.casefold().replace("_", "-").replace(" ", "-")
 
 
 class EngineError(ValueError):

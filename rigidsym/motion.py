@@ -15,7 +15,7 @@ from rigidsym import _inputs as inputs
 from rigidsym import _layers as layers
 from rigidsym._engines import EngineError, batches, blocks
 from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
-from rigidsym.errors import InputError, package
+from rigidsym.errors import InputError, package, unknown
 from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
@@ -528,7 +528,7 @@ class TorqueFreeMotion:
 
         known = (*METHODS, *ESTIMATED)
         if not isinstance(method, str) or method not in known:
-            raise InputError("method", repr(method), f"must be one of: {', '.join(known)}")
+            raise unknown("method", method, known)
         # Kept, because it keeps its constants from one call to the next.
         return self._precise.setdefault(method, PreciseMotion(**given, method=method))
 

@@ -8,13 +8,13 @@ import gc
 import sys
 from collections.abc import Sequence
 from importlib import import_module
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from rigidsym._cli.commands import COMMANDS, Argument
 from rigidsym._cli.destination import destination
 from rigidsym._cli.output import BARS, discard_output, prepare_output
 from rigidsym._version import __version__
-from rigidsym.errors import InputError, LedgerError, PrecisionError
+from rigidsym.errors import InputError, LedgerError, PrecisionError, nearest
 
 _FIRST = """to begin with:
   rigidsym propagate paper            states of the paper's spacecraft
@@ -89,6 +89,25 @@ def parser() -> argparse.ArgumentParser:
 
 class _Parser(argparse.ArgumentParser):
     """A parser that reports errors in one line."""
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Parse arguments; report an unknown option with the nearest option of this command."""
+        found, others = super().parse_known_args(args, namespace)
+        for other in others:
+            name = other.partition("=")[0]
+            near = nearest(name, self._option_string_actions) if name.startswith("-") else ""
+            self.error(f"unknown argument {other}{near and f': did you mean {near}?'}")
+        return found, others
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Raise ArgumentError with the nearest choice for a value that is none of the choices."""
+        if action.choices is not None and value not in action.choices:
+            known = [str(choice) for choice in action.choices]
+            near = nearest(value, known)
+            hint = f" (did you mean {near}?)" if near else ""
+            raise argparse.ArgumentError(
+                action, f"{value!r:.40} must be one of: {', '.join(known)}{hint}"
+            )
 
     def error(self, message: str) -> NoReturn:
         """Print one line that points to the help, and exit with status 2."""

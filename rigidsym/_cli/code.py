@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from rigidsym._cli.output import say, say_written
 from rigidsym._cli.proofs import replayed
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 
 if TYPE_CHECKING:
     from rigidsym._codegen import Generated
@@ -78,7 +78,7 @@ def _profile(options: Namespace) -> int:
     from rigidsym._codegen.targets import PROFILES, known
 
     if options.profile not in PROFILES:
-        raise InputError("profile", options.profile, f"must be one of: {', '.join(PROFILES)}")
+        raise unknown("profile", options.profile, PROFILES, plain=True)
     command = f"rigidsym codegen c --profile {options.profile} -o DIR"
     if options.target is None or known(options.target) != "c":
         raise InputError("profile", options.profile, f"is one of C alone: {command}")

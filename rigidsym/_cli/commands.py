@@ -174,7 +174,12 @@ COMMANDS = (
         "proofs:derive",
         "prove the claims and write the ledger",
         "derive -o ledger.json",
-        _value("chapters", "CHAPTER", "chapters; all by default", nargs="*"),
+        _value(
+            "chapters",
+            "CHAPTER",
+            "chapters, as `rigidsym derive` names them; all by default",
+            nargs="*",
+        ),
         Group(
             _output("FILE", "file of the ledger, or of the article"),
             _switch("--in-place", "seal the ledger of the package itself anew"),
@@ -225,8 +230,13 @@ COMMANDS = (
         "code:codegen",
         "write a numeric module",
         "codegen c -o attitude",
-        _value("target", "TARGET", "a language, such as c; --check alone checks all", nargs="?"),
-        _value("--form", "FORM", "theta by default, step, or the paper's: pi"),
+        _value(
+            "target",
+            "TARGET",
+            "numpy, c, javascript, c_single or rust; --check alone checks all",
+            nargs="?",
+        ),
+        _value("--form", "FORM", "theta by default; pi, the paper's; or step, one free step"),
         _value("--profile", "NAME", "none by default; flight: C for flight software, with checks"),
         _switch("--single-file", "C: one header and one source, for copies by -o or --stdout"),
         Group(

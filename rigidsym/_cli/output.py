@@ -9,6 +9,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rigidsym.view._progress import bar
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -48,26 +50,10 @@ def reader_may_leave() -> Generator[None]:
 def progress(label: str) -> Callable[[int, int], None]:
     """Start a progress bar, and return the function that updates it.
 
-    The function takes the number of steps done and their total.  The bar is shown on a terminal
-    only, with the time left.
+    The function takes the number of steps done and their total.  The bar is removed when all are
+    done, or when the command ends.
     """
-    if not sys.stderr.isatty():
-        return lambda done, total: None
-    from rich.console import Console
-    from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
-
-    columns = (*Progress.get_default_columns()[:2], MofNCompleteColumn(), TimeRemainingColumn())
-    bar = Progress(*columns, console=Console(stderr=True), transient=True)
-    task = bar.add_task(label)
-    bar.start()
-    BARS.callback(bar.stop)
-
-    def show(done: int, total: int) -> None:
-        bar.update(task, completed=done, total=total)
-        if done == total:
-            bar.stop()
-
-    return show
+    return BARS.enter_context(bar(label))
 
 
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rigidsym._cli.commands import SETTING
 from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
-from rigidsym.errors import InputError, LedgerError
+from rigidsym.errors import InputError, LedgerError, unknown
 from rigidsym.io import ledger as stored
 from rigidsym.io._files import read_text, write_text
 
@@ -434,8 +434,8 @@ def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
     wanted = [name.strip("()").lower() for name in options.equations]
     for name, given in zip(wanted, options.equations, strict=True):
         if name not in numbers:
-            known = ", ".join(verdict.equation.number for verdict in ruled)
-            raise InputError("equation", given, f"must be one of: {known}")
+            known = (verdict.equation.number for verdict in ruled)
+            raise unknown("equation", given, known, plain=True)
     found = [numbers[name] for name in wanted] if wanted else [*ruled]
     ruling = (options.verdict or "").replace("-", " ")
     return [verdict for verdict in found if not ruling or verdict.ruling == ruling]

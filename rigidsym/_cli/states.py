@@ -3,10 +3,11 @@
 import sys
 from argparse import Namespace
 from dataclasses import replace
+from itertools import chain, cycle
 from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.commands import MESSAGE, STATE_FORMATS
-from rigidsym._cli.output import progress, table
+from rigidsym._cli.output import entries_text, progress, table
 from rigidsym.errors import InputError
 from rigidsym.io._files import probe, write_bytes, write_text
 
@@ -14,11 +15,15 @@ if TYPE_CHECKING:
     from rigidsym.io._tables import Table
     from rigidsym.io.cases import Case
 
+# States at either end of a table for a reader.
+_ENDS = 5
+
 
 def propagate(options: Namespace) -> int:
     """Compute the states of a case file, and write them to stdout or to a file."""
     from rigidsym.io._tables import FORMATS
 
+    shortened = not (options.format or options.output) and sys.stdout.isatty()
     options.format = _format(options)
     certain = options.digits or options.enclose
     if options.format == "npz" and (options.output is None or certain):
@@ -32,12 +37,47 @@ def propagate(options: Namespace) -> int:
     if options.format == "aem":
         data = _message(_case(options), heading)
     else:
-        data = FORMATS[options.format](_states(_case(options), options))
+        found = _states(_case(options), options)
+        if shortened:
+            _excerpt(found, options)
+            return 0
+        data = FORMATS[options.format](found)
     if options.output:
         write_bytes(options.output, data)
     else:
         sys.stdout.write(data.decode())
     return 0
+
+
+def _excerpt(states: "Table", options: Namespace) -> None:
+    """Print a few of the states for a reader, and say how to get all of them.
+
+    Doubles are columns of a table.  Numbers with many digits, and balls, are one below the other.
+    """
+    from rigidsym.io._tables import COLUMNS
+    from rigidsym.view._tables import columns
+
+    rows, many = states.rows, bool(options.digits or options.enclose)
+    ends = 1 if many else _ENDS
+    chosen = rows if len(rows) <= 2 * ends else [*rows[:ends], *rows[-ends:]]
+    title = f"rigidsym propagate {options.case}: t in s, omega in rad/s"
+    if many:
+        every = chain.from_iterable((t, *q, *omega) for t, q, omega in chosen)
+        texts = (x if isinstance(x, str) else f"{x['mid']} +/- {x['rad']}" for x in every)
+        sys.stdout.write(entries_text(title, zip(cycle(COLUMNS), texts, strict=False)))
+    else:
+        forms = ("g", *(".6f",) * 4, *(".5g",) * 3)
+        cells = [
+            [f"{float(str(x)):{form}}" for x, form in zip((t, *q, *omega), forms, strict=True)]
+            for t, q, omega in chosen
+        ]
+        if len(chosen) < len(rows):
+            cells.insert(ends, ["..."] * len(COLUMNS))
+        print(columns(title, COLUMNS, cells))
+    print(
+        f"{len(chosen)} of {len(rows)} states are shown. "
+        "Write all: -o states.csv (or .json, .npz). Print all: --format csv"
+    )
 
 
 def _format(options: Namespace) -> str:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from rigidsym._codegen.formats import BINARY32, BINARY64, Format
-from rigidsym.errors import InputError
+from rigidsym.errors import unknown
 
 THETA, PI, STEP = "theta", "pi", "step"
 # The forms, with what states are computed from; the first is the default.
@@ -20,7 +20,7 @@ def checked(form: str) -> str:
     Raises InputError for an unknown form.
     """
     if form not in FORMS:
-        raise InputError("form", form, f"must be one of: {', '.join(FORMS)}")
+        raise unknown("form", form, FORMS, plain=True)
     return form
 
 

@@ -15,7 +15,7 @@ from rigidsym._engines.arrays import Outputs, States, columns, is_lenient
 from rigidsym._engines.base import Engine, Prepared
 from rigidsym._engines.numpy_engine import NumpyEngine
 from rigidsym._engines.steps import CStepper, KickInputs, NumpyStepper, Stepper
-from rigidsym.errors import EngineError, InputError
+from rigidsym.errors import EngineError, InputError, unknown
 
 __all__ = [
     "DEFAULT",
@@ -139,7 +139,7 @@ def checked(name: str, among: tuple[str, ...] = (DEFAULT, *EVERY, PORTABLE)) -> 
     Raises InputError unless the name is in `among`.
     """
     if name not in among:
-        raise InputError("engine", repr(name), f"must be one of: {', '.join(among)}")
+        raise unknown("engine", name, among)
     return name
 
 

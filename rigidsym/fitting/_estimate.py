@@ -10,7 +10,7 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.fitting._fit import Fit
 from rigidsym.fitting._minimise import LOSSES, Minimum, minimise
 from rigidsym.fitting._parameters import IDENTITY, Point, motion, states
@@ -110,7 +110,7 @@ def fit(
     limit = None if fastest is None else _positive("fastest", fastest)
     range_ = _positive("delta_chi2", delta_chi2)
     if loss not in LOSSES:
-        raise InputError("loss", repr(loss), f"must be one of: {', '.join(LOSSES)}")
+        raise unknown("loss", loss, LOSSES)
     size = None if scale is None else _positive("scale", scale)
     again = partial(search, known=known, count=count, fastest=limit, within=range_, loss=loss)
     if guess is None:

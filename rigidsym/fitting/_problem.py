@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym import _inputs as inputs
 from rigidsym._engines import DEFAULT, batches, checked
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.fitting._observations import KINDS, Observations, middle, whitening
 from rigidsym.fitting._parameters import (
     Parameters,
@@ -161,8 +161,7 @@ def observation_sets(
     if isinstance(sigma, Mapping):
         for name in sigma:
             if name not in (*KINDS, "moments"):
-                rule = f"is not one of: {', '.join((*KINDS, 'moments'))}"
-                raise InputError("sigma", name, rule)
+                raise unknown("sigma", name, (*KINDS, "moments"), plain=True)
     elif sigma is not None and len(asked) > 1:
         raise InputError("sigma", "one for all", f"give one for each of: {', '.join(asked)}")
     errors = sigma if isinstance(sigma, Mapping) else dict.fromkeys(asked, sigma)
@@ -211,7 +210,7 @@ def posed(
     Raises InputError.
     """
     if inertia not in INERTIA:
-        raise InputError("inertia", repr(inertia), f"must be one of: {', '.join(INERTIA)}")
+        raise unknown("inertia", inertia, INERTIA)
     known = None
     if moments is not None:
         exact = inputs.certain("moments", inputs.inertia(moments, next_step=""))

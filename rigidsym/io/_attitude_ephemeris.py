@@ -17,7 +17,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.io import _epochs as epochs
 from rigidsym.io._files import subtable
 from rigidsym.io._tracks import Track
@@ -236,7 +236,7 @@ def read(text: str) -> Ephemeris:
         kind = metadata.get("ATTITUDE_TYPE", "")
         where = f"line {number}"
         if kind not in _WIDTHS:
-            raise InputError("ATTITUDE_TYPE", kind, f"must be one of: {', '.join(_WIDTHS)}")
+            raise unknown("ATTITUDE_TYPE", kind, _WIDTHS, plain=True)
         epoch, *values = line.split()
         ticks.append(epochs.parse(where, epoch, metadata.get("TIME_SYSTEM", "UTC")))
         first = first or epoch
@@ -292,7 +292,7 @@ def _row(where: str, values: list[str], metadata: dict[str, str], width: int) ->
         ("ATTITUDE_DIR", direction, ("A2B", "B2A")),
     ):
         if value not in choices:
-            raise InputError(keyword, value, f"must be one of: {', '.join(choices)}")
+            raise unknown(keyword, value, choices, plain=True)
     q = numbers[:4] if scalar == "FIRST" else [numbers[3], *numbers[:3]]
     vector = [-x for x in q[1:]] if direction == "B2A" else q[1:]
     return [q[0], *vector, *numbers[4:]]

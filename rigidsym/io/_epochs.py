@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from datetime import date
 from fractions import Fraction
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 
 # A fixed-point number has at most 16 digits (CCSDS 504.0-B-2, 6.8.4.1), two of them whole seconds.
 DECIMALS = 14
@@ -52,8 +52,7 @@ def parse(field: str, text: str, system: str) -> int:
     on days with a leap second.  Raises InputError.
     """
     if system not in TIME_SYSTEMS:
-        rule = f"must be one of: {', '.join(TIME_SYSTEMS)}"
-        raise InputError("time_system", repr(system), rule)
+        raise unknown("time_system", system, TIME_SYSTEMS)
     match = _EPOCH.fullmatch(text) if isinstance(text, str) else None
     if match is None:
         raise InputError(field, repr(text), _FORMAT)

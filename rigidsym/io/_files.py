@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, nearest
 
 # Values may be of any type.
 TomlTable = Mapping[str, Any]
@@ -75,7 +75,8 @@ def check_keys(
             rule = f"is not one of: {', '.join(sorted(known))}"
             if field in _KINDS and (reader := _READ_BY.get(key)):
                 rule += f"; `rigidsym {reader}` reads files that have it"
-            raise InputError(field, key, rule)
+            near = nearest(key, known)
+            raise InputError(field, key, rule, next_step=f"did you mean {near}?" if near else "")
     for key in needed:
         if key not in table:
             raise InputError(key, "missing", f"a {field} needs it")

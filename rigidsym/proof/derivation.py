@@ -15,7 +15,7 @@ from sympy.core import random
 
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
-from rigidsym.errors import InputError, LedgerError
+from rigidsym.errors import LedgerError, unknown
 from rigidsym.io.ledger import sealed_text, specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra import LedgerBuilder
@@ -177,7 +177,7 @@ def derive(
         if name not in known:
             varied = setting is not None and name in CHAPTERS
             others = ": others are the paper's alone" if varied else ""
-            raise InputError("chapter", name, f"must be one of: {', '.join(known)}{others}")
+            raise unknown("chapter", name, known, others, plain=True)
     last = max(map(known.index, chosen), default=len(known) - 1)
     # SymPy factors by numbers that it draws, and some of them take it minutes: draw the same ones.
     random.seed(0)

@@ -8,7 +8,7 @@ the error O(epsilon h^r + epsilon^2 h^s).
 from dataclasses import dataclass
 from math import fsum
 
-from rigidsym.errors import InputError
+from rigidsym.errors import unknown
 
 _ROUNDING = 1e-15
 
@@ -111,5 +111,5 @@ def checked(name: str) -> Method:
     Raises InputError for an unknown name.
     """
     if not isinstance(name, str) or name not in METHODS:
-        raise InputError("method", repr(name), f"must be one of: {', '.join(METHODS)}")
+        raise unknown("method", name, METHODS)
     return METHODS[name]

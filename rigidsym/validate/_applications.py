@@ -10,7 +10,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from rigidsym.errors import InputError
+from rigidsym.errors import unknown
 
 Case = TypeVar("Case")
 HEADS = ("stratum", "cases", "refused", "median", "worst", "worst case", "far off")
@@ -82,8 +82,7 @@ class Application(Generic[Case]):
         """
         for name in strata:
             if name not in self.strata:
-                rule = f"must be one of: {', '.join(map(repr, self.strata))}"
-                raise InputError("stratum", name, rule)
+                raise unknown("stratum", name, self.strata, plain=True)
         for stratum in strata or self.strata:
             for index in range(cases):
                 share = self.measure(self.draw(stratum, index, seed))

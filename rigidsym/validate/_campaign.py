@@ -16,7 +16,7 @@ from typing import Any
 from rigidsym import _inputs as inputs
 from rigidsym._codegen.forms import STEP, split
 from rigidsym._version import __version__
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.io._files import write_text
 from rigidsym.validate._executors import Place
 from rigidsym.validate._finding import Asked, measure_case
@@ -81,7 +81,7 @@ class Campaign:
             check_target(target)
         for name in strata:
             if name not in STRATA:
-                raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
+                raise unknown("stratum", name, STRATA, plain=True)
         if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
             rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
             raise InputError("digits", digits, rule)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym import _engines as engines
 from rigidsym._engines import Engine, Prepared, States, Stepper
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.validate._singles import TARGETS as SINGLES
 from rigidsym.validate._singles import Singles, SingleSteps, single
 from rigidsym.validate.peers import Peer, peer
@@ -116,7 +116,7 @@ def check_target(target: str) -> None:
         If there is no module of this name, or it does not compile here.
     """
     if target not in TARGETS:
-        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+        raise unknown("target", target, TARGETS, plain=True)
     try:
         implementation(target)
     except InputError as error:

@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from rigidsym.errors import InputError
+from rigidsym.errors import unknown
 from rigidsym.validate._bounds import (
     BOUNDS,
     CONDITIONED,
@@ -25,6 +25,7 @@ from rigidsym.validate._tally import DRAWN, Cell, Tally
 from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.view import _report_data as report_data
 from rigidsym.view._report_data import COLUMNS, columns_of
+from rigidsym.view._tables import columns as aligned
 from rigidsym.view._tables import table
 from rigidsym.view._validation import BROKEN, PASSED, report_html
 
@@ -182,11 +183,11 @@ class ValidationReport:
             For other measures, and for implementations that were not measured.
         """
         if measure not in MEASURES:
-            raise InputError("measure", measure, f"must be one of: {', '.join(MEASURES)}")
+            raise unknown("measure", measure, MEASURES, plain=True)
         known = {x.removeprefix(PEER): x for x in self.campaign.implementations}
         who = next(iter(known)) if name is None else name.removeprefix(PEER)
         if who not in known:
-            raise InputError("name", name, f"must be one of: {', '.join(known)}")
+            raise unknown("name", name, known, plain=True)
         cells = self.tally.view(known[who], measure, "stratum")
         found = ((x, cells[x], *cells[x].place) for x in self.campaign.strata if x in cells)
         return {
@@ -196,6 +197,10 @@ class ValidationReport:
 
     def __repr__(self) -> str:
         return f"<ValidationReport, {PASSED if self.passed else BROKEN}: {self.command}>"
+
+    def __str__(self) -> str:
+        title = f"{self.command}: worst errors in units of 2^-53"
+        return "\n".join([aligned(title, *self.summary()), self.conclusion])
 
     def _repr_html_(self) -> str:
         return report_html(self)

@@ -13,7 +13,7 @@ from typing import Any
 from rigidsym import _engines as engines
 from rigidsym._codegen import forms, generate
 from rigidsym._codegen.header import MEASURED_FILE
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, nearest
 from rigidsym.io._files import write_text
 from rigidsym.validate import _same_bits
 from rigidsym.validate._bounds import ULP
@@ -82,8 +82,10 @@ def replay(name: str, campaign: Campaign) -> Finding:
     if name.endswith(".toml"):
         sample = read_case(name)
     elif stratum not in STRATA:
+        near = nearest(stratum or name, STRATA)
         rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
-        raise InputError("case", name, rule)
+        step = f"did you mean '{near}:{number if stratum else 0}'?" if near else ""
+        raise InputError("case", name, rule, next_step=step)
     else:
         most = count(stratum, 10**9)
         if not re.fullmatch(r"[0-9]{1,9}", number) or int(number) >= most:

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import cache
 from importlib.metadata import version
@@ -41,6 +41,7 @@ from rigidsym.validate.peers._protocol import Solver
 from rigidsym.validate.peers._user_integrator import Function, UserIntegrator
 from rigidsym.validate.strata import Sample, count, draw, in_doubles
 from rigidsym.validate.strata._sample import MAX_ANGLE
+from rigidsym.view._progress import bar
 from rigidsym.view._report_data import Figure
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
@@ -95,7 +96,7 @@ def examine(
     name: str | None = None,
     reach: float | None = None,
     double_cover_sign: bool | None = None,
-    progress: Show = lambda done, total: None,
+    progress: Show | None = None,
 ) -> ValidationReport:
     """Measure the errors of a user's integrator on samples of all strata.
 
@@ -110,13 +111,14 @@ def examine(
         (4,), a unit quaternion, and times (N,) in s, which returns q (N, 4), scalar first, body to
         inertial, and omega (N, 3) in body axes; or an object with the methods of `Peer`.  The times
         of a function are all positive or all negative, each farther from zero than the one before.
-    cases, digits, seed, progress : as in `validate`
+    cases, digits, seed : as in `validate`
     strata : names of strata, by default those whose numbers are all doubles
     name : the name in the report, by default that of the function
     reach : the largest |omega0 t| at which it is measured, 300 rad by default; math.inf for an
         integrator without steps
     double_cover_sign : whether q is continuous from attitude0 on, its sign included; if not, either
         sign is right
+    progress : called with the number of cases done, and the total; a bar on a terminal by default
 
     Returns
     -------
@@ -132,14 +134,15 @@ def examine(
     campaign = replace(chosen, peers=(user.name,), peer_versions=(user.version,))
     implementation, begin, tally = PEER + user.name, time.perf_counter(), Tally()
     entered, messages = {implementation: user}, dict[tuple[str, int], str]()
-    for done, (stratum, index) in enumerate(
-        ((x, k) for x in campaign.strata for k in range(count(x, campaign.cases))), 1
-    ):
-        user.said.clear()
-        add_case(tally, campaign, stratum, index, entered)
-        if user.said:
-            messages[stratum, index] = user.said[0]
-        progress(done, campaign.size)
+    with nullcontext(progress) if progress else bar("examine") as show:
+        for done, (stratum, index) in enumerate(
+            ((x, k) for x in campaign.strata for k in range(count(x, campaign.cases))), 1
+        ):
+            user.said.clear()
+            add_case(tally, campaign, stratum, index, entered)
+            if user.said:
+                messages[stratum, index] = user.said[0]
+            show(done, campaign.size)
     seconds = time.perf_counter() - begin
     how = environment(campaign, "this process", seconds, sum(tally.states.values()))
     return reported(campaign, tally, how, entered, messages)

@@ -43,6 +43,62 @@ def test_help_says_what_is_so_by_default(name):
         assert action.help is argparse.SUPPRESS or action.help, (name, action.dest)
 
 
+def test_help_lists_all_names_that_an_option_takes():
+    from rigidsym._codegen.forms import FORMS
+    from rigidsym._codegen.targets import TARGETS
+    from rigidsym.fitting._estimate import LOSSES
+    from rigidsym.fitting._problem import INERTIA
+    from rigidsym.precise import ESTIMATED, METHODS
+
+    for command, dest, names in (
+        ("codegen", "target", TARGETS), ("codegen", "form", FORMS), ("fit", "loss", LOSSES),
+        ("fit", "inertia", INERTIA), ("propagate", "method", (*METHODS, *ESTIMATED)),
+    ):  # fmt: skip
+        (said,) = (str(x.help) for x in COMMANDS[command]._actions if x.dest == dest)
+        assert [x for x in names if not re.search(rf"\b{x}\b", said)] == [], (command, dest)
+
+
+@pytest.mark.parametrize(
+    ("command", "near"),
+    [
+        ("propogate paper", "propagate"), ("propagate paper --enclsoe", "--enclose"),
+        ("propagate paper --format jsno", "json"), ("init motoin.toml", "motion.toml"),
+        ("propagate paper --digits 20 --method thta", "theta"), ("derive Theta-Form", "theta_form"),
+        ("codegen jvascript --stdout", "javascript"), ("codegen c --form Pi --stdout", "pi"),
+        ("validate numpy --stratum seperatrix", "separatrix"),
+        ("fit t-handle --loss hubr", "huber"),
+        ("validate --case separatrx:1", "'separatrix:1'"), ("validate --peer DOP835", "dop853"),
+    ],
+)  # fmt: skip
+def test_a_misspelt_name_is_answered_with_the_nearest(command, near, refused):
+    assert f"did you mean {near}?" in refused(command)
+
+
+def test_a_name_that_is_like_none_is_answered_with_all(refused):
+    assert "did you mean" not in refused("codegen fortran --stdout")
+    assert "did you mean" not in refused("move --enclose")
+
+
+def test_a_terminal_gets_a_short_table_and_a_pipe_all_states(tmp_path, monkeypatch, run):
+    whole, digits = run("propagate paper").out, run("propagate paper --digits 20").out
+    assert len(whole.splitlines()) == len(digits.splitlines()) == 182
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    assert run("propagate paper --format csv").out == whole
+    path = tmp_path / "states.csv"
+    run("propagate paper -o", path)
+    assert path.read_text() == whole
+    short = run("propagate paper").out.splitlines()
+    assert len(short) == 14
+    assert max(map(len, short[:-1])) <= 80
+    assert short[2].split() == ["0", *["1.000000", *["0.000000"] * 3], "0.05", "0.03", "-0.02"]
+    assert short[-2].startswith("180  0.909666")
+    assert short[-1].startswith("10 of 181 states are shown. Write all: -o states.csv")
+    for options in ("--digits 20", "--digits 20 --enclose"):
+        told = run("propagate paper", *options.split()).out
+        assert "2 of 181 states are shown" in told
+        assert digits.splitlines()[-1].split(",")[1][:19] in told
+
+
 def test_defaults_in_words_are_those_in_the_code():
     said = {action.dest: str(action.help) for action in COMMANDS["validate"]._actions}
     for dest, value in (("cases", campaign.CASES), ("digits", campaign.DIGITS),

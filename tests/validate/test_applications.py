@@ -53,7 +53,7 @@ def test_cases_are_those_of_a_seed_and_differ():
 
 
 def test_a_stratum_that_does_not_exist_is_refused():
-    with pytest.raises(InputError, match=r"^stratum = storm: must be one of: 'smooth'"):
+    with pytest.raises(InputError, match=r"^stratum = storm: must be one of: smooth"):
         list(APPLICATION.outcomes(1, 1, ["storm"]))
 
 

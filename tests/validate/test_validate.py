@@ -178,6 +178,10 @@ def test_the_report_is_that_of_everybody():
     assert "the truth" in page(data)
     assert "the truth" in report._repr_html_()
     assert repr(report) == f"<ValidationReport, passed: {data['command']}>"
+    said = str(report).splitlines()
+    assert said[0].startswith(data["command"])
+    assert [line.split()[0] for line in said[1:4]] == ["stratum", "uniform", "spin"]
+    assert said[-1] == report.conclusion
 
 
 def test_what_a_function_gets():

@@ -26,7 +26,7 @@ from rigidsym._codegen.formats import BINARY64, Format
 from rigidsym._codegen.forms import FORMS
 from rigidsym._codegen.ir import Constant, Function
 from rigidsym._codegen.lines import Module
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 
 Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
 Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
@@ -43,7 +43,7 @@ def known(target: str) -> str:
     Raises InputError for an unknown target.
     """
     if not isinstance(target, str) or target not in TARGETS:
-        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+        raise unknown("target", target, TARGETS, plain=True)
     return target
 
 

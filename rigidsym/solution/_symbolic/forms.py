@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Eq, Ge, Gt, Integer, Rational, S, oo, pi, sqrt
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.language._expression import parse
 from rigidsym.solution._formulas import AXES
 from rigidsym.solution._polhode import Regime, classify
@@ -105,7 +105,7 @@ def of_motion(
 
 def _form(form: str) -> tuple[Maker, tuple[Regime, ...]]:
     if not isinstance(form, str) or form not in FORMS:
-        raise InputError("form", repr(form), f"must be one of: {', '.join(FORMS)}")
+        raise unknown("form", form, FORMS)
     return FORMS[form]
 
 

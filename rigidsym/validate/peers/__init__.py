@@ -6,7 +6,7 @@ Each is run at the best settings that we found for it, on float64 numbers as a u
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from rigidsym.errors import InputError
+from rigidsym.errors import unknown
 from rigidsym.validate.peers._integrators import HeyokaPeer, ScipyPeer
 from rigidsym.validate.peers._orekit_peer import OrekitPeer
 from rigidsym.validate.peers._protocol import Peer
@@ -34,5 +34,5 @@ def peer(name: str) -> Peer:
         If there is no such peer, or its package is not installed.
     """
     if name not in _MAKERS:
-        raise InputError("peer", name, f"must be one of: {', '.join(PEERS)}")
+        raise unknown("peer", name, PEERS, plain=True)
     return _MAKERS[name]()
