@@ -48,8 +48,8 @@ def _circulating(builder: LedgerBuilder) -> None:
     )
     builder.open(join("circulating_axis", *REGULAR, roots))
     outer, inner = {"alpha_a*root_d": "-(lambda_)**2"}, {"alpha_a*root_b": "-(lambda_)**2*m_1"}
-    builder.claim("circulating_axis.outer", outer, ["10", "16"], law=COMPARED)
-    builder.claim("circulating_axis.inner", inner, ["10", "16"], law=COMPARED)
+    builder.claim("circulating_axis.outer", outer, ["10", "16"], why=COMPARED)
+    builder.claim("circulating_axis.inner", inner, ["10", "16"], why=COMPARED)
     squares = {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}
     builder.claim("circulating_axis.roots", squares, ["10", "13"], why=COMPARED)
     # sn(C) = Omega_a/sqrt(s) is beyond 1 for the inner root; for the outer, dn(C) is imaginary.
@@ -60,7 +60,7 @@ def _circulating(builder: LedgerBuilder) -> None:
             "root_d - Omega_a**2": "m*(A_a*sn)**2",
         },
         ["12", "footnote 2"],
-        law=COMPARED,
+        why=COMPARED,
     )
     real = {"alpha_a*root_d": "lambda_**2", "alpha_a*root_b": "lambda_**2*m_1"}
     builder.refute("circulating_axis.real_rate", real, {}, ["10", "20", "21"])
@@ -102,7 +102,7 @@ def _state(
     """State the roots of (13) on an axis, and alpha times them."""
     builder.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
     builder.claim(f"{axis}.roots", roots, ["10", "13"], why=COMPARED)
-    builder.claim(f"{axis}.rates", rates, ["10", "16"], law=COMPARED)
+    builder.claim(f"{axis}.rates", rates, ["10", "16"], why=COMPARED)
 
 
 def _choice(builder: LedgerBuilder) -> None:

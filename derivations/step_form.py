@@ -536,8 +536,8 @@ def _shared(builder: LedgerBuilder, name: str, context: str, *shares: Part) -> N
     constant = "psi's rate times 1 + n_a is a sum of two invariants: found by hand"
     builder.claim(f"{context}.conserved", defined, ["6"], why=constant)
     known = {products[turn]: one_0**2 * square for turn in defined}
-    law = "1 + n_a at t and -t have a product without a square root, found by hand"
-    builder.claim(f"{context}.product", known, ["36"], law=law)
+    why = "1 + n_a at t and -t have a product without a square root, found by hand"
+    builder.claim(f"{context}.product", known, ["36"], why=why)
     builder.model(context, name, [f"{context}.conserved", f"{context}.product"])
     builder.carry(context, [f"{name}.{turn}" for turn in defined])
 

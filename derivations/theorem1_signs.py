@@ -84,16 +84,16 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             f"sin_half**2*(1 + ({mended})**2)": f"({mended})**2",
         },
         ["19", "Remark 2"],
-        law=HALF_ANGLE,
+        why=HALF_ANGLE,
     )
     rho = {"rho**2*(1 + y**2)": "1"}
-    builder.claim("half_angle_step.rho", rho, ["19"], law="rho is 1/sqrt(1 + y^2)")
+    builder.claim("half_angle_step.rho", rho, ["19"], why="rho is 1/sqrt(1 + y^2)")
     half_turn = Part(relations=("cos_half",))
     builder.open(join("half_turn", TANGENT, half_turn, static=True))
     builder.evaluate("half_turn.denominator", ["rho + side"], ["19", "Remark 2"])
     right = Part(relations=("side - 1",))
     builder.open(join("half_angle_right", TANGENT, right, static=True))
-    builder.claim("half_angle_right.tangent", tangent, ["19"], law=HALF_ANGLE)
+    builder.claim("half_angle_right.tangent", tangent, ["19"], why=HALF_ANGLE)
     builder.claim(
         "half_angle_right.squares",
         {
@@ -101,12 +101,12 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             "sin_half**2*(1 + y_star**2)": "y_star**2",
         },
         ["19"],
-        law=HALF_ANGLE,
+        why=HALF_ANGLE,
     )
     left = Part(relations=("side + 1",))
     builder.open(join("half_angle_left", TANGENT, left, static=True))
     cotangent = {"y_star*sin_half": "-cos_half"}
-    builder.claim("half_angle_left.cotangent", cotangent, ["19"], law=HALF_ANGLE)
+    builder.claim("half_angle_left.cotangent", cotangent, ["19"], why=HALF_ANGLE)
     builder.claim(
         "half_angle_left.squares",
         {
@@ -114,7 +114,7 @@ def _inner_halves(builder: LedgerBuilder) -> None:
             "cos_half**2*(1 + y_star**2)": "y_star**2",
         },
         ["19", "Remark 2"],
-        law=HALF_ANGLE,
+        why=HALF_ANGLE,
     )
 
 
@@ -136,7 +136,7 @@ def _signs(builder: LedgerBuilder) -> None:
     source = ["19", "24", "Remark 2"]
     scope.decide_matrices("matched_signs.momentum", found, M, source)
     side, why = {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, "(29), where S1 S2 is the sign of Omega3"
-    builder.claim("matched_signs.side", side, ["19", "Remark 2", "footnote 3"], law=why)
+    builder.claim("matched_signs.side", side, ["19", "Remark 2", "footnote 3"], why=why)
 
 
 def _crossing(builder: LedgerBuilder) -> None:
@@ -146,8 +146,8 @@ def _crossing(builder: LedgerBuilder) -> None:
     c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
     before = _by_18(c, s, F1, F2, "h", "h")
     turned = _by_18(f"(-{s})", c, F1, f"-{F2}", "h", "(-h)")
-    law = "(18) is the same with F2 and F4 negative and phi1 larger by pi"
-    builder.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"], law=law)
+    why = "(18) is the same with F2 and F4 negative and phi1 larger by pi"
+    builder.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"], why=why)
 
 
 def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:

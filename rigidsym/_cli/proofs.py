@@ -5,7 +5,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidsym._cli.commands import SETTING
 from rigidsym._cli.output import entries_text, page, progress, say, table, table_text
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rigidsym.proof._coq import Export
     from rigidsym.proof._mutants import Checks
     from rigidsym.proof.derivation import Derivation
+    from rigidsym.proof.kernel import Fact
     from rigidsym.proof.paper import Verdict
     from rigidsym.proof.paper._prose import Judged
 
@@ -72,24 +73,50 @@ def _chapters(derivation: "Derivation") -> None:
             counts = [str(standings[kind] or "") for kind in Standing]
             rows.append(("", f"published {kind}", *counts, ""))
     table("rigidsym derive", ("chapter", "", *Standing, "time"), rows)
+    with_typed = [fact.id for fact, _ in _joined(derivation)]
+    if with_typed:
+        here = len(derivation.formulas.intersection(with_typed))
+        say(
+            f"computed: in {len(with_typed)} of these facts, {here} of them published, arithmetic "
+            "puts a typed expression beside the computed one (--guesses lists them)"
+        )
+
+
+def _joined(derivation: "Derivation") -> list[tuple["Fact", tuple[Any, ...]]]:
+    """Return the computed facts in which arithmetic put typed expressions, and these."""
+    from rigidsym.proof.algebra._computation import joined
+
+    facts = (fact for chapter in derivation.chapters for fact in chapter.facts)
+    return [(fact, typed) for fact in facts if (typed := joined(fact))]
 
 
 _REASONS = {"guessed": "no reason is given", "stated": "refuted at a point"}
 
 
 def _guesses(derivation: "Derivation") -> None:
-    """Print the facts whose statements were typed, under the reasons: guesses, then laws."""
+    """Print the facts whose statements were typed, under the reasons: guesses, then laws.
+
+    Equations of matrices are printed as such.  Last come the computed facts with a typed part.
+    """
     from rigidsym.proof.algebra._computation import Standing, reasons, standing
     from rigidsym.proof.derivation import statement
 
     facts = [fact for chapter in derivation.chapters for fact in chapter.facts]
+    steps = (step for chapter in derivation.chapters for step in chapter.steps)
+    lines = {x.fact.id: "; ".join("{} = {}".format(*y.args) for y in x.shown) for x in steps}
     for kind in (Standing.GUESSED, Standing.STATED):
         by_reason: dict[str, list[str]] = {}
         for fact in (fact for fact in facts if standing(fact) == kind):
             why = "; ".join(reasons(fact)) or _REASONS[kind]
-            by_reason.setdefault(why, []).append(f"    {fact.id}: {statement(fact)}")
+            by_reason.setdefault(why, []).append(
+                f"    {fact.id}: {lines.get(fact.id) or statement(fact)}"
+            )
         for why, said in by_reason.items():
             print(f"{kind}: {why}", *said, sep="\n")
+    if found := _joined(derivation):
+        print("computed, beside an expression that was typed:")
+    for fact, typed in found:
+        print(f"    {fact.id}: {', '.join(map(str, typed))}")
 
 
 def _mutants(derivation: "Derivation") -> None:

@@ -19,7 +19,7 @@ from rigidsym.errors import LedgerError, unknown
 from rigidsym.io.ledger import sealed_text, specification_text
 from rigidsym.language._specification import Unproved, require
 from rigidsym.proof.algebra import LedgerBuilder
-from rigidsym.proof.algebra._computation import Computed, Standing, reasons, standing
+from rigidsym.proof.algebra._computation import Computed, Standing, joined, reasons, standing
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger
 from rigidsym.proof.steps import Step, StepError
@@ -66,13 +66,15 @@ class Chapter:
 class Derivation:
     """Result of a derivation: its chapters and the ledger as text.
 
-    `published` has the numbers of published facts and definitions of each standing.
+    `published` has the numbers of published facts and definitions of each standing, and
+    `formulas` the ids of these facts.
     """
 
     chapters: tuple[Chapter, ...]
     ledger: str
     recounted: int = 0
     published: Mapping[str, Counter[Standing]] = field(default_factory=dict)
+    formulas: frozenset[str] = frozenset()
 
     @property
     def mutants(self) -> Mapping[str, Mapping[str, int]]:
@@ -109,7 +111,18 @@ class Derivation:
 def _entry(fact: Fact) -> Mapping[str, object]:
     """Return a fact as an entry of JSON."""
     said = {"id": fact.id, "statement": statement(fact), "grade": fact.grade, "source": fact.source}
-    return {**said, "standing": standing(fact), "reasons": reasons(fact)}
+    typed = [*map(str, joined(fact))]
+    return {**said, "standing": standing(fact), "reasons": reasons(fact), "joined": typed}
+
+
+def _formulas(ledger: Ledger) -> frozenset[str]:
+    """Return the ids of the facts that are published."""
+    entries = chain.from_iterable(chain(*group.values()) for group in _groups(ledger))
+    return frozenset(entry["fact"] for entry in entries if "fact" in entry)
+
+
+def _groups(ledger: Ledger) -> list[Mapping[str, Any]]:
+    return [ledger.published.get(group, {}) for group in ("sequences", "forms")]
 
 
 def _published(ledger: Ledger) -> Mapping[str, Counter[Standing]]:
@@ -119,8 +132,8 @@ def _published(ledger: Ledger) -> Mapping[str, Counter[Standing]]:
     to a standard function and are not counted.
     """
     found: dict[tuple[str, str], Standing] = {}
-    for group in ("sequences", "forms"):
-        for entry in chain(*ledger.published.get(group, {}).values()):
+    for group in _groups(ledger):
+        for entry in chain(*group.values()):
             if "fact" in entry:
                 found["facts", entry["fact"]] = standing(ledger.facts[entry["fact"]])
             elif "definition" in entry:
@@ -193,7 +206,8 @@ def derive(
     if setting is None and last == len(known) - 1:
         require_specified(text)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
-    return Derivation(reported, text, builder.recounted, _published(builder.ledger))
+    found = builder.ledger
+    return Derivation(reported, text, builder.recounted, _published(found), _formulas(found))
 
 
 def sealed_counts() -> str:

@@ -293,7 +293,8 @@ FORMATS = (
             "chapters[].chapter": "the module under `derivations`",
             "chapters[].title": "its first words",
             "chapters[].computed": "how many of its facts have a side that SymPy computed",
-            "chapters[].chosen": "how many make a context a model of another, or its cases",
+            "chapters[].chosen": "how many name a root, say a relation again, or make a context "
+            "a model of another or its cases",
             "chapters[].printed": "how many are lines of the paper",
             "chapters[].stated": "how many are laws that a result is held against",
             "chapters[].guessed": "how many were typed, and then decided by the kernel",
@@ -303,6 +304,8 @@ FORMATS = (
             "chapters[].facts[].source": "equations of the paper that it is about",
             "chapters[].facts[].standing": "computed, chosen, stated, printed or guessed",
             "chapters[].facts[].reasons": "why a guess was not computed, or which law is stated",
+            "chapters[].facts[].joined": "typed expressions that arithmetic put beside what was "
+            "computed",
         },
     ),
     Format(

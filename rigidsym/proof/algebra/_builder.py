@@ -13,7 +13,14 @@ from typing import Any, TypeAlias, TypeVar
 from sympy import Expr, cancel
 
 from rigidsym.proof.algebra import _parts
-from rigidsym.proof.algebra._computation import Computation, Printed, explained
+from rigidsym.proof.algebra._computation import (
+    Computation,
+    Printed,
+    Standing,
+    explained,
+    restated,
+    standing,
+)
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
 from rigidsym.proof.algebra._witness import witness
@@ -316,10 +323,14 @@ class LedgerBuilder:
         Raises KernelError if the normal form is not zero.
         """
         ring = self.ledger.rings[fact.context]
-        divided = [divide(ring, difference) for difference in differences(ring, fact)]
+        gaps = [*differences(ring, fact)]
+        divided = [divide(ring, gap) for gap in gaps]
         if any(remainder for _, remainder in divided):
             raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
         cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
+        if standing(fact) == Standing.GUESSED:
+            said = {relation.monic() for relation in ring.relations}
+            fact = restated(fact, (bool(gap) and gap.monic() in said for gap in gaps))
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _fact(

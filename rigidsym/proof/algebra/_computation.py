@@ -13,7 +13,7 @@ What such an expression becomes as text of a ledger is a `Computed`, a string th
 fact or a definition tells by its type whether it was computed, printed in the paper, or guessed.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
@@ -28,22 +28,38 @@ class Computation:
     """An expression, a matrix or several of them, with the operations that made it.
 
     Methods, items and arithmetic are those of the value, and their results are computations, too.
-    `typed` are the expressions that it began with and the arguments of its operations; `order` are
-    the names that come first when it is printed.
+    `typed` are the expressions that it began with and the arguments of its operations; `joined` are
+    those among them that arithmetic put beside what was computed, after the last operation.
+    `solved` are answers that equations such as x - answer = 0 had typed before they were solved.
+    `order` are the names that come first when it is printed.
     """
 
     value: Any
     operations: tuple[str, ...] = ()
     typed: tuple[Any, ...] = ()
     order: tuple[str, ...] = ()
+    joined: tuple[Any, ...] = ()
+    solved: tuple[Any, ...] = ()
 
     # SymPy leaves arithmetic between its expressions and this one to this one.
     _op_priority = 1e6
 
     @property
     def computed(self) -> bool:
-        """Whether an operation led to the value, and the value was not put in by hand."""
-        return bool(self.operations) and not any(same(self.value, x) for x in self.typed)
+        """Whether an operation led to the value, and the value was not put in by hand.
+
+        A number as factor makes no other value of what was put in.
+        """
+        return bool(self.operations) and not self._is_one_of((*self.typed, *self.solved))
+
+    @property
+    def restates(self) -> bool:
+        """Whether the value is that of an equation that was solved before SymPy solved it."""
+        return bool(self.operations) and self._is_one_of(self.solved)
+
+    def _is_one_of(self, expressions: Iterable[Any]) -> bool:
+        value = _without_number(self.value)
+        return any(same(value, _without_number(x)) for x in expressions)
 
     def ordered(self, names: str) -> "Computation":
         """Return the same with names that come first when it is printed, as numbers need it."""
@@ -54,12 +70,14 @@ class Computation:
         return replace(self, value=sympy.UnevaluatedExpr(self.value))
 
     def apply(self, function: Callable[..., Any], *given: Any, **options: Any) -> Any:
-        """Return the result of a function of the value, such as `sympy.apart`."""
-        return self._after(
-            str(getattr(function, "__name__", "a function")),
-            function(self.value, *plain(given), **options),
-            given,
-        )
+        """Return the result of a function of the value, such as `sympy.apart`.
+
+        Raises ValueError for a lambda, which has no name to record and may hold an answer.
+        """
+        _require_names(function, *given)
+        name = str(getattr(function, "__name__", "a function"))
+        found = self._after(name, function(self.value, *plain(given), **options), given)
+        return found._knowing(self._answers(*given)) if function is sympy.solve else found
 
     def solve_for(self, unknown: Any) -> "Computation":
         """Return the only value of an unknown for which this is zero, with factors cancelled.
@@ -69,7 +87,19 @@ class Computation:
         found = sympy.solve(self.value, plain(unknown), simplify=False)
         if len(found) != 1:
             raise ValueError(f"{unknown}: {len(found)} solutions of {self.value} = 0")
-        return self._after("solve", sympy.cancel(found[0]), ())
+        return self._after("solve", sympy.cancel(found[0]), ())._knowing(self._answers(unknown))
+
+    def _answers(self, unknown: Any, *_: Any) -> tuple[Any, ...]:
+        """Return the value of an unknown that an equation such as unknown - value = 0 types."""
+        sought, whole = plain(unknown), self.value
+        if not (isinstance(sought, sympy.Expr) and isinstance(whole, sympy.Expr)):
+            return ()
+        factor = sum(x.coeff(sought) for x in sympy.Add.make_args(whole))
+        rest = whole - factor * sought
+        return (-rest / factor,) if factor.is_Number and factor and not rest.has(sought) else ()
+
+    def _knowing(self, answers: tuple[Any, ...]) -> "Computation":
+        return replace(self, solved=(*self.solved, *answers))
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -79,6 +109,7 @@ class Computation:
             return found
 
         def operation(*given: Any, **options: Any) -> Any:
+            _require_names(*given)
             return self._after(name, found(*plain(given), **options), given)
 
         return operation
@@ -93,7 +124,8 @@ class Computation:
         return len(self.value)
 
     def _with(self, value: Any) -> Any:
-        return Computation(value, self.operations, self.typed) if _is_algebra(value) else value
+        known = replace(self, value=value, order=())
+        return known if _is_algebra(value) else value
 
     def _after(self, operation: str, value: Any, given: Any) -> Any:
         """Return a result of an operation with the record of its arguments."""
@@ -103,13 +135,19 @@ class Computation:
         before = [*_inside(given)]
         done = [self.operations, *(x.operations for x in before), changed]
         typed = [self.typed, *(x.typed for x in before), [*_plain_inside(given)]]
-        return Computation(value, tuple(dict.fromkeys(sum(map(tuple, done), ()))), _once(typed))
+        # To put something in, or to change nothing, leaves what was joined as it is.
+        kept = not changed or operation in ("subs", "xreplace", "replace")
+        joined = _once([x.joined for x in (self, *before)]) if kept else ()
+        operations = tuple(dict.fromkeys(sum(map(tuple, done), ())))
+        solved = _once(x.solved for x in (self, *before))
+        return Computation(value, operations, _once(typed), joined=joined, solved=solved)
 
     def _arithmetic(self, other: Any, value: Any) -> "Computation":
-        others = [*_inside(other)] or [Computation(other, (), (other,))]
-        done = [self.operations, *(x.operations for x in others)]
-        typed = [self.typed, *(x.typed for x in others)]
-        return Computation(value, tuple(dict.fromkeys(sum(map(tuple, done), ()))), _once(typed))
+        both = [self, *([*_inside(other)] or [Computation(other, (), (other,))])]
+        operations = tuple(dict.fromkeys(sum((x.operations for x in both), ())))
+        joined = [x.joined if x.computed else _sums(x.value) for x in both]
+        typed, solved = (_once(getattr(x, kind) for x in both) for kind in ("typed", "solved"))
+        return Computation(value, operations, typed, joined=_once(joined), solved=solved)
 
     def __add__(self, other: Any) -> "Computation":
         return self._arithmetic(other, self.value + plain(other))
@@ -162,6 +200,16 @@ class Guess(str):
     why: str
 
 
+class Solved(Guess):
+    """Text of an equation that SymPy solved, but that had its unknown on one side already."""
+
+    why = "an equation with the name on one side, before SymPy solved it"
+
+
+class Restated(str):
+    """Text of a relation of the context, solved for a name: a hypothesis that is said again."""
+
+
 class Law(Guess):
     """Text of a law that results are held against, with the reason why it is one."""
 
@@ -169,6 +217,7 @@ class Law(Guess):
 class Standing(StrEnum):
     """Where the statement of a fact, or the text of a definition, comes from.
 
+    Chosen are names, and hypotheses that are said again, such as K = sqrt(M_a^2 + M_b^2 + M_d^2).
     Stated are laws that computed results are held against, such as Euler's equations, and
     statements that a point refutes: neither has an answer to compute.
     """
@@ -193,6 +242,8 @@ def standing(fact: Fact) -> Standing:
         return Standing.COMPUTED
     if all(isinstance(side, Printed) for line in lines for side in line):
         return Standing.PRINTED
+    if all(_found(line) or isinstance(line[1], Restated) for line in lines):
+        return Standing.CHOSEN
     if fact.kind == "unequal" or all(_found(line) or isinstance(line[1], Law) for line in lines):
         return Standing.STATED
     return Standing.GUESSED
@@ -219,9 +270,23 @@ def explained(fact: Fact, law: str = "", why: str = "") -> Fact:
     return replace(fact, rhs=tuple(rhs))
 
 
+def restated(fact: Fact, lines: Iterable[bool]) -> Fact:
+    """Return a fact whose typed lines say, where `lines` tells so, a hypothesis again."""
+    sides = zip(fact.lhs, fact.rhs, lines, strict=True)
+    plain = (again and type(y) in (str, Solved) and not _found((x, y)) for x, y, again in sides)
+    rhs = (Restated(y) if again else y for y, again in zip(fact.rhs, plain, strict=True))
+    return replace(fact, rhs=tuple(rhs))
+
+
 def reasons(fact: Fact) -> tuple[str, ...]:
     """Return why the typed lines of a fact were not computed."""
     return tuple(dict.fromkeys(x.why for x in (*fact.lhs, *fact.rhs) if isinstance(x, Guess)))
+
+
+def joined(fact: Fact) -> tuple[Any, ...]:
+    """Return the typed expressions that arithmetic put beside the computed values of a fact."""
+    sides = (x for x in (*fact.lhs, *fact.rhs) if isinstance(x, Computed))
+    return _once(x.origin.joined for x in sides) if standing(fact) == Standing.COMPUTED else ()
 
 
 def compute(value: Any) -> Computation:
@@ -237,8 +302,10 @@ def compute(value: Any) -> Computation:
 
 def computed(text: str, origin: Any) -> str:
     """Return text as computed where it is that of a computation which computes."""
-    if not (isinstance(origin, Computation) and origin.computed):
+    if not isinstance(origin, Computation):
         return text
+    if not origin.computed:
+        return Solved(text) if origin.restates else text
     found = Computed(text)
     found.origin = origin
     return found
@@ -265,6 +332,26 @@ def plain(value: Any) -> Any:
         case list() | tuple():
             return type(value)(map(plain, value))
     return value
+
+
+def _without_number(value: Any) -> Any:
+    """Return an expression without a number as factor, a sign included, and evaluated anew."""
+    if not isinstance(value, sympy.Expr) or value.is_Atom:
+        return value
+    whole = value.func(*value.args) if isinstance(value, (sympy.Add, sympy.Mul)) else value
+    rest = whole.primitive()[1]
+    return -rest if rest.could_extract_minus_sign() else rest
+
+
+def _require_names(*given: Any) -> None:
+    """Raise ValueError for a lambda among the arguments of an operation."""
+    if any(getattr(x, "__name__", "") == "<lambda>" for x in given):
+        raise ValueError("a function of a computation needs a name: use one of SymPy's, or def")
+
+
+def _sums(value: Any) -> tuple[Any, ...]:
+    """Return a typed expression if it says more than a name, a number and their product."""
+    return (value,) if isinstance(value, sympy.Expr) and len(value.free_symbols) > 1 else ()
 
 
 def same(one: Any, other: Any) -> bool:

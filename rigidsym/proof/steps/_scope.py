@@ -249,9 +249,8 @@ class Scope:
         pairs = self.entrywise(left, right)
         if not pairs:
             raise StepError(f"fact {fact_id}: both sides are the same: {left}")
-        # A named matrix on the left has its value on the right, which is no law.
-        law, why = ("", SOLVED) if isinstance(left, MatrixSymbol) else (MULTIPLIED, "")
-        return self.decide(fact_id, pairs, source, origin, law, why)
+        why = SOLVED if isinstance(left, MatrixSymbol) else MULTIPLIED
+        return self.decide(fact_id, pairs, source, origin, why=why)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
         """Return the equations between corresponding entries of two matrices.

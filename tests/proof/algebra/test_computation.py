@@ -1,7 +1,7 @@
 """Where a statement comes from is told by the type of its text."""
 
 import pytest
-from sympy import apart, symbols
+from sympy import Mul, apart, solve, symbols
 
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._computation import (
@@ -10,6 +10,7 @@ from rigidsym.proof.algebra._computation import (
     Standing,
     compute,
     guess,
+    joined,
     reasons,
     standing,
 )
@@ -40,12 +41,65 @@ def test_a_statement_is_computed_if_sympy_found_it():
         compute(X).subs(X, X + Y),
         compute((X**2 - Y**2) / (X - Y)).subs((X**2 - Y**2) / (X - Y), X + Y),
         compute(Y) + X,
+        compute(Mul(X + Y, 1, evaluate=False)).doit(),
+        compute(2 * (Y + X)).expand() / 2,
+        -compute(-X - Y).factor(),
+        compute(X - Y).cancel() * (X + Y) / (X - Y),
     ],
-    ids=["begun with", "unchanged", "put in", "put in for the whole", "added up"],
+    ids=[
+        *("begun with", "unchanged", "put in", "put in for the whole", "added up"),
+        *("not evaluated", "twice", "with a sign", "times one"),
+    ],
 )
 def test_an_answer_that_was_put_in_is_guessed(typed):
     assert not typed.computed
     assert standing(stated(typed)) == Standing.GUESSED
+
+
+Z = symbols("z")
+
+
+@pytest.mark.parametrize(
+    "solved",
+    [compute(Z - X - Y).solve_for(Z), compute(2 * X + 2 * Y - 2 * Z).apply(solve, Z)[0]],
+    ids=["solve_for", "solve"],
+)
+def test_an_equation_that_was_solved_before_is_guessed(solved):
+    fact = stated(solved)
+    assert standing(fact) == Standing.GUESSED
+    assert reasons(fact) == ("an equation with the name on one side, before SymPy solved it",)
+
+
+def test_a_relation_that_is_said_again_is_chosen():
+    builder = LedgerBuilder()
+    builder.open(join("here", CONTEXT, Part({Z: "size"}, relations=(Z**2 - X**2 - Y**2,))))
+    size = compute(Z**2 - X**2 - Y**2).solve_for(Z**2)
+    assert standing(builder.claim("here.size", {Z**2: size})) == Standing.CHOSEN
+    assert standing(builder.claim("here.sum", {"z**2 + x": "x**2 + y**2 + x"})) == Standing.CHOSEN
+    assert standing(builder.claim("here.other", {"z**2*x": "x**3 + x*y**2"})) == Standing.GUESSED
+
+
+@pytest.mark.parametrize(
+    "operate",
+    [
+        lambda x: x.apply(lambda value: X + Y),
+        lambda x: x.replace(lambda part: part == X, lambda part: X + Y),
+    ],
+    ids=["apply", "replace"],
+)
+def test_a_function_without_a_name_is_refused(operate):
+    with pytest.raises(ValueError, match="needs a name"):
+        operate(compute(X * Y))
+
+
+def test_typed_expressions_beside_a_computed_one_are_kept_until_the_next_operation():
+    found = compute((X**2 - Y**2) / (X - Y)).cancel()
+    beside = found * (X + 2 * Y)
+    assert (beside.computed, beside.joined) == (True, (X + 2 * Y,))
+    assert beside.subs(Y, 2 * Y).joined == beside.joined
+    assert (beside.expand().joined, (2 * X * found).joined) == ((), ())
+    assert joined(claimed({"x**2 + 3*x*y + 2*y**2": beside})) == beside.joined
+    assert joined(claimed({"x**2 + 3*x*y + 2*y**2": beside.expand().factor()})) == ()
 
 
 def test_a_part_that_is_held_together_is_no_computation_by_that():
