@@ -16,11 +16,11 @@ follow from that of S_t^2.
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import Symbol, solve
+from sympy import Symbol
 
 from derivations.attitude import EULER as RATES_OF_BODY
 from derivations.attitude import HANDEDNESS, INERTIA, MOMENTS, OMEGA, Omega_a, Omega_b, Omega_d
-from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, named
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, jacobi, named
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbols
@@ -50,8 +50,8 @@ MODULI = {
     p: compute(alpha_d * Omega_a * Omega_b + A_d * p * S_t * D_t).subs(NODE).solve_for(p),
     r: compute(alpha_a * Omega_b * Omega_d + A_a * r * S_t * C_t).subs(NODE).solve_for(r),
 }
-SQUARED_AMPLITUDES = compute([g_a + alpha_b * A_a**2, g_d + alpha_b * A_d**2]).apply(
-    solve, [A_a**2, A_d**2]
+SQUARED_AMPLITUDES = compute([g_a + alpha_b * A_a**2, g_d + alpha_b * A_d**2]).solve_for(
+    A_a**2, A_d**2
 )
 # From any instant they go on by the addition theorems (DLMF 22.8.1 to 22.8.3).
 ADDED = {
@@ -125,25 +125,25 @@ def _moment(n: int, rates: Iterable[Symbol]) -> Any:
 def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, the functions, the integrals of squared rates, and the start."""
     parts = (GIVEN, FUNCTIONS, TIME, SQUARED, RATES)
-    builder.open(join("addition", HANDEDNESS, INERTIA, BODY, *parts))
-    builder.claim("addition.euler", EULER, ["5", "10"])
+    here = Proofs.open(builder, "addition", HANDEDNESS, INERTIA, BODY, *parts)
+    here.claim("euler", EULER, 5, 10)
     energy, size = (
         (_moment(1, OMEGA), _moment(1, OMEGA_0)),
         (_moment(2, OMEGA), _moment(2, OMEGA_0)),
     )
     law = "the energy and the square of the momentum stay what they are at t = 0"
-    builder.claim("addition.invariants", [energy, size], ["6", "15"], law=law)
-    builder.open(
-        join("addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_"))
+    here.claim("invariants", [energy, size], 6, 15, law=law)
+    here = Proofs.open(
+        builder, "addition_by_jacobi", BY_JACOBI, jacobi("sn", "cn", "dn", "u", "m", "lambda_")
     )
     rates = {rate_of(name): rate for name, rate in FUNCTIONS.rates.items()}
     curves = dict.fromkeys(FUNCTIONS.relations, 0)
     law = "equations that S_t, C_t and D_t are the solutions of"
-    builder.claim("addition_by_jacobi.functions", rates | curves, ["10", "DLMF 22.13"], law=law)
-    builder.open(join("addition_integrals", COEFFICIENTS, *parts, INTEGRALS))
+    here.claim("functions", rates | curves, 10, "DLMF 22.13", law=law)
+    here = Proofs.open(builder, "addition_integrals", COEFFICIENTS, *parts, INTEGRALS)
     squares = named(map(rate_of, (I_a, I_b, I_d)), (w**2 for w in OMEGA))
-    builder.claim("addition_integrals.squares", squares, ["10"], law=INTEGRANDS)
+    here.claim("squares", squares, 10, law=INTEGRANDS)
     still = [Part(part.names, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
     parts = (COEFFICIENTS, GIVEN, *still, RATES, INTEGRALS, START)
-    builder.open(join("addition_start", *parts, static=True))
-    builder.evaluate("addition_start.rates", [*OMEGA, I_a, I_b, I_d], ["12"])
+    here = Proofs.open(builder, "addition_start", *parts, static=True)
+    here.evaluate("rates", [*OMEGA, I_a, I_b, I_d], 12)

@@ -11,9 +11,9 @@ form of Theorem 1.
 from collections.abc import Iterable
 from typing import Any
 
-from sympy import Add, S, Symbol, factor, factor_terms, rem, solve
+from sympy import Add, S, Symbol, factor, factor_terms, rem
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle, sign
 from rigidsym.proof.algebra._computation import Computation, compute, plain
 from rigidsym.proof.algebra._quaternion import conjugate, product
 from rigidsym.proof.steps import rate_of
@@ -73,7 +73,7 @@ def rate(expression: Any) -> Computation:
 ALONG = (0, sigma, 0, 0)
 UNSCALED = [x - side for x, side in zip((K, 0, 0, 0), times(ALONG, (0, *M)), strict=True)]
 NU_SQUARED = unsigned(squares(UNSCALED)).subs(M_d**2, K**2 - M_a**2 - M_b**2).factor()
-BY_NU = compute(nu**2 - NU_SQUARED).apply(solve, M_a, simplify=False)[0]
+BY_NU = compute(nu**2 - NU_SQUARED).solve_for(M_a)
 
 
 def turning_rate() -> Computation:
@@ -83,10 +83,10 @@ def turning_rate() -> Computation:
     """
     own = times(conjugate(UNSCALED), map(rate, UNSCALED))[1]
     invariants = [ENERGY - H, SIZE.subs(plain(GRADIENT)) - K**2]
-    others = compute(invariants).apply(solve, [Omega_b**2, Omega_d**2], simplify=False)
+    others = compute(invariants).solve_for(Omega_b**2, Omega_d**2)
     known = unsigned(own.subs(GRADIENT)).subs(others)
     along = Omega_a - psi_rate * M_a / K - 2 * known / NU_SQUARED
-    found = along.subs(GRADIENT).apply(solve, psi_rate, simplify=False)[0].factor()
+    found = along.subs(GRADIENT).solve_for(psi_rate).factor()
     return found.subs(GRADIENT[M_a].value, M_a).ordered("K sigma")
 
 
@@ -166,23 +166,18 @@ def kinematics(builder: LedgerBuilder, q: tuple[Symbol, ...]) -> dict[Any, Any]:
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the invariants without cancellation, the attitude, and the pull-back (37)."""
-    builder.open(join("attitude", *ATTITUDE))
-    builder.evaluate("attitude.conserved", [rate_of(H), rate_of(K**2)], ["6"])
-    builder.root(
-        "attitude.K", K, compute(K**2 - SIZE).apply(solve, K**2, simplify=False)[0], ["6", "15"]
-    )
+    here = Proofs.open(builder, "attitude", *ATTITUDE)
+    here.evaluate("conserved", [rate_of(H), rate_of(K**2)], 6)
+    here.root(K, compute(K**2 - SIZE).solve_for(K**2), 6, 15)
     for m, w in zip(M, OMEGA, strict=True):
-        builder.claim(
-            f"attitude.{w}", {w: (GRADIENT[m] - m).apply(solve, w, simplify=False)[0]}, ["8"]
-        )
-    builder.root("attitude.nu", nu, NU_SQUARED, ["27"])
+        here.formulas({w: (GRADIENT[m] - m).solve_for(w)}, 8)
+    here.root(nu, NU_SQUARED, 27)
 
-    for name, form in INVERSE.items():
-        builder.claim(f"attitude.{name}", {name: form}, ["37"])
-    builder.claim("attitude.particular", kinematics(builder, QBAR), ["3", "23"])
+    here.formulas(INVERSE, 37)
+    here.claim("particular", kinematics(builder, QBAR), 3, 23)
     for name, form in MOMENTUM.items():
-        builder.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])
-    builder.claim("attitude.solution", kinematics(builder, Q), ["3", "37"])
+        here.claim(f"{name}_of_attitude", {name: form}, 24)
+    here.claim("solution", kinematics(builder, Q), 3, 37)
     _start(builder)
 
 
@@ -193,12 +188,11 @@ def _start(builder: LedgerBuilder) -> None:
         definitions=INVERSE,
         relations=(squares(Q) - 1, squares(QBAR) - 1),
     )
-    builder.open(join("attitude_start", HANDEDNESS, given, static=True))
-    builder.claim("attitude_start.attitude", PULL_BACK.definitions, ["37"])
-    builder.evaluate("attitude_start.turn", [squares(P)], ["37"])
-    builder.open(join("attitude_begun", *ATTITUDE, UNTURNED, static=True))
-    builder.evaluate("attitude_begun.units", [squares(Q), squares(QBAR)], ["37"])
-    for name, form in INVERSE.items():
-        builder.claim(f"attitude_begun.{name}", {name: form}, ["37"])
+    here = Proofs.open(builder, "attitude_start", HANDEDNESS, given, static=True)
+    here.claim("attitude", PULL_BACK.definitions, 37)
+    here.evaluate("turn", [squares(P)], 37)
+    here = Proofs.open(builder, "attitude_begun", *ATTITUDE, UNTURNED, static=True)
+    here.evaluate("units", [squares(Q), squares(QBAR)], 37)
+    here.formulas(INVERSE, 37)
     premises = [f"attitude_begun.{name}" for name in ("units", *INVERSE)]
     builder.model("attitude_begun", "attitude_start", premises)

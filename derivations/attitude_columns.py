@@ -16,7 +16,7 @@ from sympy import Matrix, Symbol, diag, eye, factor
 
 from derivations.attitude_sensitivities import SQUARED, named
 from derivations.rate_sensitivities import change, still
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import product, rotated
 from rigidsym.proof.steps._names import symbol, symbols
@@ -163,17 +163,19 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove that the columns, that of the time too, satisfy the variation of (3) and start at 0."""
     defined = {**MOVING, **DIRECTION, **AT_TIME}
     parts = (BODY, RATES_AT_START, RATES, EXCESS, ARMS, VARIED, ATTITUDE)
-    builder.open(join("turned_columns", *parts, Part(definitions=defined, units=(K_squared,))))
-    builder.evaluate("turned_columns.momentum", [f"D({x})" for x in L], ["6"])
+    here = Proofs.open(
+        builder, "turned_columns", *parts, Part(definitions=defined, units=(K_squared,))
+    )
+    here.evaluate("momentum", [f"D({x})" for x in L], 6)
     for y in CHANGES:
         turns = compute(R).multiply(Matrix([by(x, y) for x in OMEGA]))
         claims = named((f"D({by(f'eta{i}', y)})" for i in AXES), turns)
-        builder.claim(f"turned_columns.by_{y}", claims, ["3"])
+        here.claim(f"by_{y}", claims, 3)
     spin = Matrix([by(f"eta{i}", "t") for i in AXES])
     turned = named((f"D({x})" for x in R), compute(spin.hat()).multiply(R))
     turned |= {f"D({x})": by(x, "t") for x in OMEGA}
     law = "what changes with the time has its rate as change"
-    builder.claim("turned_columns.by_t", turned, ["3", "5"], law=law)
+    here.claim("by_t", turned, 3, 5, law=law)
     _start(builder)
 
 
@@ -195,6 +197,6 @@ def _start(builder: LedgerBuilder) -> None:
         relations=(t, *EXCESSES),
     )
     parts = (*still(BODY, RATES_AT_START, EXCESS), attitude, begun)
-    builder.open(join("turned_columns_start", *parts, static=True))
+    here = Proofs.open(builder, "turned_columns_start", *parts, static=True)
     turns = [by(f"eta{i}", y) for y in CHANGES for i in AXES]
-    builder.evaluate("turned_columns_start.turn", turns, ["37"])
+    here.evaluate("turn", turns, 37)

@@ -18,7 +18,7 @@ from sympy import Matrix, Symbol
 
 from derivations.euler_lax import Dynamics
 from derivations.rate_sensitivities import change, defined, moving, small, still
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import product
 from rigidsym.proof.steps._names import symbol, symbols
@@ -97,17 +97,17 @@ def derive(builder: LedgerBuilder) -> None:
         reading={**small(*C, *OMEGA).reading, "dH": "change of the energy, constant"},
     )
     parts = (*given, STATE, beside, MOMENTUM, INTEGRALS, BEGUN, TURN)
-    builder.open(join("turned", *parts))
-    builder.evaluate("turned.energy", ["D(dH)"], ["6"])
+    here = Proofs.open(builder, "turned", *parts)
+    here.evaluate("energy", ["D(dH)"], 6)
     law = "s is the small turn along the momentum"
-    builder.claim("turned.along", {XI.dot(M): s}, ["6"], law=law)
+    here.claim("along", {XI.dot(M): s}, 6, law=law)
     claims = named((f"D({x})" for x in XI), TURNING)
-    builder.claim("turned.variation", claims, ["3"])
-    builder.open(join("turned_attitude", *parts, ATTITUDE))
+    here.claim("variation", claims, 3)
+    here = Proofs.open(builder, "turned_attitude", *parts, ATTITUDE)
     variation = {f"D(d{q})": change(rate) for q, rate in TURNED.items()}
-    builder.claim("turned_attitude.variation", variation, ["3"])
+    here.claim("variation", variation, 3)
     norm = sum(q * symbol(f"d{q}") for q in Q)
-    builder.evaluate("turned_attitude.norm", [norm], ["1"])
+    here.evaluate("norm", [norm], 1)
     momenta = Part(definitions=named(M, (quantities[m] for m in M)))
     begun = Part(
         ETA,
@@ -120,8 +120,8 @@ def derive(builder: LedgerBuilder) -> None:
         reading={x: f"component {k} of xi at t = 0" for k, x in enumerate(ETA, 1)},
     )
     parts = (dynamics.parameters, momenta, STATE, *still(INTEGRALS), beside, begun, TURN)
-    builder.open(join("turned_start", *parts, static=True))
-    builder.evaluate("turned_start.turn", XI, ["37"])
+    here = Proofs.open(builder, "turned_start", *parts, static=True)
+    here.evaluate("turn", XI, 37)
     _rest(builder)
 
 
@@ -133,5 +133,5 @@ def _rest(builder: LedgerBuilder) -> None:
         definitions={**dict.fromkeys(OMEGA, 0), **named(XI, ETA + t * varied(OMEGA))},
         reading={x: f"component {k} of xi at t = 0" for k, x in enumerate(ETA, 1)},
     )
-    builder.open(join("turned_at_rest", begun))
-    builder.claim("turned_at_rest.variation", named((f"D({x})" for x in XI), TURNING), ["3"])
+    here = Proofs.open(builder, "turned_at_rest", begun)
+    here.claim("variation", named((f"D({x})" for x in XI), TURNING), 3)

@@ -12,7 +12,7 @@ from derivations.lemma1 import FUNCTIONS_OF_JACOBI, INERTIA, SCALED, SINE, Lemma
 from derivations.lie_algebra import Algebra, M, R, combination, commutator, from_quaternion
 from derivations.phi1_integral import FUNCTIONS, constants
 from derivations.phi1_integral import sine as sine_of
-from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, part_of, sign
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import Scope
 from rigidsym.proof.steps._names import read, symbol, symbols
@@ -43,7 +43,7 @@ def _start_of_motion(builder: LedgerBuilder) -> None:
     body = part_of(builder.ledger.contexts["moving_body"])
     matrices = {**builder.result(Algebra).basis, **matrices}
     scope = Scope.open(builder, "any_start", body, matrices=matrices, static=True)
-    conjugated, start = R * M * R.I, ["9", "22"]
+    conjugated, start = R * M * R.I, [9, 22]
     at_e = Part(relations=("q0 - 1", "q1", "q2", "q3"))
     Scope.open(builder, "identity_start", body, at_e, matrices=matrices, static=True)
     gap = MatAdd(conjugated, -M)
@@ -56,11 +56,13 @@ def _degenerate(builder: LedgerBuilder) -> None:
     moving, quartic = lemma.moving, lemma.quartic
     for other in "jk":
         equal = Part(relations=(f"c_i - c_{other}",))
-        builder.open(join(f"equal_axes_{other}", INERTIA, moving, quartic, equal, static=True))
-        builder.evaluate(f"equal_axes_{other}.alpha", ["alpha"], ["13"])
+        here = Proofs.open(
+            builder, f"equal_axes_{other}", INERTIA, moving, quartic, equal, static=True
+        )
+        here.evaluate("alpha", ["alpha"], 13)
     spin = Part(relations=("Omega_i", "Omega_k"))
-    builder.open(join("spinning", INERTIA, moving, lemma.roots, spin))
-    builder.evaluate("spinning.root", ["root_j"], ["10", "11", "12", "footnote 1"])
+    here = Proofs.open(builder, "spinning", INERTIA, moving, lemma.roots, spin)
+    here.evaluate("root", ["root_j"], 10, 11, 12, "footnote 1")
 
 
 def _start(builder: LedgerBuilder) -> None:
@@ -71,17 +73,17 @@ def _start(builder: LedgerBuilder) -> None:
         definitions={"cn_principal": "half*cn", "S": "sn", "C": "-cn", "E": "dn"},
         nonnegative=("cn_principal",),
     )
-    builder.open(join("start", SINE, SCALED, SINE_OF_10, half, other))
+    here = Proofs.open(builder, "start", SINE, SCALED, SINE_OF_10, half, other)
     point = {"sn": "3/5", "cn": "-4/5", "half": "-1", "zeta": "1", "s_j": "1", "root_s": "1"}
     left = {**point, "w": "4/5", "xi": "2"}
     principal = {"D(Omega_i)": "xi*zeta*cn_principal*dn"}
-    builder.refute("start.principal_value", principal, left, ["footnote 2", "Remark 1"])
+    here.refute("principal_value", principal, "footnote 2", "Remark 1", point=left)
     sn, cn, cn_principal = symbols("sn cn cn_principal")
     slope = compute(symbol("zeta") * sn).diff(sn) * read(SCALED.rates["sn"])
     slope = slope.subs(cn, symbol("half") * cn_principal).ordered("half xi zeta cn_principal")
-    builder.claim("start.sign", {"D(Omega_i)": slope}, ["Remark 1", "16"])
-    builder.claim(
-        "start.other_value",
+    here.claim("sign", {"D(Omega_i)": slope}, "Remark 1", 16)
+    here.claim(
+        "other_value",
         {
             "C**2 + S**2": "1",
             "E**2 + mu*S**2": "1",
@@ -89,7 +91,8 @@ def _start(builder: LedgerBuilder) -> None:
             "D(C)": "xi*S*E",
             "D(E)": "xi*mu*S*C",
         },
-        ["footnote 2", "Remark 1"],
+        "footnote 2",
+        "Remark 1",
         law=FUNCTIONS_OF_JACOBI,
     )
 
@@ -101,18 +104,20 @@ def _poles(builder: LedgerBuilder) -> None:
         definitions=MOTION_RATES,
         relations=("sin_phi2",),
     )
-    builder.open(
-        join("on_axis", MOMENTS, MOMENTUM, on_axis, Part(relations=ON_CIRCLES), static=True)
+    here = Proofs.open(
+        builder, "on_axis", MOMENTS, MOMENTUM, on_axis, Part(relations=ON_CIRCLES), static=True
     )
     below = ["c3*Omega3", "(c2*Omega2)**2 + (c3*Omega3)**2", "K**2 - (c1*Omega1)**2"]
-    builder.evaluate("on_axis.denominators", below, ["29", "32", "33"])
+    here.evaluate("denominators", below, 29, 32, 33)
     across = Part(
         ("cos_phi2", "sin_phi2", "cos_phi3", "sin_phi3"),
         definitions=MOTION_RATES,
         relations=("cos_phi3",),
     )
-    builder.open(join("across", MOMENTS, MOMENTUM, across, Part(relations=ON_CIRCLES), static=True))
-    builder.evaluate("across.denominator", ["c3*Omega3"], ["29"])
+    here = Proofs.open(
+        builder, "across", MOMENTS, MOMENTUM, across, Part(relations=ON_CIRCLES), static=True
+    )
+    here.evaluate("denominator", ["c3*Omega3"], 29)
 
 
 def _poles_of_34(builder: LedgerBuilder) -> None:
@@ -123,12 +128,12 @@ def _poles_of_34(builder: LedgerBuilder) -> None:
             definitions=sine_of(1).definitions,
             relations=(side,),
         )
-        builder.open(join(f"pole_{name}", constants(1), FUNCTIONS, pole, static=True))
-        builder.evaluate(f"pole_{name}.denominator", ["K**2 - (c1*Omega1)**2"], ["34"])
+        here = Proofs.open(builder, f"pole_{name}", constants(1), FUNCTIONS, pole, static=True)
+        here.evaluate("denominator", ["K**2 - (c1*Omega1)**2"], 34)
 
 
 def _amplitude_at_rest(builder: LedgerBuilder) -> None:
     """Prove that theta' = 0 for dn = 0, so that (36) cannot replace t by theta there."""
     rest = Part(relations=("mu*sn**2 - 1",))
-    builder.open(join("amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True))
-    builder.evaluate("amplitude_at_rest.denominator", ["dn**2"], ["36"])
+    here = Proofs.open(builder, "amplitude_at_rest", constants(1), FUNCTIONS, rest, static=True)
+    here.evaluate("denominator", ["dn**2"], 36)

@@ -137,13 +137,13 @@ def derive(builder: LedgerBuilder) -> None:
     first = A[setting.sequence[0] - 1]
     rate = symbol("phi1_rate")
     why = "a turn about a fixed axis"
-    multiply(scope, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
+    multiply(scope, "three_angles.exponential", Rate(E1), rate * first * E1, why, [25])
     one, why = sympy.Identity(SIZE), "R is unitary"
-    multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"])
+    multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, [1, 25])
     why = "the first turn leaves its own axis where it is"
-    multiply(scope, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
+    multiply(scope, "three_angles.stabiliser", E1 * first * E1.I, first, why, [25])
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
-    seen = coordinates(scope, "three_angles.momentum", R.I * target * R, A, why, ["24", "26"])
+    seen = coordinates(scope, "three_angles.momentum", R.I * target * R, A, why, [24, 26])
     momenta = builder.result(Dynamics).momenta
     reduction = Reduction(seen.value, momenta, matrices, parts, circles(setting))
     builder.keep(reduction)
@@ -160,8 +160,8 @@ def _reduced(builder: LedgerBuilder, reduction: Reduction) -> None:
     scope = Scope.open(builder, "reduced", *parts, body, matrices=matrices, static=True)
     target = A[setting.target - 1]
     why = "with these components of M, R turns M onto the axis"
-    multiply(scope, "reduced.conjugate", R * M * R.I, K * target, why, ["23"])
-    multiply(scope, "reduced.momentum", M, K * (R.I * target * R), "and back", ["24"])
+    multiply(scope, "reduced.conjugate", R * M * R.I, K * target, why, [23])
+    multiply(scope, "reduced.momentum", M, K * (R.I * target * R), "and back", [24])
 
 
 def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Part:
@@ -196,9 +196,9 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)
     M_last, M_middle, M_third = (MOMENTA[axis] for axis in axes)
     why = "the component along the last axis gives phi2"
-    nutation = solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, ["27"])
+    nutation = solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, [27])
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
-    found = solve(scope, "compared.phi3", equations, unknown[1:], why, ["28"])
+    found = solve(scope, "compared.phi3", equations, unknown[1:], why, [28])
     cosine, sine = unknown[1:]
     momenta = dict(zip(MOMENTA, reduction.momenta, strict=True))
     quotient = (found.found[sine] / found.found[cosine]).cancel().subs(momenta)
@@ -208,4 +208,4 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     body = by_angles(builder, reduction, *parts)
     tangent = Scope.open(builder, "phi3", *parts, body, static=True)
     why = "their quotient, where it is one; it gives phi3 up to half a turn"
-    rewrite(tangent, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")
+    rewrite(tangent, "tangent.phi3", sine / cosine, quotient, why, [29], "quotient")

@@ -13,7 +13,7 @@ is a model of the regular form and of the attitude at once, so whatever was prov
 
 from typing import Any
 
-from sympy import Expr, Function, Mul, UnevaluatedExpr, factor, solve
+from sympy import Expr, Function, Mul, UnevaluatedExpr, factor
 from sympy.integrals.manualintegrate import manualintegrate
 
 from derivations.attitude import MOMENTUM as MOMENTUM_OF
@@ -45,7 +45,7 @@ from derivations.regular_form import (
     u,
     unsigned,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, jacobi, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle, jacobi
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbols
@@ -55,7 +55,7 @@ s, c, d, n, psi, psi_0, kappa, J, J_0 = symbols("s c d n psi psi_0 kappa J J_0")
 K_SQUARED = B_a**2 + B_d**2
 # k' is k_c: m = 1 - k'^2, and k_1 is what Landen makes of it.
 DESCENDED = (1 - k_c) / (1 + k_c)
-COMPLEMENT = compute(k_1 - DESCENDED).apply(solve, k_c, simplify=False)[0].together()
+COMPLEMENT = compute(k_1 - DESCENDED).solve_for(k_c).together()
 MODULUS = (1 - COMPLEMENT**2).factor()
 BELOW = 1 + k_1 * s**2
 SN = (1 + k_1) * s / BELOW
@@ -87,7 +87,7 @@ J_OF_T = FUNCTION(t)
 PSI = (psi_0 + kappa * compute(SLOPE).subs(SLOPE, J_OF_T.diff(t))).apply(manualintegrate, t)
 # B by the amplitudes of the rates.
 BY_RATES = {B_a: c_a * A_a, B_d: UnevaluatedExpr(c_d * A_d)}
-MU = compute((1 + k_1) * mu - lambda_).apply(solve, mu, simplify=False)[0]
+MU = compute((1 + k_1) * mu - lambda_).solve_for(mu)
 U_1 = compute(mu * t + phase)
 
 POLHODE = (RELATION.subs({m: MODULUS, B_b: C_b / (1 + k_1)}) * (1 + k_1) ** 2).factor().expand()
@@ -154,47 +154,48 @@ MOTION = (
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove that the descent is a model of the regular form; then each stable formula."""
-    builder.open(join("descended", *MOTION, half_angle("psi", "psi_rate")))
-    for claim in (_descent, _argument, _secular):
-        claim(builder)
-    builder.model("descended", "regular")
-    builder.model("descended", "attitude")
+    here = Proofs.open(builder, "descended", *MOTION, half_angle("psi", "psi_rate"))
+    for claims in (_descent, _argument, _secular):
+        claims(here)
+    here.model("regular")
+    here.model("attitude")
     builder.carry("descended", ["regular.euler", "attitude.solution"])
-    builder.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
-    start = ("t", "J - J_0", "cos_half_psi - 1", "sin_half_psi")
-    builder.begin("descended", start, "", ("u_1", "psi"), "20", "21", "33", "34")
-    builder.model("descended_start", "rates_start")
-    builder.model("descended_start", "attitude_begun")
+    here.carry("attitude", *(f"{name}_of_attitude" for name in MOMENTUM_OF))
+    start = here.begin(
+        ("t", "J - J_0", "cos_half_psi - 1", "sin_half_psi"), "", (u_1, psi), 20, 21, 33, 34
+    )
+    start.model("rates_start")
+    start.model("attitude_begun")
 
 
-def _descent(builder: LedgerBuilder) -> None:
+def _descent(here: Proofs) -> None:
     """Prove the modulus, its complement and Landen's dn, all without differences."""
-    complement = compute(1 - m_1 - m).apply(solve, m, simplify=False)[0]
-    builder.root("descended.k_c", k_c, (1 - complement).expand(), ["DLMF 22.7.1"])
+    complement = compute(1 - m_1 - m).solve_for(m)
+    here.root(k_c, (1 - complement).expand(), "DLMF 22.7.1")
     above = compute((1 - k_c) * (1 + k_c)).expand().subs(k_c**2, 1 - m)
-    builder.claim("descended.k_1", {k_1: above / (1 + k_c) ** 2}, ["DLMF 22.7.1"])
-    builder.claim("descended.m_c", {m_c: by_k_c(1 - k_1**2)}, ["DLMF 22.7.1"])
+    here.formulas({k_1: above / (1 + k_c) ** 2}, "DLMF 22.7.1")
+    here.formulas({m_c: by_k_c(1 - k_1**2)}, "DLMF 22.7.1")
     # 1 - k_1 s^2 is c^2 + (1 - k_1) s^2
     grown = c**2 + by_k_c((DN * BELOW).cancel().expand().coeff(s, 2) + 1).held() * s**2
-    builder.claim("descended.dn", {dn: (grown / BELOW).ordered("c s")}, ["DLMF 22.7.4"])
+    here.formulas({dn: (grown / BELOW).ordered("c s")}, "DLMF 22.7.4")
 
 
-def _argument(builder: LedgerBuilder) -> None:
+def _argument(here: Proofs) -> None:
     """Prove u_1 and its rate."""
-    builder.claim("descended.mu", {mu: by_k_c(MU)}, ["DLMF 22.7.2"])
-    argument = compute(u - (1 + k_1) * u_1).apply(solve, u_1, simplify=False)[0]
-    builder.claim("descended.u_1_of_u", {u_1: by_k_c(argument)}, ["DLMF 22.7.2"])
-    start = (u_1 - U_1).apply(solve, phase, simplify=False)[0].ordered("mu t")
-    builder.claim("descended.phase", {phase: start}, ["20", "21"])
-    builder.claim("descended.u_1_is_the_argument", {rate_of(u_1): U_1.diff(t)}, ["20", "21"])
+    here.formulas({mu: by_k_c(MU)}, "DLMF 22.7.2")
+    argument = compute(u - (1 + k_1) * u_1).solve_for(u_1)
+    here.claim("u_1_of_u", {u_1: by_k_c(argument)}, "DLMF 22.7.2")
+    start = (u_1 - U_1).solve_for(phase).ordered("mu t")
+    here.formulas({phase: start}, 20, 21)
+    here.claim("u_1_is_the_argument", {rate_of(u_1): U_1.diff(t)}, 20, 21)
 
 
-def _secular(builder: LedgerBuilder) -> None:
+def _secular(here: Proofs) -> None:
     """Prove that the derivative of psi is psi_rate of the attitude."""
     # K^2 - B_a^2 is B_d^2
     above = (N * (K + B_a) ** 2).cancel().expand().subs(K**2, K_SQUARED).expand()
-    builder.claim("descended.n", {n: (above / (K + B_a) ** 2).subs(BY_RATES)}, ["34"])
-    builder.claim("descended.psi_0", {psi_0: PSI_0.subs(BY_RATES)}, ["33", "34"])
+    here.formulas({n: (above / (K + B_a) ** 2).subs(BY_RATES)}, 34)
+    here.formulas({psi_0: PSI_0.subs(BY_RATES)}, 33, 34)
     step = named(KAPPA.subs(BY_RATES)).ordered("E_a c_a A_a k_1")
-    builder.claim("descended.kappa", {kappa: step}, ["34"])
-    builder.claim("descended.psi_is_the_angle", {rate_of(psi): PSI_RATE}, ["33", "34"])
+    here.formulas({kappa: step}, 34)
+    here.claim("psi_is_the_angle", {rate_of(psi): PSI_RATE}, 33, 34)

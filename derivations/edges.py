@@ -9,7 +9,7 @@ symmetric body the circulation rate is constant.  Motions with constant rates ar
 from sympy import symbols
 
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import rate_of
 
@@ -60,30 +60,32 @@ ELEMENTARY = Part(
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove that both edges are models of the regular form, with closed forms of rates and psi."""
-    builder.open(
-        join("separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS)
+    here = Proofs.open(
+        builder, "separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS
     )
-    builder.model("separatrix", "regular")
-    builder.carry("separatrix", ["regular.euler"])
+    here.model("regular")
+    here.carry("regular", "euler")
     complement = compute(1 - m).subs(m, 1)
     about_b = compute(c_a * c_ab * A_a**2 * m_1).subs(m_1, complement)
-    builder.claim("separatrix.middle_axis", {E_b: about_b, m_1: complement}, ["10"])
-    builder.open(join("separatrix_integral", ELEMENTARY))
+    here.claim("middle_axis", {E_b: about_b, m_1: complement}, 10)
+    here = Proofs.open(builder, "separatrix_integral", ELEMENTARY)
     integral = compute(ELEMENTARY.definitions[J])
     slope = sum(integral.diff(name) * rate for name, rate in ELEMENTARY.rates.items())
     slope = slope.subs({sech**2: 1 - tanh**2, x**2: -n}).factor()
-    builder.claim("separatrix_integral.j", {rate_of(J): slope}, ["36"])
+    here.claim("j", {rate_of(J): slope}, 36)
 
-    builder.open(join("symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS))
-    builder.model("symmetric", "regular")
-    builder.carry("symmetric", ["regular.euler"])
+    here = Proofs.open(
+        builder, "symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS
+    )
+    here.model("regular")
+    here.carry("regular", "euler")
     moment = compute(1 / (i_a + rho * Delta * B_d**2 / B_b**2)).subs(B_b, B_d)
     body = {
         c_b: moment.subs(i_a + rho * Delta, 1 / c_d),
         A_b: compute(B_b / c_b).subs({B_b: A_d * c_d, c_b: c_d}),
         rate_of(Omega_a): compute((c_b - c_d) * Omega_b * Omega_d).subs(c_b, c_d),
     }
-    builder.claim("symmetric.body", body, ["5"])
+    here.claim("body", body, 5)
     rate = compute(Delta * B_a * B_d / B_b).subs(B_b, B_d)
     rate = rate.subs({B_a: A_a * c_a, Delta: rho * (1 / c_d - 1 / c_a)}).factor()
-    builder.claim("symmetric.rate", {lambda_: rate}, ["10"])
+    here.claim("rate", {lambda_: rate}, 10)

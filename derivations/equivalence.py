@@ -7,65 +7,66 @@ to e_1: they are the shortest rotation that does so.  psi' has lost the denomina
 (32); what is left, K + c1 Omega1, is zero only where phi2 = pi.
 """
 
+from typing import Any
+
 from sympy import factor_terms
 
-from derivations.attitude import PULL_BACK, SHORTEST, TURN
-from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of
-from rigidsym.proof.algebra._computation import compute
+from derivations.attitude import PULL_BACK, SHORTEST, TURN, M_a, M_b, M_d, epsilon, nu, sigma
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named, part_of
+from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import conjugate, product
 from rigidsym.proof.steps._names import symbols
 
+K, psi_rate, phi1_rate, phi3_rate = symbols("K psi_rate phi1_rate phi3_rate")
+c1, s1, c2, s2, c3, s3 = symbols(
+    "cos_half_phi1 sin_half_phi1 cos_half_phi2 sin_half_phi2 cos_half_phi3 sin_half_phi3"
+)
+cos_phi2, sin_phi2, cos_phi3, sin_phi3 = symbols("cos_phi2 sin_phi2 cos_phi3 sin_phi3")
+c, s, cos_psi, sin_psi = symbols("cos_half_psi sin_half_psi cos_psi sin_psi")
+SHORT, WHOLE, P = (symbols(f"{q}_0 {q}_a {q}_b {q}_d") for q in "sqp")
 # The regular form's names about axis 1: a, b, d = 1, 2, 3 are right-handed, sigma = 1, p = 1.
-AXES = {"a": 1, "b": 2, "d": 3}
 ABOUT_1 = Part(
-    units=("cos_half_phi2",),
+    units=(c2,),
     definitions={
-        "epsilon": "1",
-        "sigma": "1",
-        **{f"c_{x}": f"c{k}" for x, k in AXES.items()},
-        **{f"Omega_{x}": f"Omega{k}" for x, k in AXES.items()},
-        "M_a": "K*cos_phi2",
-        "M_b": "K*sin_phi2*sin_phi3",
-        "M_d": "K*sin_phi2*cos_phi3",
-        "nu": "2*K*cos_half_phi2",
-        "cos_half_psi": "cos_half_phi1*cos_half_phi3 - sin_half_phi1*sin_half_phi3",
-        "sin_half_psi": "sin_half_phi1*cos_half_phi3 + cos_half_phi1*sin_half_phi3",
-        "cos_psi": "cos_half_psi**2 - sin_half_psi**2",
-        "sin_psi": "2*sin_half_psi*cos_half_psi",
-        "p_0": "1",
-        **{f"p_{x}": "0" for x in AXES},
+        epsilon: 1,
+        sigma: 1,
+        **named(symbols("c_a c_b c_d"), symbols("c1 c2 c3")),
+        **named(symbols("Omega_a Omega_b Omega_d"), symbols("Omega1 Omega2 Omega3")),
+        M_a: K * cos_phi2,
+        M_b: K * sin_phi2 * sin_phi3,
+        M_d: K * sin_phi2 * cos_phi3,
+        nu: 2 * K * c2,
+        c: c1 * c3 - s1 * s3,
+        s: "sin_half_phi1*cos_half_phi3 + cos_half_phi1*sin_half_phi3",
+        cos_psi: c**2 - s**2,
+        sin_psi: "2*sin_half_psi*cos_half_psi",
+        **named(P, (1, 0, 0, 0)),
         **SHORTEST.definitions,
         **TURN.definitions,
         **PULL_BACK.definitions,
     },
-    nonnegative=("K", "cos_half_phi2"),
+    nonnegative=(K, c2),
 )
+
+
+def times(*quaternions: tuple[Any, ...]) -> Computation:
+    """Return the product of quaternions."""
+    first, second, third = quaternions
+    return compute(first).apply(product, second, 1).apply(product, third, 1)
 
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove that (25) with its angles is a model of the regular form, with (18) as quaternion."""
     angles = part_of(builder.ledger.contexts["three_angle_motion"])
-    builder.open(join("both_forms", angles, ABOUT_1))
-    builder.model("both_forms", "attitude")
+    here = Proofs.open(builder, "both_forms", angles, ABOUT_1)
+    here.model("attitude")
     sum_ = "psi is phi1 + phi3: two turns about one axis are one"
-    turn = {"psi_rate": "phi1_rate + phi3_rate"}
-    builder.claim("both_forms.turn", turn, ["32", "33"], why=sum_)
-    turns = [symbols(f"cos_half_phi{k} sin_half_phi{k}") for k in (1, 2, 3)]
-    first, last = ((c, s, 0, 0) for c, s in (turns[0], turns[2]))
-    middle = turns[1][0], 0, turns[1][1], 0
-    shortest = compute(conjugate(last)).apply(product, middle, 1).apply(product, last, 1)
-    whole, (c, s) = symbols("cos_phi3 sin_phi3"), turns[2]
-    doubled = {s**2: 1 - c**2, s * c: whole[1] / 2}
-    found = [x.expand().subs(doubled).expand().subs(c**2, (1 + whole[0]) / 2) for x in shortest]
-    claims = dict(zip(("s_0", "s_a", "s_b", "s_d"), (x.expand() for x in found), strict=True))
-    claims.pop("s_a")
-    builder.claim("both_forms.shortest", claims, ["27", "28"])
-    quaternion = compute(first).apply(product, middle, 1).apply(product, last, 1)
-    claims = dict(
-        zip(
-            ("q_0", "q_a", "q_b", "q_d"),
-            (x.expand().apply(factor_terms) for x in quaternion),
-            strict=True,
-        )
-    )
-    builder.claim("both_forms.quaternion", claims, ["18", "25"])
+    here.claim("turn", {psi_rate: phi1_rate + phi3_rate}, 32, 33, why=sum_)
+    first, middle, last = (c1, s1, 0, 0), (c2, 0, s2, 0), (c3, s3, 0, 0)
+    doubled = {s3**2: 1 - c3**2, s3 * c3: sin_phi3 / 2}
+    shortest = (x.expand().subs(doubled) for x in times(conjugate(last), middle, last))
+    shortest = (x.expand().subs(c3**2, (1 + cos_phi3) / 2).expand() for x in shortest)
+    claims = {x: form for x, form in named(SHORT, shortest).items() if x != SHORT[1]}
+    here.claim("shortest", claims, 27, 28)
+    quaternion = (x.expand().apply(factor_terms) for x in times(first, middle, last))
+    here.claim("quaternion", named(WHOLE, quaternion), 18, 25)

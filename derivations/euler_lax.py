@@ -82,10 +82,10 @@ def derive(builder: LedgerBuilder) -> None:
     given = parameters(algebra.setting)
     lagrangian = algebra.setting.energy()
     why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
-    varied = vary(builder, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
+    varied = vary(builder, "variation", lagrangian, algebra.constants, given, why, [5, 7])
     unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
     equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
-    euler = solve(varied.scope, "variation.euler", equations, unknown, why, ["5"])
+    euler = solve(varied.scope, "variation.euler", equations, unknown, why, [5])
     body = _body(builder, algebra, given, varied.momenta, euler.value)
     gaps = [m - value for m, value in zip(MOMENTA, varied.momenta, strict=True)]
     velocities = sympy.solve(gaps, RATES)
@@ -131,9 +131,9 @@ def _spectrum(scope: Scope, setting: Setting) -> Computation:
     """Return w^2 K^2, the square of the frequency of exp(t M), by the spectrum of M."""
     if setting.group == "SU2":
         why = "the spectrum of M, whose trace is zero, is in its determinant"
-        return determinant(scope, "spectrum.determinant", M, why, ["6", "7"]).found
+        return determinant(scope, "spectrum.determinant", M, why, [6, 7]).found
     why = "the spectrum of M is zero and the roots of x^2 by M^3 = x^2 M"
-    return -coordinates(scope, "spectrum.cube", M**3, [M], why, ["6", "7"]).found[0]
+    return -coordinates(scope, "spectrum.cube", M**3, [M], why, [6, 7]).found[0]
 
 
 def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
@@ -145,11 +145,11 @@ def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part)
     }
     scope = Scope.open(builder, "body", given, body, matrices=matrices)
     why = "the bracket of M with the velocity"
-    bracket = coordinates(scope, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
-    multiply(scope, "body.lax", Rate(M), commutator(M, Omega), "M and Omega are a Lax pair", ["7"])
-    differentiate(scope, "body.energy", symbol("H"), "energy is conserved", ["6", "15"])
+    bracket = coordinates(scope, "body.euler", commutator(M, Omega), A, why, [5, 7])
+    multiply(scope, "body.lax", Rate(M), commutator(M, Omega), "M and Omega are a Lax pair", [7])
+    differentiate(scope, "body.energy", symbol("H"), "energy is conserved", [6, 15])
     why = "and so is the spectrum of M"
-    differentiate(scope, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"])
+    differentiate(scope, "body.momentum", symbol("K_squared"), why, [6, 7, 15])
 
     unknown = symbols("b1 b2 b3")
     ansatz = Part(
@@ -160,10 +160,10 @@ def _lax_pair(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part)
     partner = {**matrices, "B": combination("b1 b2 b3")}
     scope = Scope.open(builder, "partner", given, body, ansatz, matrices=partner)
     why = "which matrices B have M' = [M, B]?"
-    wanted = coordinates(scope, "partner.bracket", commutator(M, B), A, why, ["7"])
+    wanted = coordinates(scope, "partner.bracket", commutator(M, B), A, why, [7])
     equations = list(zip(wanted.value, bracket.value, strict=True))
     why = "Omega, up to a multiple of M"
-    solve_family(scope, "partner.found", equations, unknown, symbol("b_free"), why, ["7"])
+    solve_family(scope, "partner.found", equations, unknown, symbol("b_free"), why, [7])
 
 
 def _gradient(
@@ -182,7 +182,7 @@ def _gradient(
     for k in (1, 2, 3):
         scope = Scope.open(builder, f"gradient{k}", given, momenta, Part(rates={f"M{k}": "1"}))
         why = f"the slope of H along M{k} is Omega{k}"
-        differentiate(scope, f"gradient{k}.rate", symbol("H"), why, ["7", "8"])
+        differentiate(scope, f"gradient{k}.rate", symbol("H"), why, [7, 8])
 
 
 def _conjugation(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Part) -> None:
@@ -196,9 +196,7 @@ def _conjugation(builder: LedgerBuilder, algebra: Algebra, given: Part, body: Pa
     parts = (given, body, UNIT_QUATERNION, algebra.attitude)
     scope = Scope.open(builder, "moving_body", *parts, matrices=matrices)
     why = "the attitude turns with the body"
-    multiply(scope, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"])
+    multiply(scope, "moving_body.kinematics", Rate(R), R * Omega, why, [3])
     why = "the momentum in space is constant"
     nothing = sympy.ZeroMatrix(SIZE, SIZE)
-    multiply(
-        scope, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, ["9", "22"]
-    )
+    multiply(scope, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, [9, 22])

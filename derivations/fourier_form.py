@@ -22,13 +22,13 @@ That sums may be taken in another order and integrated term by term (they conver
 |Im z| is below that of the pole) is analysis, of which the kernel knows nothing.
 """
 
-from sympy import I, cosh, sin, sinh, solve
+from sympy import I, cosh, sin, sinh
 from sympy import cos as cosine_of
 
 from derivations.descended_form import MOTION
 from derivations.regular_form import CIRCULATION
 from derivations.theta_form import ADDITION, SHIFT, Lambda, Z_im, mu, n, psi_rate, rho, s, t
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle, sign
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbol, symbols
@@ -41,7 +41,7 @@ cosine, sine, cosh_b, sinh_b, shifted_im = symbols("cosine sine cosh_b sinh_b sh
 # Only with these coefficients does each term of U(m + 1) follow from that of U(m).
 STEP = P * a / x**2 - e * P * a
 unit = symbol("unit")
-A = compute(STEP - P / x).apply(solve, a)[0].subs(e * x**2, 1 - unit).subs(unit, 1 - e * x**2)
+A = compute(STEP - P / x).solve_for(a).subs(e * x**2, 1 - unit).subs(unit, 1 - e * x**2)
 COEFFICIENT = Part(
     {x: "nome**k"},
     units=(x, 1 - e * x**2),
@@ -74,7 +74,7 @@ PARTS = {
 SHIFTED = compute(sin(angle - I * rho * depth)).expand(trig=True).subs(PARTS).coeff(I)
 SLOPES = {cosine: -2 * k * rate * sine, sine: 2 * k * rate * cosine}
 TERM = rate * 4 * a * SHIFTED
-REST_K = (rest_k * compute(sine).subs(SLOPES) - TERM).apply(solve, rest_k)[0]
+REST_K = (rest_k * compute(sine).subs(SLOPES) - TERM).solve_for(rest_k)
 PHASE = Part(
     (k, rate, cosine, sine, cosh_b, sinh_b),
     units=(k,),
@@ -101,23 +101,23 @@ REST = Part(
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the coefficients, the terms of psi, and the rate of their sum."""
-    builder.open(
-        join("fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True)
+    here = Proofs.open(
+        builder, "fourier_terms", sign("e", "-1 for cn and dn"), COEFFICIENT, TERMS, static=True
     )
     back = (A.subs({x: 1 / x, e: 1 / e}) / A).cancel()  # e is 1/e
     step = {next_term: e * term + compute(STEP).subs(a, A).cancel(), a_back: back * a}
-    builder.claim("fourier_terms.step", step, ["DLMF 20.5.13", "DLMF 22.11"])
-    builder.open(join("fourier_exponents", EXPONENT, static=True))
+    here.claim("step", step, "DLMF 20.5.13", "DLMF 22.11")
+    here = Proofs.open(builder, "fourier_exponents", EXPONENT, static=True)
     reflected = POWER.subs(k, 2 * m + 1 - k).expand()
-    builder.claim("fourier_exponents.back", {exponent_back: reflected}, ["DLMF 22.11"])
-    builder.open(join("fourier_phase", CIRCULATION, COEFFICIENT, PHASE))
+    here.claim("back", {exponent_back: reflected}, "DLMF 22.11")
+    here = Proofs.open(builder, "fourier_phase", CIRCULATION, COEFFICIENT, PHASE)
     slope = (REST_K * compute(sine).subs(SLOPES)).subs(sinh_b, -shifted_im / (rho * cosine))
-    builder.claim("fourier_phase.term", {rate_of(rest_k * sine): slope}, ["33", "34"])
+    here.claim("term", {rate_of(rest_k * sine): slope}, 33, 34)
     parts = (*MOTION, half_angle("psi", "psi_rate"), SHIFT, REST)
-    builder.open(join("fourier_form", *parts))
-    builder.model("fourier_form", "descended")
-    builder.carry("fourier_form", ["descended.solution"])
+    here = Proofs.open(builder, "fourier_form", *parts)
+    here.model("descended")
+    here.carry("descended", "solution")
     # By `theta_form.phase`, Lambda is half the rate of psi less mu Z_im.
     whole = compute(Lambda * t + rest)
     grown = (whole.diff(t) + whole.diff(rest) * mu * Z_im).subs(Lambda, psi_rate / 2 - mu * Z_im)
-    builder.claim("fourier_form.phase", {rate_of(Lambda * t + rest): grown}, ["33", "34"])
+    here.claim("phase", {rate_of(Lambda * t + rest): grown}, 33, 34)

@@ -48,7 +48,7 @@ def _along(builder: LedgerBuilder, dynamics: Dynamics, axis: int) -> None:
     why = "the rate along the wheel, squared, two rates eliminated by H and K: a quartic"
     equations = [2 * H - energy, K_SQUARED - momentum]
     squared = rate_of(RATES[axis]) ** 2
-    eliminate(scope, "gyrostat.quartic", rate**2, equations, squares, why, ["14"], squared)
+    eliminate(scope, "gyrostat.quartic", rate**2, equations, squares, why, [14], squared)
 
 
 def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
@@ -60,7 +60,7 @@ def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
     matrix = X * _matrix(_quadrics(dynamics)[0], 2 * H) - _matrix(_quadrics(dynamics)[1], K_SQUARED)
     leibniz = matrix.applyfunc(sympy.factor).det(method="berkowitz")
     why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
-    rewrite(scope, "pencil.quartic", leibniz, compute(leibniz).factor(), why, ["14"])
+    rewrite(scope, "pencil.quartic", leibniz, compute(leibniz).factor(), why, [14])
 
 
 def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:

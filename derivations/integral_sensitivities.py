@@ -32,7 +32,7 @@ from derivations.rate_sensitivities import (
     r,
     still,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.steps._names import symbol, symbols
 
 t, U, V, W = symbols("t U_t V_t W_t")
@@ -75,14 +75,14 @@ ELEMENTARY = Part(
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the changes along both directions, and the integrals of fourth powers."""
-    builder.open(join("varied_integrals", MODULI, *FUNCTION_PARTS, FOURTHS, SLOPES))
+    here = Proofs.open(builder, "varied_integrals", MODULI, *FUNCTION_PARTS, FOURTHS, SLOPES)
     for way, grow in WAYS.items():
         by = {**grow, **{x: symbol(f"{str(x)[0]}_{way}") for x in (S, C, D)}}
         varied = {f"D({str(x)[0]}_{way})": change(RATES[x], by) for x in (S, C, D, E, F)}
-        builder.claim(f"varied_integrals.along_{way}", varied, ["10"])
-    builder.open(join("fourth_powers", MODULI, *FUNCTION_PARTS, ELEMENTARY))
+        here.claim(f"along_{way}", varied, 10)
+    here = Proofs.open(builder, "fourth_powers", MODULI, *FUNCTION_PARTS, ELEMENTARY)
     rates = {f"D({x})": RATES[x] for x in (U, V, W)}
-    builder.claim("fourth_powers.rates", rates, ["10"], law=INTEGRANDS)
+    here.claim("rates", rates, 10, law=INTEGRANDS)
     _start(builder)
 
 
@@ -91,8 +91,8 @@ def _start(builder: LedgerBuilder) -> None:
     zero = Part(relations=(*START.relations, F))
     begun = Part(relations=(*zero.relations, U, V, W))
     parts = (MODULI, *still(*FUNCTION_PARTS, FOURTHS), SLOPES, begun)
-    builder.open(join("varied_integrals_start", *parts, static=True))
-    builder.claim("varied_integrals_start.functions", at_start(SLOPES), ["12"])
+    here = Proofs.open(builder, "varied_integrals_start", *parts, static=True)
+    here.claim("functions", at_start(SLOPES), 12)
     parts = (MODULI, *still(*FUNCTION_PARTS), ELEMENTARY, zero)
-    builder.open(join("fourth_powers_start", *parts, static=True))
-    builder.claim("fourth_powers_start.integrals", at_start(ELEMENTARY), ["12"])
+    here = Proofs.open(builder, "fourth_powers_start", *parts, static=True)
+    here.claim("integrals", at_start(ELEMENTARY), 12)

@@ -14,7 +14,7 @@ from typing import Any
 from sympy import Matrix, Symbol, factor_terms, symbols
 from sympy.solvers.solvers import solve_undetermined_coeffs
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, join, named
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import conjugate, product, rotated
 from rigidsym.proof.steps import rate_of
@@ -67,10 +67,10 @@ TURNING = Part(
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove how a fixed direction turns in the body, and that the torque conserves energy."""
-    builder.open(join("kick", TURNING))
+    here = Proofs.open(builder, "kick", TURNING)
     law = "a fixed direction turns in the body by its cross product with the rates"
-    builder.claim("kick.fixed", named(map(rate_of, v), v.cross(Omega)), ["3"], law=law)
-    builder.evaluate("kick.size", [v.dot(v)], ["3"])
+    here.claim("fixed", named(map(rate_of, v), v.cross(Omega)), 3, law=law)
+    here.evaluate("size", [v.dot(v)], 3)
     work, law = -Omega.dot(T - b - k * v), "the potential falls by the work of its torque"
-    builder.claim("kick.work", {rate_of(Symbol("U")): work}, ["3"], law=law)
-    builder.begin("kick", (q0 - 1, *r), "", v, "3")
+    here.claim("work", {rate_of(Symbol("U")): work}, 3, law=law)
+    here.begin((q0 - 1, *r), "", v, 3)

@@ -48,13 +48,13 @@ def derive(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
     equations = list(zip(RATES, velocity.value, strict=True))
     why = "R' = R Omega, solved for the rates of the angles"
-    rates = solve(scope, "rates.angles", equations, UNKNOWN, why, ["3", "30", "31"])
+    rates = solve(scope, "rates.angles", equations, UNKNOWN, why, [3, 30, 31])
     found = _phi1(builder, reduction, rates.found[UNKNOWN[0]])
     builder.keep(found)
     setting = builder.result(Algebra).setting
     along = setting.sequence[2] - 1
     why = "phi3' without a denominator"
-    last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, ["3"])
+    last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, [3])
     _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
 
 
@@ -73,11 +73,11 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: Computation) -> Ph
     named = Part(definitions={"phi1_rate": base.text(rate)})
     body = by_angles(builder, reduction, *parts)
     line = Scope.open(builder, "line32", *parts, units, body, named, static=True)
-    rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
+    rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, [32], "substitute")
     by_momentum = _by_momentum(builder, reduction, rate)
     quotient = by_momentum.subs(momenta).apply(base.reduced)
     why = "phi1' with the momentum in the place of the angles"
-    found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
+    found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, [32], "substitute")
     if not found.value.has(*RATES):  # equal moments across the last axis
         return Phi1(found.value, by_phi.value, base.divisors(by_phi.value))
     setting = builder.result(Algebra).setting
@@ -91,7 +91,7 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: Computation) -> Ph
         equations = [2 * H - sum((m - h) * w for m, h, w in triples), K**2 - _square(MOMENTA)]
         why = "the momentum across the last axis eliminated by H and K"
     eliminated = eliminate(
-        line, "line32.by_invariants", given, equations, unknown, why, ["33"], UNKNOWN[0]
+        line, "line32.by_invariants", given, equations, unknown, why, [33], UNKNOWN[0]
     )
     return Phi1(eliminated.value, by_phi.value, base.divisors(by_phi.value))
 
@@ -135,6 +135,6 @@ def _motion(
     units = Part(units=tuple(map(text, found.divisors)))
     scope = Scope.open(builder, "three_angle_motion", *parts, units, body, rates, matrices=matrices)
     why = "angles that move so carry a motion"
-    multiply(scope, "three_angle_motion.kinematics", Rate(R), R * Omega, why, ["3", "25"])
+    multiply(scope, "three_angle_motion.kinematics", Rate(R), R * Omega, why, [3, 25])
     why = "whose rates satisfy Euler's equations"
-    multiply(scope, "three_angle_motion.euler", Rate(M), commutator(M, Omega), why, ["5", "7"])
+    multiply(scope, "three_angle_motion.euler", Rate(M), commutator(M, Omega), why, [5, 7])

@@ -11,9 +11,9 @@ of m, r and Y of the top have limits where k_1 vanishes.  At the bottom x = sinh
 are what the theta series of the shifted argument are made of.
 """
 
-from sympy import Expr, I, Poly, Symbol, cancel, factor, prod, solve
+from sympy import Expr, I, Poly, Symbol, cancel, factor, prod
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import symbols
 
@@ -144,18 +144,19 @@ UNSCALED = Part(
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the step, then the scale, where it is chosen and where it is used."""
-    builder.open(join("landen", MODULUS, ARGUMENT, SHIFT, static=True))
-    for claim in (_modulus, _argument, _shift, _scale):
-        claim(builder)
+    here = Proofs.open(builder, "landen", MODULUS, ARGUMENT, SHIFT, static=True)
+    for claims in (_modulus, _argument, _shift):
+        claims(here)
+    _scale(builder)
 
 
-def _modulus(builder: LedgerBuilder) -> None:
+def _modulus(here: Proofs) -> None:
     """Prove the new modulus and its complement, each without cancellation."""
     smaller = compute((1 - kc) * (1 + kc)).expand().subs(kc**2, 1 - k**2) / (1 + kc) ** 2
-    builder.claim("landen.k_next", {k_next: smaller}, ["DLMF 22.7.1"])
-    builder.root("landen.root_kc", root_kc, _named(root_kc, kc), ["DLMF 22.7.1"])
+    here.formulas({k_next: smaller}, "DLMF 22.7.1")
+    here.root(root_kc, _named(root_kc, kc), "DLMF 22.7.1")
     square = compute(k_next**2 + kc_next**2 - 1).solve_for(kc_next**2)
-    builder.root("landen.complement", kc_next, square, ["DLMF 22.7.1"])
+    here.root(kc_next, square, "DLMF 22.7.1", fact="complement")
 
 
 def _named(root: Symbol, name: Symbol) -> Computation:
@@ -163,53 +164,51 @@ def _named(root: Symbol, name: Symbol) -> Computation:
     return compute(root**2).subs(root**2, name)
 
 
-def _argument(builder: LedgerBuilder) -> None:
+def _argument(here: Proofs) -> None:
     """Prove that the new functions satisfy the equations of Jacobi's, and find them by the old."""
     old = {s**2 + c**2: 1, d**2 + k**2 * s**2: 1}
     curves = "the curves of sn, cn and dn"
-    builder.claim("landen.functions", old, ["DLMF 22.7.2 to 22.7.4"], law=curves)
+    here.claim("functions", old, "DLMF 22.7.2 to 22.7.4", law=curves)
     # d_next (1 + d) is a root of what d says; s and c are linear.
     s_squared = (DN - d).solve_for(s_next**2)
     v_squared = ((1 + d) ** 2 * (1 - k_next**2 * s_squared)).subs(k_next, DESCENDED).factor()
     v_squared = v_squared.xreplace({1 + kc: (1 + KC).factor()}).factor()
-    builder.root("landen.v", v, v_squared, ["DLMF 22.7.4"])
+    here.root(v, v_squared, "DLMF 22.7.4")
     by_d = {
         s_next: s * BY_D / GROWTH,
         c_next: (CN.subs(d_next, (V - v).solve_for(d_next)) - c).solve_for(c_next),
         d_next: (V.subs(BELOW, BY_D) - v).solve_for(d_next),
     }
-    for name, form in by_d.items():
-        builder.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
+    here.formulas(by_d, "DLMF 22.7.2 to 22.7.4")
     # s = 1 where s_next is: the quarter periods K and (1 + k_next) K_next are the same u.
-    builder.claim("landen.quarter", {1 - s: compute(1 - SN).factor()}, ["DLMF 19.8.12"])
+    here.claim("quarter", {1 - s: compute(1 - SN).factor()}, "DLMF 19.8.12")
 
 
-def _shift(builder: LedgerBuilder) -> None:
+def _shift(here: Proofs) -> None:
     """Find the step for an imaginary argument from its quadratic equation."""
     smaller = compute(k**2 / (1 + kc) ** 2 / w**2).subs(k / w**2, r)
-    builder.claim("landen.r_next", {r_next: smaller}, ["DLMF 22.7.1"])
+    here.formulas({r_next: smaller}, "DLMF 22.7.1")
     first, second, third = SHIFTED.apply(Poly, x_next).all_coeffs()
     discriminant = (second**2 - 4 * first * third).subs(x, Y / w).subs(k_next / w**2, r_next)
-    builder.root("landen.S", S, discriminant, ["DLMF 22.7.2"])
+    here.root(S, discriminant, "DLMF 22.7.2")
     # S eliminates the square of x_next: what is left is linear.
     scaled = (SHIFTED - x_next / 2 * (SLOPE - S)).subs({x: Y / w, x_next: Y_next / w})
-    builder.claim("landen.Y_next", {Y_next: scaled.solve_for(Y_next)}, ["DLMF 22.7.2"])
+    here.formulas({Y_next: scaled.solve_for(Y_next)}, "DLMF 22.7.2")
 
 
 def _scale(builder: LedgerBuilder) -> None:
     """Find the scale, its square and scaled quantities; k_1 = 0 is a regular point."""
-    builder.open(join("scaling", SCALING, MOMENTUM, static=True))
-    builder.root("scaling.root_r", root_r, _named(root_r, r), ["27"])
+    here = Proofs.open(builder, "scaling", SCALING, MOMENTUM, static=True)
+    here.root(root_r, _named(root_r, r), 27)
     modulus = compute(root_k**2).subs(root_k, root_r * root_Q).subs({root_r**2: r, root_Q**2: Q})
-    builder.claim("scaling.Q", {Q: (modulus - k_1).solve_for(Q)}, ["27"])
+    here.formulas({Q: (modulus - k_1).solve_for(Q)}, 27)
     sum_, difference = (h_plus + h_minus) / 2, (h_plus - h_minus) / 2
     square = compute(sum_**2 - difference**2).expand().subs(h_plus * h_minus, Q)
-    builder.root("scaling.root_h", root_h, Y_b**2 + square, ["28"])
-    found = compute([sum_ - root_h, difference - Y_b]).apply(solve, [h_plus, h_minus])
-    builder.claim("scaling.h_plus", {h_plus: found[h_plus]}, ["28"])
-    builder.claim("scaling.h_minus", {h_minus: found[h_minus]}, ["28"])
-    builder.open(join("unscaled", SCALING, MOMENTUM, UNSCALED, static=True))
+    here.root(root_h, Y_b**2 + square, 28)
+    found = compute([sum_ - root_h, difference - Y_b]).solve_for(h_plus, h_minus)
+    here.formulas(found, 28)
+    here = Proofs.open(builder, "unscaled", SCALING, MOMENTUM, UNSCALED, static=True)
     scales = "how Y, r and the exponentials were chosen: the scale taken out"
-    builder.claim("unscaled.top", {Y: root_Q * x, k_1: root_Q**2 * r}, ["28"], why=scales)
+    here.claim("top", {Y: root_Q * x, k_1: root_Q**2 * r}, 28, why=scales)
     sinh = {Y_b: root_Q * (exp_b - exp_minus_b) / 2, exp_b * exp_minus_b: 1}
-    builder.claim("unscaled.bottom", sinh, ["28"], why=scales)
+    here.claim("bottom", sinh, 28, why=scales)

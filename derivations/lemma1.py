@@ -96,7 +96,7 @@ def derive(builder: LedgerBuilder) -> None:
         _invariants(moving),
         squares,
         why,
-        ["14", "17"],
+        [14, 17],
         squared,
     )
     names = ("alpha", "beta", "chi")
@@ -107,7 +107,7 @@ def derive(builder: LedgerBuilder) -> None:
     polynomial = alpha * RATE**4 + beta * RATE**2 + chi
     why = "a quadratic in the square of the rate"
     named = "the same as `eliminated.square`, with names for its coefficients"
-    rewrite(scope, "axis.quartic", squared, polynomial, why, ["14"], law=named)
+    rewrite(scope, "axis.quartic", squared, polynomial, why, [14], law=named)
     there = Scope(builder, builder.ledger.contexts["eliminated"], {})
     factored = _roots(there, found.value)
     _distinct(builder, moving, quartic, factored)
@@ -145,7 +145,7 @@ def _invariants(moving: Part) -> list[sympy.Expr]:
 def _roots(scope: Scope, polynomial: sympy.Expr) -> Part:
     """Prove (13): both roots in Omega_i^2, each with one of the other moments."""
     why = "its roots, where no other moment is that of the axis"
-    found = roots(scope, "factored.roots", polynomial, RATE**2, why, ["13"])
+    found = roots(scope, "factored.roots", polynomial, RATE**2, why, [13])
     named = {
         f"root_{x}": next(r for r in found.found if symbol(f"c_{x}") in r.free_symbols)
         for x in "jk"
@@ -165,7 +165,7 @@ def _distinct(builder: LedgerBuilder, *axis: Part) -> None:
     discriminant = beta**2 - 4 * alpha * chi
     square = compute(discriminant).subs(by_roots).factor()
     why = "what is under the root of (13) is a square"
-    rewrite(scope, "distinct_axis.discriminant", discriminant, square, why, ["13"])
+    rewrite(scope, "distinct_axis.discriminant", discriminant, square, why, [13])
 
 
 def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
@@ -185,9 +185,7 @@ def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
     quadratic = alpha * (s_i - zeta * v) * (s_j - zeta * v)
     why = "zeta sn(xi t + C) put in, coefficients compared: two choices"
     unknown = (zeta, xi, mu)
-    both = match(
-        scope, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11", "Lemma 1"]
-    )
+    both = match(scope, "matched.amplitude", speed, quadratic, v, unknown, why, [10, 11, "Lemma 1"])
     first = both.found[0]
     scale = replace(SINE, relations=(f"xi**2 - ({scope.text(first[xi])})",))
     body = (scale, Part(definitions={"mu": scope.text(first[mu])}), SCALED)
@@ -196,11 +194,11 @@ def _matched(builder: LedgerBuilder) -> tuple[Computation, Computation]:
     scope = Scope.open(builder, "sine", *body, rotating)
     squared = rate_of(RATE) ** 2
     why = "the first choice of the two solves it"
-    rewrite(scope, "sine.solves", squared, by_rate, why, ["10"])
-    differentiate(scope, "sine.slope", RATE, "its slope", ["16"])
+    rewrite(scope, "sine.solves", squared, by_rate, why, [10])
+    differentiate(scope, "sine.slope", RATE, "its slope", [16])
     scope = Scope.open(builder, "initial", *body, rotating, Part(units=("zeta",)))
     value = compute(RATE - symbol("zeta") * SN).solve_for(SN)
-    rewrite(scope, "initial.value", SN, value, "where it starts", ["12"], "solve")
+    rewrite(scope, "initial.value", SN, value, "where it starts", [12], "solve")
     return by_rate, first[mu]
 
 
@@ -227,10 +225,10 @@ def _reciprocal(builder: LedgerBuilder) -> None:
             slope,
             value,
             why,
-            ["footnote 1", "11"],
+            ["footnote 1", 11],
             "differentiate",
         )
     for fact, one in (("circle", C**2 + S**2), ("parameter", E**2 + S**2 / mu)):
         why = "and are on the same curves"
-        source = ["footnote 1", "11"]
+        source = ["footnote 1", 11]
         rewrite(scope, f"reciprocal.{fact}", one, sympy.S.One, why, source, law=FUNCTIONS_OF_JACOBI)

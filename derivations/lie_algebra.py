@@ -91,8 +91,8 @@ def derive(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, group, UNIT_QUATERNION, matrices=form, static=True)
     one = sympy.Identity(SIZE)
     why = "R of the form (1) is unitary" if group == "SU2" else "a rotation matrix is orthogonal"
-    multiply(scope, f"{group}.unitary", R * R.adjoint(), one, why, ["1"])
-    determinant(scope, f"{group}.special", R, "and its determinant is one", ["1"])
+    multiply(scope, f"{group}.unitary", R * R.adjoint(), one, why, [1])
+    determinant(scope, f"{group}.special", R, "and its determinant is one", [1])
     builder.keep((_unitary if group == "SU2" else _orthogonal)(builder, setting))
 
 
@@ -102,10 +102,10 @@ def _unitary(builder: LedgerBuilder, setting: Setting) -> Algebra:
     pair = {"P": setting.element("p"), "Q": setting.element("q"), **UNITS, **basis}
     matrices = {**pair, "Omega": combination("Omega1 Omega2 Omega3")}
     scope = Scope.open(builder, "quaternions", PAIR, matrices=matrices, static=True)
-    coordinates(scope, "quaternions.product", P * Q, e, "the product of two quaternions", ["2"])
+    coordinates(scope, "quaternions.product", P * Q, e, "the product of two quaternions", [2])
     constants = _brackets(scope)
     why = "R' = R Omega in the components of a quaternion"
-    rates = coordinates(scope, "quaternions.kinematics", Q * Omega, e, why, ["3"])
+    rates = coordinates(scope, "quaternions.kinematics", Q * Omega, e, why, [3])
     return Algebra(setting, constants, rates.value)
 
 
@@ -123,7 +123,7 @@ def _orthogonal(builder: LedgerBuilder, setting: Setting) -> Algebra:
     }
     scope = Scope.open(builder, "quaternions", PAIR, both, matrices=matrices, static=True)
     why = "two rotations are one by the product of their quaternions"
-    multiply(scope, "quaternions.product", P * Q, S, why, ["2"])
+    multiply(scope, "quaternions.product", P * Q, S, why, [2])
     rates = dict(zip(setting.order, symbols("Omega1 Omega2 Omega3"), strict=True))
     omega = [setting.sign * setting.factor * rates[axis] for axis in AXES]
     turning = product(q, (sympy.S.Zero, *omega))
@@ -136,7 +136,7 @@ def _brackets(scope: Scope) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
     for i, j in ((0, 1), (1, 2), (0, 2)):
         fact = f"quaternions.bracket_{i + 1}{j + 1}"
         why = f"the bracket of A{i + 1} and A{j + 1}, read off"
-        step = coordinates(scope, fact, commutator(A[i], A[j]), A, why, ["4"])
+        step = coordinates(scope, fact, commutator(A[i], A[j]), A, why, [4])
         found[i, j] = step.value
         found[j, i] = tuple(-x for x in step.value)
     zero = (sympy.S.Zero,) * 3

@@ -26,7 +26,7 @@ def derive(builder: LedgerBuilder) -> None:
     cyclic = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     terms = (commutator(commutator(A[i], A[j]), A[k]) for i, j, k in cyclic)
     total, why = MatAdd(*terms, evaluate=False), "Jacobi's identity, by the commutator's"
-    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(SIZE, SIZE), why, ["4"])
+    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(SIZE, SIZE), why, [4])
 
     body = _momenta(builder)
     rates = {}
@@ -34,9 +34,9 @@ def derive(builder: LedgerBuilder) -> None:
         along = Part(rates={m: _bracket(algebra, i, j) for i, m in zip(AXES, MOMENTA, strict=True)})
         scope = Scope.open(builder, f"poisson{j}", given, body, along)
         why = f"in the flow of M{j}, with M{j} in the place of H, K^2 is constant: a Casimir"
-        differentiate(scope, f"poisson{j}.casimir", symbol("K_squared"), why, ["6", "7"])
+        differentiate(scope, f"poisson{j}.casimir", symbol("K_squared"), why, [6, 7])
         why = f"and the rate of H is the bracket of H and M{j}, by the chain rule"
-        rates[momentum] = -differentiate(scope, f"poisson{j}.energy", symbol("H"), why, ["8"]).found
+        rates[momentum] = -differentiate(scope, f"poisson{j}.energy", symbol("H"), why, [8]).found
     matrices = {
         **algebra.basis,
         "M": combination("M1 M2 M3"),
@@ -45,7 +45,7 @@ def derive(builder: LedgerBuilder) -> None:
     velocity = Part(definitions=builder.result(Dynamics).velocities)
     scope = Scope.open(builder, "flow", given, body, velocity, Part(rates=rates), matrices=matrices)
     why = "the flow of H is the Lax equation"
-    multiply(scope, "flow.lax", Rate(M), commutator(M, Omega), why, ["5", "7"])
+    multiply(scope, "flow.lax", Rate(M), commutator(M, Omega), why, [5, 7])
 
 
 def _momenta(builder: LedgerBuilder) -> Part:

@@ -12,7 +12,7 @@ theorem on all such equations; and when the turn that is left is a whole one, wh
 
 from typing import Any
 
-from sympy import Add, Expr, ImmutableMatrix, Integer, diag, factor, solve
+from sympy import Add, Expr, ImmutableMatrix, Integer, diag, factor
 
 from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import INERTIA, Dynamics
@@ -20,7 +20,7 @@ from derivations.lie_algebra import UNIT_QUATERNION, Algebra
 from derivations.regimes import BY_RATES as SORTED
 from derivations.regimes import E_1, EXCESSES
 from derivations.regular_form import BY_RATES, DIFFERENCES, H, by_sn
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import Computation, compute, guess
 from rigidsym.proof.algebra._quaternion import conjugate, product, rotated
 from rigidsym.proof.steps import rate_of
@@ -167,11 +167,10 @@ def derive(builder: LedgerBuilder) -> None:
     _cone(builder)
     _left(builder)
     _planes(builder)
-    _peaks(builder)
+    _peaks(Proofs(builder, "regular"))
     _ring(builder)
     # K^2 <= 2 H c for the largest moment c.
-    most = {EXCESSES[E_1]: SORTED[E_1]}
-    builder.sign("sorted_body.most_momentum", most, ["6", "15"])
+    Proofs(builder, "sorted_body").sign("most_momentum", {EXCESSES[E_1]: SORTED[E_1]}, 6, 15)
 
 
 def _faster(builder: LedgerBuilder) -> None:
@@ -179,10 +178,10 @@ def _faster(builder: LedgerBuilder) -> None:
     body, attitude = builder.result(Dynamics).body, builder.result(Algebra).attitude
     moving = expressions({**body.rates, **attitude.rates})
     faster = Part(rates={name: s * rate for name, rate in moving.items()})
-    builder.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
-    builder.claim("faster.kinematics", turning(Q, W), ["3"])
+    here = Proofs.open(builder, "faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster)
+    here.claim("kinematics", turning(Q, W), 3)
     momenta: Any = diag(*C) * W
-    builder.claim("faster.euler", euler(momenta, W), ["5"])
+    here.claim("euler", euler(momenta, W), 5)
     slow = {w: s * omega for w, omega in zip(W, OMEGA, strict=True)}
     names = {c * omega: m for c, omega, m in zip(C, OMEGA, M, strict=True)}
     sides = [*momenta, momenta.dot(momenta), momenta.dot(W) / 2]
@@ -190,69 +189,69 @@ def _faster(builder: LedgerBuilder) -> None:
     square = sum((c * omega) ** 2 for c, omega in zip(C, OMEGA, strict=True))
     named = {energy: 2 * H, square: K_squared, **names}
     found = [compute(side).subs(slow).factor().subs(named) for side in sides]
-    builder.claim("faster.invariants", zip(sides, found, strict=True), ["6", "8", "15"])
+    here.claim("invariants", zip(sides, found, strict=True), 6, 8, 15)
 
 
 def _cone(builder: LedgerBuilder) -> None:
     """Prove that energies at both ends differ by a traceless form, zero on the turn's axis."""
-    builder.open(join("manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True))
+    here = Proofs.open(builder, "manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True)
     form = compute(A).multiply(M).dot(M).expand()
-    builder.claim("manoeuvre.cone", {GAIN: form}, ["6"])
-    builder.evaluate("manoeuvre.trace", [A.trace()])
+    here.claim("cone", {GAIN: form}, 6)
+    here.evaluate("trace", [A.trace()])
     axis = ImmutableMatrix(P[1:])
-    builder.evaluate("manoeuvre.axis", [*(R * axis), axis.dot(A * axis)])
+    here.evaluate("axis", [*(R * axis), axis.dot(A * axis)])
     # From rest to rest the bursts are M and -N in the body axes.
     for burst, momentum in (("first", M), ("last", N)):
         square = compute(momentum).dot(momentum)
-        builder.root(f"manoeuvre.{burst}_burst", K, square, ["6"])
+        here.root(K, square, 6, fact=f"{burst}_burst")
     # A R = R J - J R: A = 0 where R does not mix axes of different moments.
-    builder.claim("manoeuvre.symmetry", {(A * R)[entry]: MIXED[entry] for entry in ACROSS})
+    here.claim("symmetry", {(A * R)[entry]: MIXED[entry] for entry in ACROSS})
 
 
 def _left(builder: LedgerBuilder) -> None:
     """Prove that q = z p takes N to M exactly for z a turn about M."""
-    builder.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
-    builder.evaluate("arrival.turn", R * N)
-    builder.claim("arrival.left", dict(zip(Q, times(Z, P), strict=True)))
+    here = Proofs.open(builder, "arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True)
+    here.evaluate("turn", R * N)
+    here.claim("left", dict(zip(Q, times(Z, P), strict=True)))
     cross = ImmutableMatrix(Z[1:]).cross(M)
     chord = guess(
         f"4*({cross.dot(cross)})", "a chord by its angle, which has no short form expanded"
     )
-    builder.claim("arrival.gap", {(L - M).dot(L - M): chord})
-    builder.evaluate("arrival.angle", [(K * Z[0]) ** 2 + along**2 + cross.dot(cross)])
+    here.claim("gap", {(L - M).dot(L - M): chord})
+    here.evaluate("angle", [(K * Z[0]) ** 2 + along**2 + cross.dot(cross)])
 
 
 def _planes(builder: LedgerBuilder) -> None:
     """Prove that K^2 - 2 H c_b vanishes on two planes through axis b."""
-    builder.open(join("separatrix_planes", PLANES, static=True))
+    here = Proofs.open(builder, "separatrix_planes", PLANES, static=True)
     inverse = {i_a: 1 / c_a, across**2: 1 / c_b - 1 / c_a}
     squares = {
-        root: compute(1 / c - INVERSE[c]).apply(solve, root**2)[0].subs(inverse).factor()
+        root: compute(1 / c - INVERSE[c]).solve_for(root**2).subs(inverse).factor()
         for root, c in ((across, c_b), (along, c_d))
     }
     for root, square in squares.items():
-        builder.root(f"separatrix_planes.{root}", root, square)
+        here.root(root, square)
     energy = sum(m**2 / c for m, c in ((M_a, c_a), (M_b, c_b), (M_d, c_d)))
     excess = M_a**2 + M_b**2 + M_d**2 - energy * c_b
     whole = compute(excess).expand()
     form = sum((whole.coeff(m**2).factor() * m**2 for m in (M_a, M_d)), compute(Integer(0)))
     E_b = symbol("E_b")
     claims = {excess: form, E_b: form}
-    builder.claim("separatrix_planes.E_b", claims, ["6"])
+    here.claim("E_b", claims, 6)
     # c_a - c_b is across^2 c_a c_b, and c_b - c_d is along^2 c_b c_d.
     gaps = {c_a - c_b: across**2 * c_a * c_b, c_b - c_d: along**2 * c_b * c_d}
-    builder.claim("separatrix_planes.planes", {E_b: form.subs(gaps).factor()})
+    here.claim("planes", {E_b: form.subs(gaps).factor()})
 
 
-def _peaks(builder: LedgerBuilder) -> None:
+def _peaks(here: Proofs) -> None:
     """Prove that |Omega|^2 is linear in sn^2, so stationary where sn, cn or dn vanishes."""
     square = Add(*(symbol(f"Omega_{x}") ** 2 for x in "abd"))
     sn, cn, dn, lambda_ = symbols("sn cn dn lambda_")
     constant, slope = by_sn(square)
     speed = constant + slope * sn**2
-    builder.claim("regular.speed", {square: speed}, ["10"])
+    here.claim("speed", {square: speed}, 10)
     change = speed.diff(sn) * lambda_ * cn * dn
-    builder.claim("regular.speed_rate", {rate_of(square): change}, ["10"])
+    here.claim("speed_rate", {rate_of(square): change}, 10)
 
 
 def _ring(builder: LedgerBuilder) -> None:
@@ -263,10 +262,10 @@ def _ring(builder: LedgerBuilder) -> None:
     """
     body, attitude = builder.result(Dynamics).body, builder.result(Algebra).attitude
     motion = (INERTIA, TURN, body, UNIT_QUATERNION, attitude)
-    builder.open(join("ring", *motion, BESIDE, SYMMETRY))
-    builder.evaluate("ring.symmetry", [MIXED[entry] for entry in ACROSS])
-    builder.claim("ring.kinematics", turning(X, W), ["3"])
+    here = Proofs.open(builder, "ring", *motion, BESIDE, SYMMETRY)
+    here.evaluate("symmetry", [MIXED[entry] for entry in ACROSS])
+    here.claim("kinematics", turning(X, W), 3)
     # R^T commutes with the inertia.
     momenta = compute(diag(*C)).multiply(W)
-    builder.claim("ring.momentum", defined(BESIDE_M, momenta), ["8"])
-    builder.claim("ring.euler", euler(BESIDE_M, W), ["5", "7"])
+    here.claim("momentum", defined(BESIDE_M, momenta), 8)
+    here.claim("euler", euler(BESIDE_M, W), 5, 7)

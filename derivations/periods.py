@@ -15,8 +15,6 @@ less the rate at which the momentum, seen from the body, sweeps solid angle arou
 As in the theta form, 0 < k_1 < 1: neither the separatrix nor a symmetric body.
 """
 
-from sympy import solve
-
 from derivations.attitude import ATTITUDE, M_a, M_b, M_d, Omega_a
 from derivations.descended_form import LANDEN, MOTION
 from derivations.pi_form import FACTOR, J_0, K_1, H, J, psi
@@ -43,7 +41,7 @@ from derivations.theta_form import (
     z,
     zeta,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle
 from rigidsym.proof.algebra._computation import compute, guess
 from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import expressions, symbols, unfold
@@ -73,7 +71,7 @@ JACOBI = {name: side.subs(AFTER) for name, side in expressions(LANDEN.definition
 PSI = psi_0 * t + kappa * (J - J_0)
 PSI_LATER = compute(PSI).subs({t: t + period / 2, J: J_later})
 # s is as before after 4 K_1.
-PERIOD = compute(mu * period - 4 * K_1).apply(solve, period)[0]
+PERIOD = compute(mu * period - 4 * K_1).solve_for(period)
 GAIN = (PSI_LATER - PSI).subs(J_later, J + 2 * J_c) / (period / 2)
 PSI_MEAN = GAIN.expand().subs(period, PERIOD)
 # dn is the rate of Jacobi's amplitude.
@@ -131,11 +129,11 @@ POINTS = [
 def derive(builder: LedgerBuilder) -> None:
     """Prove the periods of rates and psi, its mean rate, and the solid angle."""
     motion = (*MOTION, half_angle("psi", "psi_rate"), COMPLETE)
-    builder.open(join("period", *motion, AMPLITUDE, LATER))
-    builder.model("period", "descended")
-    builder.carry("period", ["descended.solution"])
+    here = Proofs.open(builder, "period", *motion, AMPLITUDE, LATER)
+    here.model("descended")
+    here.carry("descended", "solution")
     duration = PERIOD.subs(mu, lambda_ / (1 + k_1)).subs(K_1, quarter / (1 + k_1))
-    builder.claim("period.duration", {period: duration}, ["10"])
+    here.claim("duration", {period: duration}, 10)
     # With s, c and d of before, these are sn, cn and dn of before but for signs, and so the rates.
     known = [
         {side: name for name, side in expressions(part.definitions).items()}
@@ -145,7 +143,7 @@ def derive(builder: LedgerBuilder) -> None:
         side: unfold(side, COMPLETE, LATER).subs(known[0]).subs(known[1])
         for side in (sigma * A_a * dn_later, chi * A_b * sn_later, chi * tau * A_d * cn_later)
     }
-    builder.claim("period.rates", rates, ["10"])
+    here.claim("rates", rates, 10)
     gain = (OMEGA_MEAN * period).subs(OMEGA_MEAN, Omega_mean)
     scale = sigma * A_a / lambda_
     slope = (scale * compute(am)).diff(am) * lambda_ * dn
@@ -153,9 +151,9 @@ def derive(builder: LedgerBuilder) -> None:
         scale * rate_of(am): slope.subs(sigma * A_a * dn, Omega_a),
         scale * (am_later - am): gain,
     }
-    builder.claim("period.mean", mean, ["10"])
+    here.claim("mean", mean, 10)
     grown = PSI_MEAN * period / 2
-    builder.claim("period.psi", {psi_later - psi: grown}, ["33", "34"])
+    here.claim("psi", {psi_later - psi: grown}, 33, 34)
     _functions(builder, (*motion, SHIFT, AMPLITUDE))
     _mean_rate(builder, (*motion, SHIFT))
     _solid_angle(builder)
@@ -163,10 +161,10 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _functions(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
     """Prove the functions half a period later."""
-    builder.open(join("period_functions", *motion, FUNCTIONS))
-    builder.start("period_functions.later", LATER.definitions, ["DLMF 22.4(iii)"])
-    builder.model("period_functions", "period", ["period_functions.later"])
-    builder.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
+    here = Proofs.open(builder, "period_functions", *motion, FUNCTIONS)
+    here.start("later", LATER.definitions, "DLMF 22.4(iii)")
+    here.model("period", "later")
+    here.carry("period", *("duration", "rates", "psi"))
 
 
 def _mean_rate(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
@@ -174,9 +172,11 @@ def _mean_rate(builder: LedgerBuilder, motion: tuple[Part, ...]) -> None:
     interchange = guess("zeta*K_1/(k_1**2*x*y*z)", "Legendre's interchange, which is cited")
     builder.assume("period_functions.complete", {J_c: interchange}, REFERENCE, POINTS)
     complete = Part(definitions={J_c: interchange})
-    builder.open(join("mean_rate", *given(motion, complete.definitions, ()), complete, LATER))
+    here = Proofs.open(
+        builder, "mean_rate", *given(motion, complete.definitions, ()), complete, LATER
+    )
     mean = PSI_MEAN.subs(kappa, KAPPA).subs(J_c, INTERCHANGE)
-    builder.claim("mean_rate.Lambda", {psi_mean: mean}, ["34"])
+    here.claim("Lambda", {psi_mean: mean}, 34)
 
 
 def _solid_angle(builder: LedgerBuilder) -> None:
@@ -186,11 +186,11 @@ def _solid_angle(builder: LedgerBuilder) -> None:
     """
     turned = sigma * epsilon * (M_b * rate_of(M_d) - M_d * rate_of(M_b))
     swept = turned / (K * (K + sigma * M_a))
-    builder.open(join("solid_angle", *ATTITUDE, Part(definitions={swept_rate: swept})))
+    here = Proofs.open(builder, "solid_angle", *ATTITUDE, Part(definitions={swept_rate: swept}))
     # M_b^2 + M_d^2 is K^2 - M_a^2.
     along = sigma * M_a
     circle = (compute(swept).subs(along, across) * (K**2 - across**2)).cancel().factor()
     sweep = {swept_rate * (M_b**2 + M_d**2): circle.subs(across, along)}
-    builder.claim("solid_angle.swept", sweep, ["27"])
+    here.claim("swept", sweep, 27)
     gap = psi_rate + swept_rate - 2 * H / K
-    builder.evaluate("solid_angle.rate", [gap], ["32", "33"])
+    here.evaluate("rate", [gap], 32, 33)

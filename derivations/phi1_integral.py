@@ -77,7 +77,7 @@ def derive(builder: LedgerBuilder) -> None:
     put_in = integrand.subs(RATES[axis - 1], ZETA * SN)
     split = apart(put_in, SN**2)
     why = "with the rate put in, partial fractions in sn^2"
-    rewrite(scope, "sine_motion.split", integrand, split, why, ["34"], "partial_fractions")
+    rewrite(scope, "sine_motion.split", integrand, split, why, [34], "partial_fractions")
 
     found = split.apply(_parameter)
     n = found.value
@@ -90,7 +90,7 @@ def derive(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "table", *given, table)
     rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
     why = "integrated term by term, by the table that has the rate of Pi"
-    phi1 = integrate(scope, "table.phi1", split, rates, why, ["19", "36"])
+    phi1 = integrate(scope, "table.phi1", split, rates, why, [19, 36])
     factor = phi1.found.coeff(symbol("Pi"))
     kappa = symbol("kappa")
     named = Part(
@@ -107,7 +107,7 @@ def derive(builder: LedgerBuilder) -> None:
         rate_of(symbol("phi1")),
         integrand,
         why,
-        ["19", "33"],
+        [19, 33],
         "differentiate",
         law="(33), which phi1 was integrated from",
     )
@@ -117,7 +117,7 @@ def derive(builder: LedgerBuilder) -> None:
     why = "the square of the rate of the amplitude theta"
     by_sn = compute(DN**2 + MU * SN**2 - 1).solve_for(DN**2)
     squared = rate_of(symbol("theta")) ** 2
-    rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
+    rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, [35], "differentiate")
 
 
 def _parameter(split: Any) -> sympy.Expr:

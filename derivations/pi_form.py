@@ -20,7 +20,7 @@ quarter period.  g_1, g_2 and h_2 vanish on the separatrix, and no term is the d
 
 from typing import Any
 
-from sympy import I, S, atan, factor_terms, solve
+from sympy import I, S, atan, factor_terms
 
 from derivations.descended_form import MOTION
 from derivations.theta_form import (
@@ -56,7 +56,7 @@ from derivations.theta_form import (
     y,
     z,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle
 from rigidsym.proof.algebra._computation import Computation, compute, guess
 from rigidsym.proof.steps import rate_of
 from rigidsym.proof.steps._names import symbol, symbols
@@ -94,8 +94,8 @@ GAP = ((SADDLE_RATE - BY_SHIFT) / (rho * mu * G)).cancel()
 LAST_GAP = GAP.subs(s**2, 1)  # at the end of a quarter period
 G_1 = g * LAST_GAP.subs(k_1**2 * x**2, z**2 - 1).subs(k_1 - 1, -m_c / (1 + k_1))
 # The change of the parameter is (1 - n) (1 - n_2) = 1 - k_1^2, and z^2 is 1 - n.
-DELTA = compute(z**2 * delta - m_c).apply(solve, delta)[0]
-OLD = compute((1 - n) * (1 - n_2) - 1 + k_1**2).apply(solve, n)[0]
+DELTA = compute(z**2 * delta - m_c).solve_for(delta)
+OLD = compute((1 - n) * (1 - n_2) - 1 + k_1**2).solve_for(n)
 TANGENT = slope * s * c / (z * d)
 
 
@@ -234,57 +234,57 @@ def half_turned(half: dict[str, Computation]) -> Part:
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove the rest, then psi from the saddle and from both ends of a quarter period."""
-    builder.open(join("pi_form", *MOTION, half_angle("psi", "psi_rate"), MEAN))
-    builder.model("pi_form", "descended")
+    here = Proofs.open(builder, "pi_form", *MOTION, half_angle("psi", "psi_rate"), MEAN)
+    here.model("descended")
     names = {LAMBDA.value: Lambda, REST.value: rest, REST_0.value: rest_0}
     total = (LAMBDA * t + REST - REST_0).subs(names)
-    builder.claim("pi_form.psi", {psi / 2: total}, ["33", "34", "36"])
+    here.claim("psi", {psi / 2: total}, 33, 34, 36)
     for claims in (_abstract, _near, _far):
         claims(builder)
 
 
 def _abstract(builder: LedgerBuilder) -> None:
     """Open a context on the rate of psi with few names."""
-    builder.open(join("arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT))
+    here = Proofs.open(builder, "arctangent", ABSTRACT, SADDLE, NEAR, ARCTANGENT)
     saddle = Lambda - rho * g * mu * GAP.subs(k_1**2 * x**2, -n)
-    builder.claim("arctangent.saddle", {psi_rate / 2: saddle}, ["33", "34", "36"])
-    builder.root("arctangent.T_size", T_size, SQUARE.ordered("z n delta s c"), ["36"])
+    here.claim("saddle", {psi_rate / 2: saddle}, 33, 34, 36)
+    here.root(T_size, SQUARE.ordered("z n delta s c"), 36)
     turned = parts("D", I * T_rate * whole("T")).values()
     turn = {rate_of(x): side for x, side in zip((T_re, T_im), turned, strict=True)}
-    builder.claim("arctangent.turn", turn, ["36"])
+    here.claim("turn", turn, 36)
     phase = guess("Lambda + T_rate - rho*(g_1*mu + g_2*D(L))", MATCHED)
-    builder.claim("arctangent.phase", {psi_rate / 2: phase}, ["33", "34", "36"])
-    builder.open(join("other_end", ABSTRACT, SADDLE, FAR))
+    here.claim("phase", {psi_rate / 2: phase}, 33, 34, 36)
+    here = Proofs.open(builder, "other_end", ABSTRACT, SADDLE, FAR)
     below = c_v_squared + delta * s_v**2
     above = (FAR_RATE * compute(below).subs(OF_V).subs(delta, DELTA)).factor().subs(c, s_v * d)
-    builder.claim("other_end.path", {rate_of(L) * below: above}, ["36"])
+    here.claim("path", {rate_of(L) * below: above}, 36)
     phase = guess("Lambda - rho*(g_1*mu - h_2*D(L))", MATCHED)
-    builder.claim("other_end.phase", {psi_rate / 2: phase}, ["33", "34", "36"])
+    here.claim("phase", {psi_rate / 2: phase}, 33, 34, 36)
 
 
 def _near(builder: LedgerBuilder) -> None:
     """Prove the motion with psi/2 by an angle X and the arctangent."""
     half = half_turned(parts("half", whole("X") * whole("T")))
     turn = turning(psi_rate / 2 - T_rate)
-    builder.open(join("pi_near", *MOTION, SHIFT, SADDLE, NEAR, SCALED, COMPLETE, turn, half))
-    builder.model("pi_near", "arctangent")
-    builder.carry(
-        "pi_near", [f"arctangent.{name}" for name in ("saddle", "T_size", "turn", "phase")]
+    here = Proofs.open(
+        builder, "pi_near", *MOTION, SHIFT, SADDLE, NEAR, SCALED, COMPLETE, turn, half
     )
-    builder.model("pi_near", "descended", ["pi_near.turn"])
-    builder.carry("pi_near", ["descended.solution"])
+    here.model("arctangent")
+    here.carry("arctangent", *("saddle", "T_size", "turn", "phase"))
+    here.model("descended", "turn")
+    here.carry("descended", "solution")
     whole_turn = g * (u_1 - (k_1 - n) * J)
     grown = alpha * u_1 + TURNED.coeff(J_periodic).subs(slower, k_1 - n) * (J - j * u_1)
-    builder.claim("pi_near.grown", {K_1 * whole_turn: grown}, ["36"])
+    here.claim("grown", {K_1 * whole_turn: grown}, 36)
     slope_of_turn = g * mu * (1 - slower * FACTOR).cancel().subs(slower, k_1 - n)
-    builder.claim("pi_near.slope", {rate_of(whole_turn): slope_of_turn}, ["33", "34", "36"])
+    here.claim("slope", {rate_of(whole_turn): slope_of_turn}, 33, 34, 36)
 
 
 def _far(builder: LedgerBuilder) -> None:
     """Prove the motion with psi/2 by an angle X alone."""
     half = half_turned({"re": compute(X_re), "im": compute(X_im)})
-    builder.open(join("pi_far", *MOTION, SHIFT, SADDLE, FAR, turning(psi_rate / 2), half))
-    builder.model("pi_far", "other_end")
-    builder.carry("pi_far", ["other_end.path", "other_end.phase"])
-    builder.model("pi_far", "descended")
-    builder.carry("pi_far", ["descended.solution"])
+    here = Proofs.open(builder, "pi_far", *MOTION, SHIFT, SADDLE, FAR, turning(psi_rate / 2), half)
+    here.model("other_end")
+    here.carry("other_end", "path", "phase")
+    here.model("descended")
+    here.carry("descended", "solution")

@@ -33,7 +33,7 @@ from derivations.addition_form import (
     TIME,
 )
 from derivations.attitude import HANDEDNESS, INERTIA
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, join
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import collected, read, symbol, symbols
 
@@ -172,16 +172,18 @@ def _perturbed(builder: LedgerBuilder) -> None:
     """Prove that the changes are derivatives by a parameter D."""
     along = Part(rates={x: f"d{x}" for x in MOVED}, definitions=CHANGES)
     fixed = Part(FUNCTIONS.names, reading=FUNCTIONS.reading)
-    builder.open(join("perturbed", COEFFICIENTS, GIVEN, fixed, RATES, small(*MOVED), along))
+    here = Proofs.open(
+        builder, "perturbed", COEFFICIENTS, GIVEN, fixed, RATES, small(*MOVED), along
+    )
     changes = {f"D({name[1:]})": name for name in CHANGES}
-    builder.claim("perturbed.changes", changes, ["5"], law=PARAMETER)
+    here.claim("changes", changes, 5, law=PARAMETER)
     forces = defined(HANDEDNESS, INERTIA, Part(definitions=FORCES))
     by_moments = {f"d{name}": change_of(name, value) for name, value in forces.items()}
     along = Part(rates={c: f"d{c}" for c in INERTIA.names}, definitions={**FORCES, **by_moments})
     moments = (HANDEDNESS, INERTIA, small(*INERTIA.names))
-    builder.open(join("perturbed_moments", *moments, along))
+    here = Proofs.open(builder, "perturbed_moments", *moments, along)
     claims = {f"D({name})": f"d{name}" for name in FORCES}
-    builder.claim("perturbed_moments.changes", claims, ["5"], law=PARAMETER)
+    here.claim("changes", claims, 5, law=PARAMETER)
 
 
 def _moving(builder: LedgerBuilder) -> None:
@@ -190,23 +192,23 @@ def _moving(builder: LedgerBuilder) -> None:
     constant = small(*GIVEN.names, *FORCES)
     functions = small(*FUNCTIONS.names)
     rates = (RATES, constant, functions, Part(definitions=CHANGES))
-    builder.open(join("varied", *given, FUNCTIONS, *rates, VARIED_FUNCTIONS))
-    builder.claim("varied.euler", EULER, ["5"])
+    here = Proofs.open(builder, "varied", *given, FUNCTIONS, *rates, VARIED_FUNCTIONS)
+    here.claim("euler", EULER, 5)
     varied = {f"D(dOmega_{x})": change(EULER[f"D(Omega_{x})"]) for x in OTHERS}
-    builder.claim("varied.variation", varied, ["5"])
+    here.claim("variation", varied, 5)
     start = Part(relations=("S_t", "C_t - 1", "D_t - 1", *VARIED))
-    builder.open(join("varied_start", *given, *still(FUNCTIONS), *rates, start, static=True))
-    builder.evaluate("varied_start.rates", [f"dOmega_{x}" for x in "abd"], ["12"])
+    here = Proofs.open(
+        builder, "varied_start", *given, *still(FUNCTIONS), *rates, start, static=True
+    )
+    here.evaluate("rates", [f"dOmega_{x}" for x in "abd"], 12)
 
 
 def _functions(builder: LedgerBuilder) -> None:
     """Prove that changes of S_t, C_t, D_t satisfy the varied equations and start at 0."""
-    builder.open(join("varied_regular", PARAMETERS, *FUNCTION_PARTS, REGULAR))
+    here = Proofs.open(builder, "varied_regular", PARAMETERS, *FUNCTION_PARTS, REGULAR)
     relations = dict.fromkeys(VARIED_CURVES, "0")
-    builder.claim(
-        "varied_regular.variation", [*VARIED_RATES.items(), *relations.items()], ["5", "10"]
-    )
+    here.claim("variation", [*VARIED_RATES.items(), *relations.items()], 5, 10)
     start = Part(relations=(*START.relations, "F_t"))
     parts = (PARAMETERS, *still(*FUNCTION_PARTS), REGULAR, start)
-    builder.open(join("varied_regular_start", *parts, static=True))
-    builder.claim("varied_regular_start.functions", at_start(REGULAR), ["12"])
+    here = Proofs.open(builder, "varied_regular_start", *parts, static=True)
+    here.claim("functions", at_start(REGULAR), 12)

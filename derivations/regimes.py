@@ -11,10 +11,10 @@ with a the axis of largest or smallest inertia, are nonnegative, and so are m an
 separatrix 1 - m = 0, for symmetric bodies m = 0.
 """
 
-from sympy import Expr, S, Symbol, UnevaluatedExpr, solve
+from sympy import Expr, S, Symbol, UnevaluatedExpr
 
 from derivations.regular_form import FORMULAS, PARAMETERS
-from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, part_of
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, extend, part_of
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import symbol, symbols
 
@@ -99,9 +99,9 @@ SOURCE = ("10", "13", "14")
 
 def derive(builder: LedgerBuilder) -> None:
     """Split all motions into leaves, and state what holds in each leaf."""
-    builder.open(join("sorted_body", BODY, static=True))
+    here = Proofs.open(builder, "sorted_body", BODY, static=True)
     differences = [(BY_RATES[name], form) for name, form in EXCESSES.items()]
-    builder.claim("sorted_body.differences", differences, ["6", "15"])
+    here.claim("differences", differences, 6, 15)
     for context, name, *cases in TREE:
         builder.split(context, name, *cases)
     _steady(builder)
@@ -115,21 +115,21 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _steady(builder: LedgerBuilder) -> None:
     """Prove (c_i - c) Omega_i = 0, by a quantity that is both >= 0 and <= 0."""
-    squares = {w: compute(SQUARES_SUM).apply(solve, w**2)[0] for w in OMEGA}
-    builder.sign("rest.rates", {-(w**2): -form for w, form in squares.items()})
+    squares = {w: compute(SQUARES_SUM).solve_for(w**2) for w in OMEGA}
+    Proofs(builder, "rest").sign("rates", {-(w**2): -form for w, form in squares.items()})
     gap = compute(c_13 - c_23).subs(c_13, 0)  # it is c_12
     other = compute(c_13 - c_12).subs(c_13, 0)
-    builder.sign("spherical.moments", {-c_12: -gap, -c_23: -other})
+    Proofs(builder, "spherical").sign("moments", {-c_12: -gap, -c_23: -other})
     for E, pairs, leaves in (
         (E_1, ((c_12, Omega_2), (c_13, Omega_3)), ("spin_1", "oblate_polar", "prolate_equatorial")),
         (E_3, ((c_13, Omega_1), (c_23, Omega_2)), ("spin_3", "prolate_polar", "oblate_equatorial")),
     ):
-        forms = {-gap * w**2: -gap * BY_RATES[E].apply(solve, w**2)[0] for gap, w in pairs}
+        forms = {-gap * w**2: -gap * BY_RATES[E].solve_for(w**2) for gap, w in pairs}
         for leaf in leaves:
-            builder.sign(f"{leaf}.parallel", forms)
+            Proofs(builder, leaf).sign("parallel", forms)
     across = compute(Omega_1**2 + Omega_3**2)
-    forms = {-(w**2): -across.apply(solve, w**2)[0] for w in (Omega_1, Omega_3)}
-    builder.sign("spin_2.parallel", forms)
+    forms = {-(w**2): -across.solve_for(w**2) for w in (Omega_1, Omega_3)}
+    Proofs(builder, "spin_2").sign("parallel", forms)
 
 
 def _moving(builder: LedgerBuilder, leaf: str, axis: int) -> None:
@@ -144,10 +144,10 @@ def _moving(builder: LedgerBuilder, leaf: str, axis: int) -> None:
         plain[name] = (plain[name] / gaps) * gaps.held()
     edge = _edge(leaf, forms)
     signs = {plain[name]: form for name, form in forms.items() if name not in edge}
-    builder.sign(f"{leaf}.squares", signs, SOURCE)
+    Proofs(builder, leaf).sign("squares", signs, *SOURCE)
     if edge:
         values = [(plain[name], value) for name, value in edge.items()]
-        builder.claim(f"{leaf}.edge", values, SOURCE)
+        Proofs(builder, leaf).claim("edge", values, *SOURCE)
     _constants(builder, leaf, axis, forms | edge)
 
 
@@ -173,10 +173,10 @@ def _constants(builder: LedgerBuilder, leaf: str, axis: int, forms: dict[str, Co
     differ = (c_23,) if leaf == "prolate_motion" else ()
     definitions = {**squares, **whole.definitions, **named}
     builder.open(extend(context, whole, Part(units=differ, definitions=definitions)))
-    builder.model(context, "any_motion")
+    Proofs(builder, context).model("any_motion")
     m = symbol("m")
     names = {"m": m, "m_1": 1 - m}
     signs = {names.get(name, symbol(f"{name}_squared")): form for name, form in forms.items()}
-    builder.sign(f"{context}.squares", signs, SOURCE)
+    Proofs(builder, context).sign("squares", signs, *SOURCE)
     if leaf in EDGES:
-        builder.claim(f"{context}.edge", {m: forms["m"]}, SOURCE)
+        Proofs(builder, context).claim("edge", {m: forms["m"]}, *SOURCE)

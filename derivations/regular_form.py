@@ -13,7 +13,7 @@ needs a formula of its own.
 
 from typing import Any
 
-from sympy import Expr, S, solve
+from sympy import Expr, S
 
 from derivations.attitude import (
     ENERGY,
@@ -30,7 +30,7 @@ from derivations.attitude import (
     epsilon,
     sigma,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, jacobi, join, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, jacobi, sign
 from rigidsym.proof.algebra._computation import Computation, compute, guess
 from rigidsym.proof.algebra._parts import text
 from rigidsym.proof.steps import rate_of
@@ -82,12 +82,10 @@ def by_sn(form: Expr) -> list[Computation]:
 
 ENERGY_0, ENERGY_2 = by_sn(2 * ENERGY)
 SIZE_0, SIZE_2 = by_sn(SIZE)
-OUTER = compute([ENERGY_0 - 2 * H, SIZE_0 - K**2]).apply(solve, [A_a**2, A_d**2], simplify=False)
-INNER = compute([ENERGY_2, SIZE_2]).apply(solve, [A_b**2, m], simplify=False, dict=True)[0]
+OUTER = compute([ENERGY_0 - 2 * H, SIZE_0 - K**2]).solve_for(A_a**2, A_d**2)
+INNER = compute([ENERGY_2, SIZE_2]).solve_for(A_b**2, m)
 # Omega_d' by the ansatz, and by Euler's equation.
-LAMBDA = (-chi * tau * A_d * lambda_ * sn * dn - EULER[OMEGA[2]].subs(ANSATZ)).apply(
-    solve, lambda_, simplify=False
-)[0]
+LAMBDA = (-chi * tau * A_d * lambda_ * sn * dn - EULER[OMEGA[2]].subs(ANSATZ)).solve_for(lambda_)
 M_FOUND = INNER[m].subs(OUTER)
 SQUARES = {
     A_a: OUTER[A_a**2],
@@ -113,7 +111,7 @@ BY_RATES: dict[str, Any] = {
 }
 # At t = 0 these say where on the polhode the motion starts.
 START = {
-    str(name): unsigned(compute(form - w).apply(solve, name, simplify=False)[0])
+    str(name): unsigned(compute(form - w).solve_for(name))
     for name, (w, form) in zip((dn, sn, cn), ANSATZ.items(), strict=True)
 }
 
@@ -128,8 +126,8 @@ def by_momentum(expression: Computation) -> Computation:
 
 
 RELATION = by_momentum(SIZE_2)
-OF_POLHODE = RELATION.apply(solve, m, simplify=False)[0]
-BETWEEN = by_momentum(ENERGY_2).subs(m, OF_POLHODE).apply(solve, i_b, simplify=False)[0]
+OF_POLHODE = RELATION.solve_for(m)
+BETWEEN = by_momentum(ENERGY_2).subs(m, OF_POLHODE).solve_for(i_b)
 MIDDLE = i_a + (BETWEEN - i_a).factor()
 TURNING = by_momentum(LAMBDA).subs(i_b, MIDDLE).factor()
 # lambda is positive if tau is the sign that it has with tau = 1.
@@ -182,9 +180,9 @@ ROTATING = Part(
 INVARIANTS = Part(
     definitions={
         H: (by_momentum(ENERGY_0) / 2).factor().ordered("i_a B_a i_d"),
-        E_a: (A_d**2 - named(OUTER[A_d**2])).apply(solve, E_a)[0],
-        E_b: (m_1 - PARAMETERS["m_1"]).apply(solve, E_b)[0].subs(E_d, c_a * c_ad * A_a**2),
-        E_d: (A_a**2 - named(OUTER[A_a**2])).apply(solve, E_d)[0],
+        E_a: (A_d**2 - named(OUTER[A_d**2])).solve_for(E_a),
+        E_b: (m_1 - PARAMETERS["m_1"]).solve_for(E_b).subs(E_d, c_a * c_ad * A_a**2),
+        E_d: (A_a**2 - named(OUTER[A_a**2])).solve_for(E_d),
         **{
             x: by_momentum(form.subs(ANSATZ)).ordered("chi tau sigma B_a B_d")
             for x, form in GRADIENT.items()
@@ -200,20 +198,15 @@ REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, BY_COMPLEMENT, ROTATING, INV
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, and the amplitudes, lambda and m by inertia and invariants."""
-    builder.open(join("regular", *REGULAR))
-    builder.claim(
-        "regular.euler", {rate_of(w): turning for w, turning in EULER.items()}, ["5", "10"]
-    )
-    for name, form in BY_RATES.items():
-        builder.claim(f"regular.{name}", {name: form}, ["6", "15"])
+    here = Proofs.open(builder, "regular", *REGULAR)
+    here.claim("euler", {rate_of(w): turning for w, turning in EULER.items()}, 5, 10)
+    here.formulas(BY_RATES, 6, 15)
     excesses = {name: compute(form).subs(K**2, SIZE) for name, form in EXCESSES.items()}
-    builder.claim("regular.differences", excesses, ["6", "15"])
+    here.claim("differences", excesses, 6, 15)
     for name, radicand in FORMULAS.items():
-        builder.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
-    for name, form in PARAMETERS.items():
-        builder.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
-    for name, form in START.items():
-        builder.claim(f"regular.{name}", {name: form}, ["12"])
+        here.root(name, radicand, 10, 13, 14)
+    here.formulas(PARAMETERS, 10, 13, 14)
+    here.formulas(START, 12)
     _every_motion(builder)
     _start(builder)
     _signs(builder)
@@ -242,16 +235,16 @@ def _every_motion(builder: LedgerBuilder) -> None:
     )
     moving = Part(("Omega_a", "Omega_b", "Omega_d"))
     by_rates = Part(definitions=DIFFERENCES | BY_RATES)
-    builder.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
-    middle = RELATION.subs(by_squares).apply(solve, squared[B_b])[0]
-    builder.claim("any_motion.parameter", {squared[B_b]: middle}, ["14"])
+    here = Proofs.open(builder, "any_motion", INERTIA, moving, by_rates, squares, static=True)
+    middle = RELATION.subs(by_squares).solve_for(squared[B_b])
+    here.claim("parameter", {squared[B_b]: middle}, 14)
     by_moments = {i: 1 / c for c, i in zip(MOMENTS, (i_a, i_b, i_d), strict=True)}
     inertia = {1 / c_b: MIDDLE.subs(by_squares).subs(by_moments)}
-    builder.claim("any_motion.inertia", inertia, ["14"])
+    here.claim("inertia", inertia, 14)
     turning = unsigned(TURNING**2).subs(by_squares).subs(by_moments)
-    builder.claim("any_motion.rate", {squared[lambda_]: turning}, ["14"])
+    here.claim("rate", {squared[lambda_]: turning}, 14)
     a, b, d = (w**2 / squared[x] for w, x in zip(OMEGA, A, strict=True))
-    builder.evaluate("any_motion.start", [b + d, a + m * b], ["12"])
+    here.evaluate("start", [b + d, a + m * b], 12)
 
 
 def _start(builder: LedgerBuilder) -> None:
@@ -278,15 +271,15 @@ def _start(builder: LedgerBuilder) -> None:
         nonnegative=(K, *A),
     )
     signs = (HANDEDNESS, SENSE, CIRCULATION, HALF)
-    builder.open(join("rates_start", *signs, INERTIA, given, static=True))
-    size = compute(K**2 - SIZE).apply(solve, K**2, simplify=False)[0]
-    builder.root("rates_start.K", K, size, ["6", "15"])
+    here = Proofs.open(builder, "rates_start", *signs, INERTIA, given, static=True)
+    size = compute(K**2 - SIZE).solve_for(K**2)
+    here.root(K, size, 6, 15)
     for name in map(str, A):
-        builder.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
+        here.root(name, FORMULAS[name], 10, 13, 14)
     rates = [(builder.value("rates_start", form), form) for form in ANSATZ.values()]
-    builder.claim("rates_start.rates", rates, ["10"])
-    builder.evaluate("rates_start.time", [u_1, psi], ["20", "21", "33", "34"])
-    builder.evaluate("rates_start.parameters", [m + m_1], ["13", "14"])
+    here.claim("rates", rates, 10)
+    here.evaluate("time", [u_1, psi], 20, 21, 33, 34)
+    here.evaluate("parameters", [m + m_1], 13, 14)
 
 
 def _signs(builder: LedgerBuilder) -> None:
@@ -298,8 +291,10 @@ def _signs(builder: LedgerBuilder) -> None:
         definitions={**POLHODE.definitions, c_ad: DIFFERENCES[c_ad], tau: TAU, **outer},
         nonnegative=(A_a, A_d, c_a, c_d, rho * c_ad, sigma * OMEGA[0], chi * tau * OMEGA[2]),
     )
-    builder.open(join("start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True))
-    between = (compute(i_d) - OUTERMOST[i_d]).apply(solve, Delta, simplify=False)[0]
+    here = Proofs.open(
+        builder, "start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True
+    )
+    between = (compute(i_d) - OUTERMOST[i_d]).solve_for(Delta)
     apart = named(unsigned(between).subs({i_a: 1 / c_a, i_d: 1 / c_d}))
     forms = {dn: START["dn"], cn: START["cn"], Delta: apart}
-    builder.sign("start_signs.signs", forms, ["12"])
+    here.sign("signs", forms, 12)

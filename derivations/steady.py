@@ -4,10 +4,10 @@ of a symmetric body.  There M and Omega commute, and the attitude is one exponen
 
 from dataclasses import replace
 
-from sympy import Add, solve
+from sympy import Add
 
 from derivations.euler_lax import INERTIA, RATES, Dynamics
-from rigidsym.proof.algebra import LedgerBuilder, Part, half_angle, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.algebra._quaternion import product
 from rigidsym.proof.steps import rate_of
@@ -19,7 +19,7 @@ CONSTANT = Part(
 )
 OMEGA = symbol("omega")
 LENGTH = OMEGA**2 - Add(*(rate**2 for rate in RATES))
-SIZE = compute(LENGTH).apply(solve, OMEGA**2, simplify=False)[0]
+SIZE = compute(LENGTH).solve_for(OMEGA**2)
 SPIN = Part(
     {"omega": "|Omega|, rad/s", "t": "time, s"},
     units=("omega",),
@@ -51,15 +51,15 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove Euler's equations, |q| = 1 and q' = q (0, Omega)/2 for q = p exp(t Omega)."""
     turn = replace(half_angle("theta", "omega"), definitions={})
     body = builder.result(Dynamics).body
-    builder.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
+    here = Proofs.open(builder, "steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK)
     euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
-    builder.claim("steady.euler", euler, ["5"])
-    builder.evaluate("steady.norm", [Add(*(q**2 for q in Q))], ["1"])
+    here.claim("euler", euler, 5)
+    here.evaluate("norm", [Add(*(q**2 for q in Q))], 1)
     velocity = compute(Q).apply(product, (0, *RATES))
     turning = {rate_of(q): side / 2 for q, side in zip(Q, velocity, strict=True)}
-    builder.claim("steady.solution", turning, ["3"])
-    builder.evaluate("steady.theta_is_the_angle", ["D(theta)"], ["3"])
-    builder.root("steady.omega", OMEGA, SIZE, ["3"])
+    here.claim("solution", turning, 3)
+    here.evaluate("theta_is_the_angle", ["D(theta)"], 3)
+    here.root(OMEGA, SIZE, 3, fact="omega")
     _start(builder)
 
 
@@ -70,6 +70,6 @@ def _start(builder: LedgerBuilder) -> None:
     turn = half_angle("theta")
     angle = Part(turn.names, reading=turn.reading)
     parts = (INERTIA, rates, SPIN, attitude, angle, PULL_BACK, START)
-    builder.open(join("steady_start", *parts, static=True))
-    builder.root("steady_start.omega", OMEGA, SIZE, ["3"])
-    builder.evaluate("steady_start.attitude", ["theta", *Q], ["37"])
+    here = Proofs.open(builder, "steady_start", *parts, static=True)
+    here.root(OMEGA, SIZE, 3, fact="omega")
+    here.evaluate("attitude", ["theta", *Q], 37)

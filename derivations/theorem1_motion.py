@@ -9,14 +9,14 @@ quaternion changes its sign and the motion does not.
 
 from dataclasses import replace
 
-from sympy import cos, factor_terms, sin, solve
+from sympy import cos, factor_terms, sin
 
 from derivations.conjugacy import PHI, Angles
 from derivations.euler_lax import Dynamics
 from derivations.lemma1 import INERTIA, RATE, Lemma1
 from derivations.phi1_integral import ThirdKind
 from derivations.theorem1 import Theorem1
-from rigidsym.proof.algebra import LedgerBuilder, Part, join, part_of, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, part_of, sign
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.algebra._quaternion import kinematics
 from rigidsym.proof.steps import rate_of
@@ -61,7 +61,7 @@ def derive(builder: LedgerBuilder) -> None:
     unit = {sum(q**2 for q in QBAR): 1}
     solves = {**unit, **kinematics(*names)}
     law = "(3), q' = q (0, Omega)/2 with |q| = 1"
-    builder.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"], law=law)
+    Proofs(builder, "theorem1_motion").claim("solution", solves, 3, 18, "Theorem 1", law=law)
 
 
 def _one_rate(builder: LedgerBuilder) -> None:
@@ -71,11 +71,13 @@ def _one_rate(builder: LedgerBuilder) -> None:
     roots = {symbol("s_i"): one, symbol("s_j"): two}
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
     sine = replace(SINE, definitions={"mu": lemma.parameter.subs(roots), **SINE.definitions})
-    builder.open(join("one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, sine))
-    rate = compute(SN - RATE / ZETA).apply(solve, RATE, simplify=False)[0]
-    builder.claim("one_rate.Omega_i", {RATE: rate}, ["10"])
+    here = Proofs.open(
+        builder, "one_rate", INERTIA, lemma.moving, lemma.quartic, lemma.roots, half, sine
+    )
+    rate = compute(SN - RATE / ZETA).solve_for(RATE)
+    here.claim("Omega_i", {RATE: rate}, 10)
     quadratic = {rate_of(RATE) ** 2: lemma.quadratic.subs(roots)}
-    builder.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
+    here.claim("quartic", quadratic, 13, 14, "Lemma 1")
 
 
 def _angles(builder: LedgerBuilder) -> None:
@@ -99,12 +101,12 @@ def _angles(builder: LedgerBuilder) -> None:
         **dict(zip(QBAR, quaternion, strict=True)),
     }
     named = Part(definitions=definitions)
-    builder.open(join("theorem1_motion", _without_matrices(builder), SIDE, ANGLES, named))
+    here = Proofs.open(builder, "theorem1_motion", _without_matrices(builder), SIDE, ANGLES, named)
     across = (1 - angles.along**2).subs(symbol("Omega1"), ZETA * SN)
     below = {"sin_phi2**2": across.subs(third["n"], symbol("n"))}
-    builder.claim("theorem1_motion.third_kind", below, ["27", "34"])
+    here.claim("third_kind", below, 27, 34)
     rate, why = {"D(phi1)": "phi1_rate"}, "phi1 has the rate (32), as `third_kind.phi1` says"
-    builder.claim("theorem1_motion.phi1", rate, ["19", "33", "36"], law=why)
+    here.claim("phi1", rate, 19, 33, 36, law=why)
 
 
 def _without_matrices(builder: LedgerBuilder) -> Part:
@@ -118,15 +120,15 @@ def _without_matrices(builder: LedgerBuilder) -> Part:
 def _halves(builder: LedgerBuilder) -> None:
     """Solve for F1 to F4: cos and sin of phi2/2 by x = cos(phi2), of phi3/2 by their quotient."""
     size = builder.result(Dynamics).body.definitions["K_squared"]
-    builder.root("theorem1_motion.K", "K", size, ["6", "15"])
-    halves = compute([F1**2 + F2**2 - 1, F1**2 - F2**2 - x]).apply(solve, [F1**2, F2**2])
+    Proofs(builder, "theorem1_motion").root("K", size, 6, 15)
+    halves = compute([F1**2 + F2**2 - 1, F1**2 - F2**2 - x]).solve_for(F1**2, F2**2)
     for half in (F1, F2):
-        builder.root(f"theorem1_motion.{half}", half, halves[half**2].together(), ["19"])
+        Proofs(builder, "theorem1_motion").root(half, halves[half**2].together(), 19)
     # cos = 1/root and sin = tan/root are on the circle
-    for root, tangent, source in ((root_y, y, ["19"]), (root_star, y_star, ["19", "Remark 2"])):
+    for root, tangent, source in ((root_y, y, [19]), (root_star, y_star, [19, "Remark 2"])):
         circle = compute((1 / root) ** 2 + (tangent / root) ** 2 - 1)
-        square = circle.apply(solve, root**2, simplify=False)[0]
-        builder.root(f"theorem1_motion.{root}", root, square, source)
-    third = compute([F3 * root_star - 1, F4 * root_star - y_star]).apply(solve, [F3, F4])
+        square = circle.solve_for(root**2)
+        Proofs(builder, "theorem1_motion").root(root, square, *source)
+    third = compute([F3 * root_star - 1, F4 * root_star - y_star]).solve_for(F3, F4)
     for half in (F3, F4):
-        builder.claim(f"theorem1_motion.{half}", {half: third[half]}, ["19", "Remark 2"])
+        Proofs(builder, "theorem1_motion").formulas({half: third[half]}, 19, "Remark 2")

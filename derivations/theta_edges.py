@@ -55,7 +55,7 @@ from derivations.theta_form import (
     y,
     zeta,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.algebra._computation import compute, plain
 from rigidsym.proof.steps._names import read, symbols, unfold
 
@@ -124,19 +124,17 @@ def derive(builder: LedgerBuilder) -> None:
     """Prove that both edges solve (3)."""
     divisors = Part(units=(c, root))
     motion = given((*FORM, CLASSICAL), SEPARATRIX.definitions, SHOWN)
-    builder.open(join("separatrix_form", divisors, *motion, SEPARATRIX))
-    for name, form in HYPERBOLIC.items():
-        builder.claim(f"separatrix_form.{name}", {name: form}, ["18"])
-    builder.model("separatrix_form", "theta_form")
-    builder.carry("separatrix_form", [f"theta_form.{name}" for name in ("solution", *COMPONENTS)])
+    here = Proofs.open(builder, "separatrix_form", divisors, *motion, SEPARATRIX)
+    here.formulas(HYPERBOLIC, 18)
+    here.model("theta_form")
+    here.carry("theta_form", *("solution", *COMPONENTS))
     motion = given((*MOTION, TURNING, PHASE), SYMMETRIC.definitions, SHOWN)
-    builder.open(join("symmetric_form", *motion, SYMMETRIC))
-    for name, form in COMPONENTS.items():
-        builder.claim(f"symmetric_form.{name}", {name: form}, ["18", "25"])
-    builder.root("symmetric_form.N_of_W", "N", NORM_OF_W, ["1"])
-    builder.model("symmetric_form", "descended")
+    here = Proofs.open(builder, "symmetric_form", *motion, SYMMETRIC)
+    here.formulas(COMPONENTS, 18, 25)
+    here.root("N", NORM_OF_W, 1, fact="N_of_W")
+    here.model("descended")
     carried = ("solution", *(f"{name}_of_attitude" for name in MOMENTUM))
-    builder.carry("symmetric_form", [f"descended.{name}" for name in carried])
+    here.carry("descended", *carried)
 
 
 def given(parts: Iterable[Part], values: Iterable[Any], shown: Iterable[Any]) -> list[Part]:

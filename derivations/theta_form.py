@@ -17,12 +17,12 @@ that, so the attitude solves (3) by these.  Modulus, shift and the momentum are 
 nome q, by b and by a factor; their readings say which nome and b belong to a body.
 """
 
-from sympy import Expr, I, UnevaluatedExpr, factor_terms, powdenest, solve, sqrt
+from sympy import Expr, I, UnevaluatedExpr, factor_terms, powdenest, sqrt
 
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION, SECULAR
 from derivations.regular_form import AMPLITUDES, HALF
-from rigidsym.proof.algebra import LedgerBuilder, Part, join, text
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, text
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import expressions, symbol, symbols, unfold
 
@@ -193,64 +193,53 @@ NORM_OF_W = ON_CIRCLE.subs(NORM[W], W)
 
 def derive(builder: LedgerBuilder) -> None:
     """Prove that the form solves (3) for all functions with these rates."""
-    builder.open(join("theta_form", *FORM, CLASSICAL))
-    _shift(builder)
-    _form(builder)
+    here = Proofs.open(builder, "theta_form", *FORM, CLASSICAL)
+    _shift(here)
+    _form(here)
     _truncation(builder)
 
 
-def _shift(builder: LedgerBuilder) -> None:
+def _shift(here: Proofs) -> None:
     """Prove dn = K/B_a at i beta, and that beta is below K'/2."""
     at_beta = {S: I * x}
     cn_squared = compute(1 - S**2).subs(at_beta)
     dn_squared = compute(1 - k_1**2 * S**2).subs(at_beta)
     shift = {y**2: cn_squared, z**2: dn_squared, n: POLE}
-    builder.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
+    here.claim("shift", shift, "DLMF 22.6.1")
     # Landen's dn at i beta is the second of these over the first.
     k_1_x_squared = (
         compute(k_1 * x**2).subs(x, BETA).subs(k_1, root_k**2).subs(B_d**2, K**2 - B_a**2)
     )
     above, below = ((1 + sign * k_1_x_squared).cancel() for sign in (1, -1))
-    builder.claim("theta_form.shifted_dn", {1 + k_1 * x**2: above}, ["DLMF 22.7.4"])
-    builder.sign("theta_form.inside", {1 - k_1 * x**2: below}, ["DLMF 22.5(i)"])
-    builder.claim("theta_form.kappa", {kappa: KAPPA}, ["34"])
-    (square,) = compute(SHIFT.relations[0]).apply(solve, root_k**2)
-    builder.root("theta_form.root_k", root_k, square, ["27"])
-    for amplitude, B, source in ((A_a, B_a, "27"), (A_d, B_d, "28")):
-        (found,) = (unfold(amplitude, AMPLITUDES) - amplitude).apply(solve, B)
-        builder.claim(f"theta_form.{B}", {B: found}, [source])
-    builder.root("theta_form.y", y, cn_squared, ["DLMF 22.6.1"])
+    here.claim("shifted_dn", {1 + k_1 * x**2: above}, "DLMF 22.7.4")
+    here.sign("inside", {1 - k_1 * x**2: below}, "DLMF 22.5(i)")
+    here.formulas({kappa: KAPPA}, 34)
+    square = compute(SHIFT.relations[0]).solve_for(root_k**2)
+    here.root(root_k, square, 27)
+    for A, B, source in ((A_a, B_a, 27), (A_d, B_d, 28)):
+        here.formulas({B: (unfold(A, AMPLITUDES) - A).solve_for(B)}, source)
+    here.root(y, cn_squared, "DLMF 22.6.1")
     radicand = dn_squared.subs((k_1 * x) ** 2, UnevaluatedExpr(k_1 * x) ** 2)
-    builder.root("theta_form.z", z, radicand, ["DLMF 22.6.1"])
-    _complementary(builder, cn_squared, dn_squared)
+    here.root(z, radicand, "DLMF 22.6.1")
+    _complementary(here, cn_squared, dn_squared)
 
 
-def _complementary(builder: LedgerBuilder, y_squared: Computation, z_squared: Computation) -> None:
+def _complementary(here: Proofs, y_squared: Computation, z_squared: Computation) -> None:
     """Prove what sn, cn, dn of (beta | 1 - k_1^2) satisfy."""
     ratio = compute(x / y).subs(1 / y, c_beta)
     circle = (
         compute(s_beta**2 + c_beta**2).subs({s_beta: x / y, c_beta: 1 / y}).subs(y**2, y_squared)
     )
     ellipse = (z_squared / y_squared).subs(x**2, s_beta**2 / (1 - s_beta**2))
-    laws = {
-        s_beta: ratio,
-        s_beta**2 + c_beta**2: circle.cancel(),
-        d_beta**2: ellipse.cancel(),
-    }
-    builder.claim("theta_form.complementary", laws, ["DLMF 22.6.1"])
+    laws = {s_beta: ratio, s_beta**2 + c_beta**2: circle.cancel(), d_beta**2: ellipse.cancel()}
+    here.claim("complementary", laws, "DLMF 22.6.1")
 
 
-def _form(builder: LedgerBuilder) -> None:
-    """Prove that phase and psi/2 have equal rates, and the quotient of the components."""
-    builder.claim("theta_form.phase", {psi_rate / 2 - mu * Z_im: MEAN}, ["33", "34"])
-    builder.model("theta_form", "descended")
-    builder.carry("theta_form", ["descended.solution"])
-    builder.carry("theta_form", [f"descended.{name}_of_attitude" for name in MOMENTUM])
-    _assemble(builder)
-
-
-def _assemble(builder: LedgerBuilder) -> None:
-    """Prove the components as theta functions, given their quotient alone."""
+def _form(form: Proofs) -> None:
+    """Prove that phase and psi/2 have equal rates; then the components, by their quotient alone."""
+    form.claim("phase", {psi_rate / 2 - mu * Z_im: MEAN}, 33, 34)
+    form.model("descended")
+    form.carry("descended", "solution", *(f"{name}_of_attitude" for name in MOMENTUM))
     given = Part(
         (s_0, root_k, SN_re, SN_im),
         units=(s_0, N),
@@ -266,13 +255,12 @@ def _assemble(builder: LedgerBuilder) -> None:
     )
     values = Part(VALUES.names, VALUES.units, {}, VALUES.relations)
     signs = (HANDEDNESS, SENSE, HALF)
-    builder.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
-    builder.root("quotient.N", N, NORM_SQUARED, ["1"])
-    builder.root("quotient.N_of_W", N, NORM_OF_W, ["1"])
-    for name, form in COMPONENTS.items():
-        builder.claim(f"quotient.{name}", {name: form}, ["18", "25"])
-    builder.model("theta_form", "quotient")
-    builder.carry("theta_form", [f"quotient.{name}" for name in ("N", "N_of_W", *COMPONENTS)])
+    here = Proofs.open(form.builder, "quotient", *signs, values, TURNING, given, PHASE, static=True)
+    here.root(N, NORM_SQUARED, 1)
+    here.root(N, NORM_OF_W, 1, fact="N_of_W")
+    here.formulas(COMPONENTS, 18, 25)
+    form.model("quotient")
+    form.carry("quotient", N, "N_of_W", *COMPONENTS)
 
 
 def _truncation(builder: LedgerBuilder) -> None:
@@ -291,10 +279,10 @@ def _truncation(builder: LedgerBuilder) -> None:
         units=(1 - r, 1 - p * r),
         nonnegative=(t, r, p, 1 - r, 1 - p),
     )
-    builder.open(join("theta_tail", tail, static=True))
+    here = Proofs.open(builder, "theta_tail", tail, static=True)
     surplus = 2 * t / (1 - r) - 2 * t - 2 * t * r / (1 - p * r)
     # By r and 1 - p, 1 - p r is a sum of nonnegative terms.
     one_less_p = symbol("one_less_p")
     below = (1 - r) * (1 - r + r * one_less_p)
     form = (compute(surplus).subs(p, 1 - one_less_p) * below).factor() / below
-    builder.sign("theta_tail.bound", {surplus: form.subs(one_less_p, 1 - p)}, ["DLMF 20.2.4"])
+    here.sign("bound", {surplus: form.subs(one_less_p, 1 - p)}, "DLMF 20.2.4")

@@ -58,7 +58,7 @@ from derivations.theta_laws import (
     u,
     v,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
 from rigidsym.proof.steps._names import expressions, symbols
 
 _, null_c, null_d, null_n = NULLS
@@ -158,18 +158,17 @@ NORMS = {
 def derive(builder: LedgerBuilder) -> None:
     """Prove the norm in the squared nome of m, and in the complementary nome."""
     for context, norm in NORMS.items():
-        _motion(builder, context, norm)
+        here = _motion(builder, context, norm)
         prove(builder, context, norm.family)
         squares = norm.family.named(norm.squares, norm.at)
         identity = str(norm.squares - norm.product)
         builder.theta(f"{context}.norm", {"W": squares}, identity, norm.family.texts(norm.at))
-        premises = (*LAWS, "norm")
-        builder.model(context, "theta_form", [f"{context}.{name}" for name in premises])
-        carried = ("solution", "N_of_W", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
-        builder.carry(context, [f"theta_form.{name}" for name in carried])
+        here.model("theta_form", *LAWS, "norm")
+        momentum = (f"{name}_of_attitude" for name in MOMENTUM)
+        here.carry("theta_form", "solution", "N_of_W", *COMPONENTS, *momentum)
 
 
-def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
+def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> Proofs:
     """Open the theta form's context with declared functions."""
     nome = norm.family.nome.partition("*")[0]
     values = {*JACOBI, *BODY, *SHIFTED_TIME}
@@ -187,4 +186,4 @@ def _motion(builder: LedgerBuilder, context: str, norm: Norm) -> None:
     )
     reading = READING if norm.family is HYPERBOLIC else Part()
     parts = given((*FORM, CLASSICAL), values, SHOWN)
-    builder.open(join(context, functions, *parts, made, reading))
+    return Proofs.open(builder, context, functions, *parts, made, reading)

@@ -14,32 +14,34 @@ from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import Scope, differentiate, nonnegative
 from rigidsym.proof.steps._names import symbols
 
+n, m, k, theta, sine, cosine, root = symbols("n m k theta sine cosine root")
+Pi, Pi_c, Pi_later = symbols("Pi Pi_c Pi_later")
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + pi.
 TURNING = Part(
-    ("n", "m", "k", "sine", "cosine", "root"),
-    units=("root", "1 - n", "1 - n*sine**2"),
+    (n, m, k, sine, cosine, root),
+    units=(root, 1 - n, 1 - n * sine**2),
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
-    rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
-    nonnegative=("root", "1 - n"),
+    rates={sine: cosine, cosine: -sine, root: -m * sine * cosine / root},
+    nonnegative=(root, 1 - n),
     reading={
-        "sine": "sin(theta)",
-        "cosine": "cos(theta)",
-        "root": "sqrt(1 - m*sine**2)",
-        "k": "a whole number of half turns",
+        sine: sympy.sin(theta),
+        cosine: sympy.cos(theta),
+        root: sympy.sqrt(1 - m * sine**2),
+        k: "a whole number of half turns",
     },
 )
 INTEGRAL = Part(
-    ("theta", "Pi_c", "Pi", "Pi_later"),
+    (theta, Pi_c, Pi, Pi_later),
     rates={
-        "theta": "1",
-        "Pi": "1/((1 - n*sine**2)*root)",
-        "Pi_later": "1/((1 - n*(-sine)**2)*root)",  # the sine of theta + pi is -sine
+        theta: 1,
+        Pi: "1/((1 - n*sine**2)*root)",
+        Pi_later: "1/((1 - n*(-sine)**2)*root)",  # the sine of theta + pi is -sine
     },
-    start=("sine + 1", "cosine", "Pi + Pi_c", "Pi_later - Pi_c"),  # theta is -pi/2
+    start=("sine + 1", cosine, "Pi + Pi_c", Pi_later - Pi_c),  # theta is -pi/2
     reading={
-        "Pi": "elliptic_pi(n, theta, m)",
-        "Pi_later": "elliptic_pi(n, theta + pi, m)",
-        "Pi_c": "elliptic_pi(n, m)",
+        Pi: sympy.elliptic_pi(n, theta, m),
+        Pi_later: "elliptic_pi(n, theta + pi, m)",
+        Pi_c: sympy.elliptic_pi(n, m),
     },
 )
 
@@ -47,15 +49,13 @@ INTEGRAL = Part(
 def derive(builder: LedgerBuilder) -> None:
     """Prove that the rest of the rule is constant in theta, with a nonnegative denominator."""
     scope = Scope.open(builder, "windings", TURNING, INTEGRAL)
-    later, Pi, complete, n, k, theta = symbols("Pi_later Pi Pi_c n k theta")
-    why = "what half turns add grows no further"
-    rest = later - 2 * complete - Pi
-    differentiate(scope, "windings.slope", rest, why, ["19", "20", "21"])
-    sine, cosine = sympy.sin(theta), sympy.cos(theta)
-    path = 1 - n * sine**2
-    form = (compute(path) + cosine**2 + sine**2 - 1).expand().collect(sine**2)
-    nonnegative(scope, "windings.path", path, form, "the integral meets no pole", ["19"])
+    rest, why = Pi_later - 2 * Pi_c - Pi, "what half turns add grows no further"
+    differentiate(scope, "slope", rest, why, [19, 20, 21])
+    path = 1 - n * sympy.sin(theta) ** 2
+    form = compute(path) + sympy.cos(theta) ** 2 + sympy.sin(theta) ** 2 - 1
+    form = form.expand().collect(sympy.sin(theta) ** 2)
+    nonnegative(scope, "path", path, form, "the integral meets no pole", [19])
     # So Pi_later - Pi is what it is where theta is -pi/2.
-    added = compute(later - Pi).subs({later: complete, Pi: -complete})
-    rule = {later: Pi + added, 2 * k * complete + later: 2 * k * complete + Pi + added}
-    builder.start("windings.rule", rule, ["19", "20", "21"])
+    added = compute(Pi_later - Pi).subs({Pi_later: Pi_c, Pi: -Pi_c})
+    rule = {Pi_later: Pi + added, 2 * k * Pi_c + Pi_later: 2 * k * Pi_c + Pi + added}
+    builder.start("windings.rule", rule, [19, 20, 21])

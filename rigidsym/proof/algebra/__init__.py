@@ -16,10 +16,12 @@ from rigidsym.proof.algebra._parts import (
     part_of,
     sign,
 )
+from rigidsym.proof.algebra._proofs import Proofs
 
 __all__ = [
     "LedgerBuilder",
     "Part",
+    "Proofs",
     "circle",
     "double_angle",
     "equal",

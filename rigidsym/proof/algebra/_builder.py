@@ -31,6 +31,8 @@ Result = TypeVar("Result")
 # An expression that `text` converts to the kernel's language.
 Side: TypeAlias = str | int | Element | Expr | Computation
 Equations: TypeAlias = Mapping[Any, Side] | Iterable[tuple[Side, Side]]
+# Numbers of the paper's equations, or texts.
+Source: TypeAlias = Iterable[int | str]
 Point: TypeAlias = Mapping[str, str]
 # A published formula: {"fact": id}, or a name that a context defines or reads as a function,
 # {"context": name, "definition" or "reading": name, "source": equations of the paper}.
@@ -83,7 +85,7 @@ class LedgerBuilder:
         self,
         fact_id: str,
         equations: Equations,
-        source: Iterable[str] = (),
+        source: Source = (),
         law: str = "",
         why: str = "",
     ) -> Fact:
@@ -107,7 +109,7 @@ class LedgerBuilder:
         sides = (divide(ring, side)[1].as_expr() for side in (element.numerator, below))
         return Computation(cancel(truediv(*sides)), ("value",))
 
-    def evaluate(self, fact_id: str, sides: Iterable[Side], source: Iterable[str] = ()) -> Fact:
+    def evaluate(self, fact_id: str, sides: Iterable[Side], source: Source = ()) -> Fact:
         """Prove what expressions are, each by its computed value."""
         context = fact_id.split(".", maxsplit=1)[0]
         return self.claim(fact_id, [(side, self.value(context, side)) for side in sides], source)
@@ -117,7 +119,7 @@ class LedgerBuilder:
         fact_id: str,
         equations: Equations,
         points: Iterable[Point] = (),
-        source: Iterable[str] = (),
+        source: Source = (),
     ) -> Fact | None:
         """Prove equations that the paper prints, or refute them at a rational point.
 
@@ -141,14 +143,14 @@ class LedgerBuilder:
                 return self._refute(refuted, point)
         return self._counterexample(refuted, {})
 
-    def root(self, fact_id: str, name: Any, radicand: Side, source: Iterable[str] = ()) -> Fact:
+    def root(self, fact_id: str, name: Any, radicand: Side, source: Source = ()) -> Fact:
         """Prove that a quantity is the square root of another.
 
         The proof uses the square of `name` and its sign.
         """
         return self.decide(self._fact(fact_id, "root", {name: radicand}, "identity", source))
 
-    def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
+    def sign(self, fact_id: str, forms: Equations, source: Source = ()) -> Fact:
         """Prove that quantities are nonnegative by rewriting them in a visibly nonnegative form."""
         return self.decide(self._fact(fact_id, "nonnegative", forms, "identity", source))
 
@@ -157,7 +159,7 @@ class LedgerBuilder:
         fact_id: str,
         equations: Equations,
         point: Point,
-        source: Iterable[str] = (),
+        source: Source = (),
     ) -> Fact:
         """Refute equations at a rational point.
 
@@ -191,14 +193,14 @@ class LedgerBuilder:
         equations: Equations,
         identity: str,
         forms: Mapping[str, str],
-        source: Iterable[str] = (),
+        source: Source = (),
     ) -> Fact:
         """Prove equations by substituting linear forms into a theta-function identity."""
         fact = self._fact(fact_id, "equal", equations, "theta", source)
         certificate = {"identity": identity, "forms": dict(forms)}
         return self.ledger.add(replace(fact, certificate=certificate))
 
-    def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+    def start(self, fact_id: str, equations: Equations, source: Source = ()) -> Fact:
         """Prove equations from their initial values and their time derivatives.
 
         They hold at the initial instant, and d/dt preserves them.
@@ -206,7 +208,12 @@ class LedgerBuilder:
         return self.ledger.add(self._fact(fact_id, "equal", equations, "start", source))
 
     def begin(
-        self, context: str, zero: Iterable[Side], names: str, sides: Iterable[Side], *source: str
+        self,
+        context: str,
+        zero: Iterable[Side],
+        names: str,
+        sides: Iterable[Side],
+        *source: int | str,
     ) -> None:
         """Prove what expressions are at the instant at which a motion starts, where more is zero.
 
@@ -334,14 +341,14 @@ class LedgerBuilder:
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _fact(
-        self, fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]
+        self, fact_id: str, kind: str, equations: Equations, rule: str, source: Source
     ) -> Fact:
         pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
         context = fact_id.split(".", maxsplit=1)[0]
         found = self.ledger.contexts.get(context)
         names = () if found is None else (*found.generators, *found.definitions)
         lhs, rhs = (tuple(text(x, names) for x in column) for column in zip(*pairs, strict=True))
-        return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
+        return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(map(str, source)))
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
         grades = [self.ledger.facts[premise].grade for premise in premises]
@@ -357,7 +364,7 @@ def facts(context: str, names: str) -> list[Entry]:
     return [{"fact": f"{context}.{name}"} for name in names.split()]
 
 
-def definitions(context: str, names: str, *source: str) -> list[Entry]:
+def definitions(context: str, names: str, *source: int | str) -> list[Entry]:
     """Return the entries that publish definitions of a context for numerical use.
 
     `source` are the equations of the paper that use them.
@@ -365,7 +372,7 @@ def definitions(context: str, names: str, *source: str) -> list[Entry]:
     return _said("definition", context, names, source)
 
 
-def readings(context: str, names: str, *source: str) -> list[Entry]:
+def readings(context: str, names: str, *source: int | str) -> list[Entry]:
     """Return the entries that publish which standard functions a context's names denote.
 
     `source` are the equations of the paper that use them.
@@ -373,8 +380,9 @@ def readings(context: str, names: str, *source: str) -> list[Entry]:
     return _said("reading", context, names, source)
 
 
-def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Entry]:
-    return [{"context": context, how: name, "source": list(source)} for name in names.split()]
+def _said(how: str, context: str, names: str, source: Source) -> list[Entry]:
+    cited = [*map(str, source)]
+    return [{"context": context, how: name, "source": [*cited]} for name in names.split()]
 
 
 def text(side: Side, names: Iterable[str] = ()) -> str:

@@ -79,15 +79,20 @@ class Computation:
         found = self._after(name, function(self.value, *plain(given), **options), given)
         return found._knowing(self._answers(*given)) if function is sympy.solve else found
 
-    def solve_for(self, unknown: Any) -> "Computation":
+    def solve_for(self, *unknowns: Any) -> Any:
         """Return the only value of an unknown for which this is zero, with factors cancelled.
 
+        For several unknowns return their values by unknown, for which all of these are zero.
         Raises ValueError if there is none, or more than one.
         """
-        found = sympy.solve(self.value, plain(unknown), simplify=False)
-        if len(found) != 1:
-            raise ValueError(f"{unknown}: {len(found)} solutions of {self.value} = 0")
-        return self._after("solve", sympy.cancel(found[0]), ())._knowing(self._answers(unknown))
+        found = sympy.solve(self.value, *plain(unknowns), simplify=False, dict=True)
+        if len(found) != 1 or not {*plain(unknowns)} <= {*found[0]}:
+            asked = ", ".join(map(str, unknowns))
+            raise ValueError(f"{asked}: {len(found)} solutions of {self.value} = 0")
+        values = {x: self._after("solve", sympy.cancel(found[0][plain(x)]), ()) for x in unknowns}
+        if len(unknowns) > 1:
+            return values
+        return values[unknowns[0]]._knowing(self._answers(*unknowns))
 
     def _answers(self, unknown: Any, *_: Any) -> tuple[Any, ...]:
         """Return the value of an unknown that an equation such as unknown - value = 0 types."""
@@ -298,6 +303,11 @@ def compute(value: Any) -> Computation:
     done = dict.fromkeys(name for x in before for name in x.operations)
     typed = _once([*(x.typed for x in before), [*_plain_inside(value)]])
     return Computation(plain(value), tuple(done), typed)
+
+
+def ordered(names: str, table: Mapping[Any, Any]) -> dict[Any, Computation]:
+    """Return the expressions of a table with names that come first when they are printed."""
+    return {name: compute(form).ordered(names) for name, form in table.items()}
 
 
 def computed(text: str, origin: Any) -> str:

@@ -4,14 +4,14 @@ A part is names with hypotheses about them: a context without a name of its own.
 parts in order and names the whole; later parts may use what earlier ones introduced.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from sympy import sympify
 
 from rigidsym.proof.algebra._computation import Computation, computed, plain
-from rigidsym.proof.algebra._printing import printed
+from rigidsym.proof.algebra._printing import printed, reading
 from rigidsym.proof.kernel import Context
 
 
@@ -26,15 +26,15 @@ class Part:
     values that it should prefer; further names there are generators, too.
     """
 
-    names: Mapping[Any, str] | tuple[Any, ...] = ()
+    names: Mapping[Any, Any] | tuple[Any, ...] = ()
     units: tuple[Any, ...] = ()
     definitions: Mapping[Any, Any] = field(default_factory=dict)
     relations: tuple[Any, ...] = ()
     rates: Mapping[Any, Any] = field(default_factory=dict)
     nonnegative: tuple[Any, ...] = ()
     start: tuple[Any, ...] = ()
-    thetas: Mapping[Any, str] = field(default_factory=dict)
-    reading: Mapping[Any, str] = field(default_factory=dict)
+    thetas: Mapping[Any, Any] = field(default_factory=dict)
+    reading: Mapping[Any, Any] = field(default_factory=dict)
     witness: Mapping[Any, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -76,7 +76,8 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
         merged[key] = [x for part in parts for x in getattr(part, key)]
     names = (*generators, *merged["definitions"])
     for key in tables:
-        merged[key] = {x: text(side, names) for x, side in merged[key].items()}
+        printer = reading if key in ("thetas", "reading") else printed
+        merged[key] = {x: text(side, names, printer) for x, side in merged[key].items()}
     for key in _LISTS:
         merged[key] = tuple(dict.fromkeys(text(x, names) for x in merged[key]))
     if static:
@@ -84,7 +85,7 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
     return Context(name, generators, **merged)
 
 
-def text(side: Any, names: Iterable[str]) -> str:
+def text(side: Any, names: Iterable[str], printer: Callable[..., str] = printed) -> str:
     """Convert a number, an expression or a computation to text that the kernel can parse.
 
     Names are printed in the given order.  Texts are returned unchanged.
@@ -93,7 +94,7 @@ def text(side: Any, names: Iterable[str]) -> str:
         return side
     first = side.order if isinstance(side, Computation) else ()
     order = dict.fromkeys((*first, *names))
-    return computed(printed(sympify(plain(side)), order), side)
+    return computed(printer(sympify(plain(side)), order), side)
 
 
 def named(names: Iterable[Any], values: Iterable[Any]) -> dict[Any, Any]:

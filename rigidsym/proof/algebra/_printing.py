@@ -9,7 +9,7 @@ printed in parentheses, for numbers that need it worked out first.
 from collections.abc import Iterable
 from typing import Any, TypeAlias
 
-from sympy import Add, Expr, Function, Mul, Rational, UnevaluatedExpr
+from sympy import Add, Expr, Function, Mul, Pow, Rational, S, UnevaluatedExpr
 
 Ranks: TypeAlias = dict[str, int]
 
@@ -28,8 +28,32 @@ def printed(expression: Expr, names: str | Iterable[str]) -> str:
     >>> printed(b*UnevaluatedExpr(a/e)**2, "e b a")
     'b*(a/e)**2'
     """
-    listed = names.split() if isinstance(names, str) else names
-    return _sum(expression, {name: rank for rank, name in enumerate(listed)})
+    functions = [f for f in expression.atoms(Function) if f.func.__name__ != "D"]
+    roots = [x for x in expression.atoms(Pow) if not x.exp.is_Integer]
+    for strange in (*functions, *roots):
+        raise ValueError(f"{strange}: not a whole power of a name")
+    return _ranked(expression, _listed(names))
+
+
+def reading(expression: Expr, names: str | Iterable[str]) -> str:
+    """Print what a name stands for: an expression that may have functions and square roots.
+
+    Names that are not listed follow those that are, and I and pi follow them.
+    >>> from sympy import Function, sqrt, symbols
+    >>> a, b, e = symbols("a b e")
+    >>> reading(Function("sn")(b*a + 1, e**2)/sqrt(a), "e b")
+    'sn(1 + b*a, e**2)/sqrt(a)'
+    """
+    others = sorted(map(str, expression.free_symbols))
+    return _ranked(expression, (*_listed(names), *others, "I", "pi"))
+
+
+def _listed(names: str | Iterable[str]) -> Iterable[str]:
+    return names.split() if isinstance(names, str) else names
+
+
+def _ranked(expression: Expr, names: Iterable[str]) -> str:
+    return _sum(expression, {name: rank for rank, name in enumerate(dict.fromkeys(names))})
 
 
 def _sum(total: Expr, ranks: Ranks) -> str:
@@ -47,7 +71,7 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
     number, rest = term.as_coeff_Mul()
     if not isinstance(number, Rational):
         raise ValueError(f"{number}: not a rational number")
-    pairs = [factor.as_base_exp() for factor in Mul.make_args(rest) if factor != 1]
+    pairs = [_powers(factor) for factor in Mul.make_args(rest) if factor != 1]
     if strange := [base**power for base, power in pairs if not power.is_Integer]:
         raise ValueError(f"{strange[0]}: not a whole power")
     above = sorted(_factor(base, int(power), ranks) for base, power in pairs if power > 0)
@@ -65,6 +89,14 @@ def _term(term: Expr, ranks: Ranks) -> tuple[int, bool, list[int], str]:
     return degree, bool(number < 0), [rank for rank, _, _ in (*above, *below)], text
 
 
+def _powers(factor: Expr) -> tuple[Expr, Expr]:
+    """Return base and exponent, where the base of a half power is the square root."""
+    base, power = factor.as_base_exp()
+    if power.is_Rational and not power.is_Integer and (2 * power).is_Integer:
+        return Pow(base, S.Half), 2 * power
+    return base, power
+
+
 def _factor(base: Expr, power: int, ranks: Ranks) -> tuple[int, str, int]:
     """Return the rank, text and degree of a factor.
 
@@ -74,8 +106,11 @@ def _factor(base: Expr, power: int, ranks: Ranks) -> tuple[int, str, int]:
     if isinstance(base, Add | UnevaluatedExpr):
         rank, text = len(ranks), f"({_sum(inner, ranks)})"
         degree = max(_term(term, ranks)[0] for term in Add.make_args(inner))
-    elif isinstance(base, Function) and base.func.__name__ == "D":
-        rank, text, degree = len(ranks), f"D({_sum(inner, ranks)})", 1
+    elif isinstance(base, Function | Pow):
+        name = base.func.__name__ if isinstance(base, Function) else "sqrt"
+        given: Any = base.args if isinstance(base, Function) else (base.base,)
+        rank, degree = len(ranks), 1
+        text = f"{name}({', '.join(_sum(x, ranks) for x in given)})"
     elif str(base) not in ranks:
         raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")
     else:

@@ -15,6 +15,7 @@ from sympy import (
     ZeroMatrix,
 )
 
+from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation, plain
 from rigidsym.proof.steps._matrices import SIZE
 from rigidsym.proof.steps._record import Step, StepError
@@ -27,7 +28,7 @@ def coordinates(
     expression: MatrixExpr,
     basis: Sequence[MatrixExpr],
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Find the coordinates of a matrix expression in an orthogonal basis.
 
@@ -106,7 +107,7 @@ def multiply(
     left: MatrixExpr,
     right: MatrixExpr | Computation,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Prove an equation between expressions in named matrices by multiplying them out.
 
@@ -119,7 +120,7 @@ def multiply(
 
 
 def determinant(
-    scope: Scope, fact_id: str, name: MatrixSymbol, why: str, source: Sequence[str] = ()
+    scope: Scope, fact_id: str, name: MatrixSymbol, why: str, source: Source = ()
 ) -> Step:
     """Compute the determinant of a named matrix.
 

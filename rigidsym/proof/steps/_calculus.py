@@ -7,6 +7,7 @@ import sympy
 from sympy import Expr, Symbol
 from sympy.solvers.solveset import NonlinearError
 
+from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation, compute, plain
 from rigidsym.proof.kernel import KernelError
 from rigidsym.proof.steps._names import collected, symbol
@@ -16,7 +17,7 @@ from rigidsym.view._statements import derived_by
 
 
 def differentiate(
-    scope: Scope, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
+    scope: Scope, fact_id: str, expression: Expr, why: str, source: Source = ()
 ) -> Step:
     """Differentiate an expression with respect to time, or to the one name that moves at rate 1.
 
@@ -42,7 +43,7 @@ def rewrite(
     expression: Expr,
     value: Expr | Computation,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
     verb: str = "rewrite",
     law: str = "",
 ) -> Step:
@@ -65,7 +66,7 @@ def eliminate(
     equations: Sequence[Expr],
     unknowns: Sequence[Expr],
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
     name: Expr | None = None,
 ) -> Step:
     """Eliminate unknowns from an expression by equations that are linear in them.
@@ -130,7 +131,7 @@ def integrate(
     rate: Expr | Computation,
     table: Mapping[Symbol, Expr],
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Integrate an expression with respect to time by a table of derivatives.
 
@@ -162,14 +163,15 @@ def nonnegative(
     expression: Expr,
     form: Expr | Computation,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Prove that an expression is nonnegative by rewriting it in a visibly nonnegative form.
 
     Such a form is a sum or product of nonnegative parts and even powers.
     """
     try:
-        fact = scope.builder.sign(fact_id, {scope.text(expression): scope.text(form)}, source)
+        forms = {scope.text(expression): scope.text(form)}
+        fact = scope.builder.sign(scope.fact(fact_id), forms, source)
     except KernelError as error:
         raise StepError(str(error)) from None
     return scope.note("nonnegative", why, plain(form), [(expression, plain(form))], fact)
@@ -181,7 +183,7 @@ def roots(
     polynomial: Expr,
     variable: Expr,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Find all roots of a polynomial by factoring it into linear factors.
 
@@ -223,7 +225,7 @@ def match(
     variable: Expr,
     unknowns: Sequence[Symbol],
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Solve for unknowns so that two polynomials have equal coefficients.
 

@@ -9,6 +9,7 @@ from sympy import Matrix
 from sympy.polys.matrices import DomainMatrix
 from sympy.solvers.solveset import NonlinearError
 
+from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps._record import Step, StepError
 from rigidsym.proof.steps._scope import Scope
@@ -20,7 +21,7 @@ def solve(
     equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
     unknowns: Sequence[Any],
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Solve linear equations that have exactly one solution.
 
@@ -106,7 +107,7 @@ def solve_family(
     unknowns: Sequence[sympy.Symbol],
     parameter: sympy.Symbol,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Step:
     """Solve linear equations that have a one-parameter family of solutions.
 

@@ -1,6 +1,6 @@
 """SymPy's representation of a context: names, named matrices and time derivative."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -10,6 +10,7 @@ from sympy import Eq, Identity, ImmutableMatrix, Inverse, MatrixExpr, MatrixSymb
 
 from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation, computed
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.steps._matrices import (
@@ -96,6 +97,10 @@ class Scope:
     def name(self) -> str:
         """The name of the context."""
         return self.context.name
+
+    def fact(self, name: str) -> str:
+        """Return the id of a fact: the part before a dot is its context, this one if none is."""
+        return name if "." in name else f"{self.name}.{name}"
 
     @property
     def ring(self) -> Ring:
@@ -212,7 +217,7 @@ class Scope:
         self,
         fact_id: str,
         pairs: Iterable[tuple[Any, Any]],
-        source: Sequence[str],
+        source: Source,
         origin: Computation | None = None,
         law: str = "",
         why: str = "",
@@ -225,7 +230,7 @@ class Scope:
         """
         texts = [(self.text(left), computed(self.text(right), origin)) for left, right in pairs]
         try:
-            return self.builder.claim(fact_id, texts, source, law, why)
+            return self.builder.claim(self.fact(fact_id), texts, source, law, why)
         except KernelError as error:
             raise StepError(str(error)) from None
 
@@ -234,7 +239,7 @@ class Scope:
         fact_id: str,
         left: MatrixExpr,
         right: MatrixExpr,
-        source: Sequence[str],
+        source: Source,
         origin: Computation | None = None,
     ) -> Fact:
         """Prove an equation of matrices with the kernel, entry by entry.
@@ -270,7 +275,7 @@ class Scope:
 
         In a new context the given quantities are nonzero.
         """
-        name = fact_id.split(".")[0]
+        name = self.fact(fact_id).split(".")[0]
         if name == self.name:
             return self
         if name in self.builder.ledger.contexts:

@@ -7,6 +7,7 @@ from typing import Any
 import sympy
 
 from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps._names import symbol, symbols
 from rigidsym.proof.steps._record import Step, StepError
@@ -44,7 +45,7 @@ def vary(
     constants: Constants,
     parameters: Part,
     why: str,
-    source: Sequence[str] = (),
+    source: Source = (),
 ) -> Variation:
     """Derive the equations of motion of a Lagrangian L(Omega) by Euler-Poincare variation.
 
