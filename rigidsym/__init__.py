@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rigidsym.fitting import fit
     from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
-    from rigidsym.principal import PrincipalAxes, principal_axes
+    from rigidsym.principal import PrincipalAxes, TensorMotion, principal_axes
     from rigidsym.solution._polhode import Regime
     from rigidsym.solution._symbolic import Symbolic, symbolic
     from rigidsym.splitting import Trajectory, integrate
@@ -28,6 +28,7 @@ __all__ = [
     "PrincipalAxes",
     "Regime",
     "Symbolic",
+    "TensorMotion",
     "TorqueFreeMotion",
     "Trajectory",
     "__version__",
@@ -51,6 +52,7 @@ __getattr__, __dir__ = lazily(
         "PrincipalAxes": "rigidsym.principal",
         "Regime": "rigidsym.solution._polhode",
         "Symbolic": "rigidsym.solution._symbolic",
+        "TensorMotion": "rigidsym.principal",
         "TorqueFreeMotion": "rigidsym.motion",
         "Trajectory": "rigidsym.splitting",
         "fit": "rigidsym.fitting",

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, Literal, NoReturn, Unpack, overload
+from typing import TYPE_CHECKING, Literal, NoReturn, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,16 +14,15 @@ from rigidsym import _engines as engines
 from rigidsym import _inputs as inputs
 from rigidsym import _layers as layers
 from rigidsym._engines import EngineError, batches, blocks
+from rigidsym._frames import Sampled
 from rigidsym._inputs import MotionInputs, Number, Quaternion, Times, Vector3
-from rigidsym.errors import InputError, package, unknown
+from rigidsym.errors import InputError, unknown
+from rigidsym.principal import TensorMotion, principal_axes
 from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
     from flint import arb
     from mpmath import mpf
-    from pandas import DataFrame
-    from scipy.spatial.transform import Rotation
-    from xarray import Dataset
 
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise._boxed import BoxedMotion
@@ -37,10 +36,9 @@ _IDENTITY = tuple(map(float, IDENTITY))
 _CACHED = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
-_ATTITUDE = ("q0", "q1", "q2", "q3")
 
 
-class TorqueFreeMotion:
+class TorqueFreeMotion(Sampled):
     """The motion of a torque-free rigid body from its state at t = 0.
 
     A motion is a value: equal to others with the same numbers and engine, hashable, and immutable.
@@ -104,6 +102,62 @@ class TorqueFreeMotion:
             fields["inertia"] = inputs.inertia(inertia, allow_nonphysical)
             fields["omega0"] = inputs.in_radians(inputs.vector("omega0", omega0, 3), in_degrees)
             fields["attitude0"] = inputs.attitude(attitude0)
+
+    @classmethod
+    def from_tensor(
+        cls,
+        tensor: ArrayLike,
+        omega0: Vector3,
+        attitude0: Quaternion = IDENTITY,
+        *,
+        engine: str = engines.DEFAULT,
+        allow_nonphysical: bool = False,
+        degrees: bool = False,
+    ) -> TensorMotion:
+        """Return the motion of a body with a given inertia tensor, in the axes of the tensor.
+
+        Parameters
+        ----------
+        tensor : array_like (3, 3)
+            The inertia tensor in the body's own axes, kg m^2, as for `principal_axes`.
+        omega0 : array_like (3,)
+            Rates along these axes at t = 0, rad/s.
+        attitude0 : array_like (4,) or Rotation
+            Attitude of these axes at t = 0, scalar first, body to inertial.
+        engine, allow_nonphysical, degrees
+            As for the class.
+
+        Returns
+        -------
+        TensorMotion
+            Its states are along the axes of the tensor.
+
+        Raises
+        ------
+        InputError
+            As `principal_axes` and the class do, and for uncertain numbers.
+
+        Examples
+        --------
+        >>> tensor = [[2, 0, 0.1], [0, 3, 0], [0.1, 0, 4]]
+        >>> motion = TorqueFreeMotion.from_tensor(tensor, (0.1, 0.2, 0.3))
+        >>> motion(0.0)[1].round(12)
+        array([0.1, 0.2, 0.3])
+        >>> print(motion.regime)
+        circulation about the axis of largest inertia
+        """
+        body, rule = principal_axes(tensor), "is uncertain; a motion from a tensor takes numbers"
+        rates = inputs.in_radians(
+            inputs.vector("omega0", omega0, 3), inputs.is_true("degrees", degrees)
+        )
+        given = inputs.certain("attitude0", inputs.attitude(attitude0), rule)
+        largest = max(map(abs, given))  # so that no product overflows
+        omega, q = body.to_principal(
+            inputs.doubles("omega0", inputs.certain("omega0", rates, rule)),
+            inputs.doubles("attitude0", [x / largest for x in given]),
+        )
+        motion = cls(body.moments, omega, q, engine=engine, allow_nonphysical=allow_nonphysical)
+        return TensorMotion(motion, body)
 
     # Lazily, because making fractions of floats takes longer than preparing a motion.
     @cached_property
@@ -733,80 +787,6 @@ class TorqueFreeMotion:
         from rigidsym.solution._symbolic import of_motion
 
         return of_motion(form, **self.exact)
-
-    def rotation(self, t: ArrayLike) -> "Rotation":
-        """Return the attitudes at times as a SciPy Rotation.
-
-        The rotations are from body to inertial axes; times in s.  Needs SciPy.
-        """
-        try:
-            from scipy.spatial.transform import Rotation
-        except ImportError:
-            raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
-        return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
-
-    def to_dataframe(self, t: ArrayLike, *, degrees: bool = False) -> "DataFrame":
-        """Return states at times as a pandas DataFrame.
-
-        Needs pandas.
-
-        Parameters
-        ----------
-        t : array_like (N,)
-            Times, s: the index of the frame.
-        degrees : bool
-            Rates are in deg/s, not in rad/s.
-
-        Returns
-        -------
-        DataFrame
-            With the columns q0 ... q3, omega1 ... omega3.
-
-        Raises
-        ------
-        InputError
-            As a call does.
-        """
-        times, q, omega = self._sampled(t, degrees)
-        pandas: Any = package("pandas", "to_dataframe", "frames")
-        columns = [*_ATTITUDE, "omega1", "omega2", "omega3"]
-        return pandas.DataFrame(np.hstack([q, omega]), pandas.Index(times, name="t"), columns)
-
-    def to_xarray(self, t: ArrayLike, *, degrees: bool = False) -> "Dataset":
-        """Return states at times as an xarray Dataset.
-
-        Needs xarray.
-
-        Parameters
-        ----------
-        t : array_like (N,)
-            Times, s.
-        degrees : bool
-            Rates are in deg/s, not in rad/s; their attribute `units` names the unit.
-
-        Returns
-        -------
-        Dataset
-            With the variables q (t, component) and omega (t, axis).
-
-        Raises
-        ------
-        InputError
-            As a call does.
-        """
-        times, q, omega = self._sampled(t, degrees)
-        xarray: Any = package("xarray", "to_xarray", "frames")
-        attitude = {"long_name": "attitude, body to inertial, scalar first", "units": "1"}
-        rates = {"long_name": "rates in body axes", "units": "deg/s" if degrees else "rad/s"}
-        return xarray.Dataset(
-            {"q": (("t", "component"), q, attitude), "omega": (("t", "axis"), omega, rates)},
-            {"t": ("t", times, {"units": "s"}), "component": [*_ATTITUDE], "axis": [1, 2, 3]},
-        )
-
-    def _sampled(self, t: ArrayLike, degrees: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        times = np.atleast_1d(batches.times(t))
-        q, omega = self(times)
-        return times, q, np.rad2deg(omega) if inputs.is_true("degrees", degrees) else omega
 
     def plot(self, times: Times | None = None) -> "Figure":
         """Plot the body rates, the attitude and the momentum sphere.

@@ -1,12 +1,15 @@
-"""Principal axes of inertia, and conversion of states to and from them."""
+"""Principal axes of inertia, conversion to and from them, and motions in the axes of a tensor."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym import _containers as containers
 from rigidsym import _inputs as inputs
+from rigidsym import _layers as layers
+from rigidsym._frames import Sampled
 from rigidsym.errors import InputError
 from rigidsym.quaternions import conjugate, matrices, of_matrix, product
 from rigidsym.sensitivity import Sensitivity
@@ -136,6 +139,97 @@ class PrincipalAxes:
                 y, z = (x + 1) % 3, (x + 2) % 3
                 turns[x, k] = seen[z, y] / (m[y] - m[z])
         return turns, moments
+
+
+# Properties of a motion that do not depend on the axes of the body.
+_INVARIANT = (
+    *("regime", "mode", "energy", "momentum", "parameter", "modulus", "period", "nutation"),
+    *("circulation_rate", "precession_rate", "phase_per_period", "engine", "allow_nonphysical"),
+)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class TensorMotion(Sampled):
+    """The motion of a torque-free rigid body, with states along the axes of its inertia tensor.
+
+    `TorqueFreeMotion.from_tensor` makes it.  The principal axes are eigenvectors in float64: the
+    states are those of a tensor that differs from the given one by rounding, a few 1e-16 of its
+    largest entry.  They differ from those of the given tensor by 1e-15 rad, and by some 2e-16 rad
+    more for each radian that the body turns, where the moments are well apart and the motion is not
+    beside the separatrix.  Diagonal tensors have no such error.
+
+    The regime and the other properties that do not depend on axes are those of `principal`:
+    regime, mode, energy, momentum, parameter, modulus, period, nutation, circulation_rate,
+    precession_rate, phase_per_period.  The regime is decided exactly for the rounded principal
+    moments.  Whatever needs exact axes (precise, enclose, symbolic) is of `principal` alone.
+
+    Attributes
+    ----------
+    principal : TorqueFreeMotion
+        The motion along the principal axes.
+    axes : PrincipalAxes
+        The principal axes, which convert states.
+    """
+
+    principal: Any
+    axes: PrincipalAxes
+
+    def __call__(self, t: ArrayLike, errors: str = "raise") -> tuple[np.ndarray, np.ndarray]:
+        """Return the attitude of the tensor's axes and the rates along them at times.
+
+        Parameters, shapes and errors are those of a call of `TorqueFreeMotion`.
+        """
+        if layers.is_layered(t):
+            return layers.called(self, {"t": t}, errors=errors)
+        return self.axes.from_principal(*self.principal(t, errors=errors))
+
+    def grid(self, start: float, step: float, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return the states at the times start + k step, as `TorqueFreeMotion.grid` does."""
+        return self.axes.from_principal(*self.principal.grid(start, step, count))
+
+    def sensitivity(
+        self, t: ArrayLike, errors: str = "raise"
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
+        """Return the states at times, and their derivatives with respect to all inputs.
+
+        Columns are by the small rotation at t = 0, omega0 along the tensor's axes, and the six
+        entries of the tensor, as `PrincipalAxes.sensitivity` describes.  Raises InputError as a
+        call does, and where two moments are equal.
+        """
+        q, omega, found = self.principal.sensitivity(t, errors)
+        found = self.axes.sensitivity(self.principal(0.0), q, omega, found)
+        return *self.axes.from_principal(q, omega), found
+
+    def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
+        """Return the state transition matrices from t0 to each time.
+
+        They are those of `TorqueFreeMotion.state_transition`, with rates along the tensor's axes.
+        """
+        turned = np.eye(6)
+        turned[3:, 3:] = self.axes.matrix
+        return turned @ self.principal.state_transition(t0, t) @ turned.T
+
+    @property
+    def mean_rates(self) -> tuple[float, ...]:
+        """The rates along the tensor's axes, averaged over a period, in rad/s."""
+        return tuple((self.axes.matrix @ self.principal.mean_rates).tolist())
+
+    def __getattr__(self, name: str) -> Any:
+        if name in _INVARIANT:
+            return getattr(self.principal, name)
+        if (
+            name[:1] != "_"
+            and name not in ("principal", "axes")
+            and hasattr(type(self.principal), name)
+        ):
+            rule = "is along the principal axes only"
+            raise AttributeError(
+                f"{name}: {rule}: motion.principal.{name}, converted by motion.axes"
+            )
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+
+    def __repr__(self) -> str:
+        return f"{self.principal!r}, with states along the axes of its tensor"
 
 
 def principal_axes(tensor: ArrayLike) -> PrincipalAxes:

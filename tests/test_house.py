@@ -22,8 +22,9 @@ ALLOWED = {
     "rigidsym.containers": "errors",
     "rigidsym.inputs": "containers errors",
     "rigidsym.layers": "containers errors sensitivity",
-    "rigidsym.principal": "containers errors inputs quaternions sensitivity",
-    "rigidsym.motion": f"{NUMBERS} engines layers sensitivity view",
+    "rigidsym.frames": "containers errors inputs layers",
+    "rigidsym.principal": "containers errors frames inputs layers quaternions sensitivity",
+    "rigidsym.motion": f"{NUMBERS} engines frames layers principal sensitivity view",
     "rigidsym.steps": "engines errors layers",
     # What is true.
     "rigidsym.proof.kernel": "",
@@ -56,9 +57,9 @@ ALLOWED = {
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
     "rigidsym.validate.torques": "errors quaternions splitting validate",
     "rigidsym.validate.faults": f"{NUMBERS} codegen engines generated io splitting validate view",
-    "rigidsym.splitting": "engines errors generated inputs motion quaternions",
+    "rigidsym.splitting": "engines errors frames generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
-    "rigidsym.fitting": f"{NUMBERS} engines io motion view",
+    "rigidsym.fitting": f"{NUMBERS} engines frames io motion view",
     # Both halves meet: what a ledger publishes is compared with the equations of motion.
     "rigidsym.numbers": f"{FOUNDATION} inputs solution precise",
     # What shows it, and what reads and writes files.

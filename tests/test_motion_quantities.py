@@ -7,7 +7,7 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from rigidsym import InputError, TorqueFreeMotion
+from rigidsym import InputError, TorqueFreeMotion, fit, integrate
 from rigidsym.quaternions import product
 from rigidsym.solution._polhode import Mode
 
@@ -177,6 +177,32 @@ def test_a_dataset_has_the_states_and_says_units(degrees, unit):
     assert np.array_equal(found.q, q)
     assert np.array_equal(found.omega, np.rad2deg(omega) if degrees else omega)
     assert found.omega.sel(t=90.0, axis=2) == (np.rad2deg(omega) if degrees else omega)[1, 1]
+
+
+def test_frames_of_dates_trajectories_and_predictions():
+    pandas = pytest.importorskip("pandas", reason="needs pandas (extra frames)")
+    dates = pandas.date_range("2026-01-01", periods=3, freq="90s", tz="Europe/Berlin", name="t")
+    found = PAPER.to_dataframe(dates)
+    assert found.index.equals(dates)
+    assert found.to_numpy().tolist() == PAPER.to_dataframe([0.0, 90.0, 180.0]).to_numpy().tolist()
+    assert PAPER.to_dataframe(dates - dates[0]).index.equals(dates - dates[0])
+    bodies = [(1, 2, 2.5), (2, 3, 4)]
+    run = integrate(bodies, (1, 0, 0, 0), (0.1, 0.2, 0.3), lambda t, q, w: 0 * w, [0, 1, 2], step=1)
+    found = run.to_dataframe(degrees=True)
+    assert found.index.names == ["body", "t"]
+    assert found.loc[(1, 2.0), "omega2"] == np.rad2deg(run.omega[1, 2, 1])
+    pytest.importorskip("xarray", reason="needs xarray (extra frames)")
+    assert run.to_xarray().q.dims == ("body", "t", "component")
+    assert np.array_equal(run.to_xarray().omega, run.omega)
+    seen = np.linspace(0, 200, 15)
+    fitted = fit(seen, attitudes=PAPER(seen)[0], sigma={"attitudes": 1e-3}, guess=PAPER)
+    predicted = fitted.predict([0.0, 300.0])
+    found = predicted.to_dataframe()
+    assert found.index.tolist() == [0.0, 300.0]
+    assert [*found][7:] == ["attitude_sigma", "omega1_sigma", "omega2_sigma", "omega3_sigma"]
+    assert found.attitude_sigma.tolist() == predicted.attitude_sigma.tolist()
+    assert found.omega2_sigma[300.0] == np.sqrt(predicted.covariance[1, 4, 4])
+    assert len(fitted.predict(3.0).to_dataframe()) == 1
 
 
 @pytest.mark.parametrize(("method", "package"), [("dataframe", "pandas"), ("xarray", "xarray")])

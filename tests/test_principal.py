@@ -1,15 +1,17 @@
 """Principal axes reproduce the tensor, convert motions, and refuse bad tensors."""
 
 import math
+import pickle
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from mpmath import mp
 
 from rigidsym import InputError, TorqueFreeMotion, principal_axes
-from rigidsym.quaternions import conjugate, of_matrix, product, rotated
+from rigidsym.quaternions import conjugate, matrices, of_matrix, product, rotated
 
 NUMBERS = st.floats(-1, 1)
 ROTATIONS = (
@@ -198,3 +200,113 @@ def test_a_small_turn_at_first_stays_one():
 def test_equal_moments_have_no_derivative_by_the_tensor():
     with pytest.raises(InputError, match="two are equal: their axes are any in a plane"):
         along_given_axes(np.diag([2.0, 2.0, 3.0]), RATES, 1.0)
+
+
+TENSOR = np.array([[2.0, 0.3, 0.1], [0.3, 3.0, -0.2], [0.1, -0.2, 4.0]])
+TURNING, LEANING = (0.1, 0.2, 0.3), (-0.5, 0.5, 0.1, 0.3)
+
+
+def by_mpmath(times):
+    """Rotation matrices and rates of TENSOR's motion, from eigenvectors with 50 digits."""
+
+    def matrix(q):
+        w, x, y, z = (mp.mpf(c) for c in q)
+        rows = (
+            (1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+        )
+        return mp.matrix(rows)
+
+    moments, axes = mp.eigsy(mp.matrix(TENSOR.tolist()))
+    axes[:, 2] *= mp.sign(mp.det(axes))
+    rates = axes.T * mp.matrix([mp.mpf(x) for x in TURNING])
+    length = mp.sqrt(sum(mp.mpf(x) ** 2 for x in LEANING))
+    start = matrix([mp.mpf(x) / length for x in LEANING])
+    states = zip(*TorqueFreeMotion([*moments], [*rates]).precise(times, 40), strict=True)
+    return [(start * axes * matrix(q) * axes.T, axes * mp.matrix([*w])) for q, w in states]
+
+
+def test_states_of_a_tensor_are_those_of_its_exact_eigenvectors():
+    """The error that the class documents: it grows with the angle, up to 37 000 rad."""
+    motion = TorqueFreeMotion.from_tensor(TENSOR, TURNING, LEANING)
+    times = [0.0, 1.0, 100.0, 1e5]
+    with mp.workdps(50):
+        expected = by_mpmath(times)
+        for t, q, omega, (turned, rates) in zip(times, *motion(times), expected, strict=True):
+            bound = 1e-15 + 3e-16 * t * np.linalg.norm(TURNING)
+            assert mp.mnorm(mp.matrix(matrices(q).tolist()) - turned) < 2 * bound
+            assert mp.norm(mp.matrix(omega.tolist()) - rates) < bound
+    np.testing.assert_allclose(
+        motion(0.0)[0], np.array(LEANING) / np.linalg.norm(LEANING), atol=4e-16
+    )
+
+
+def test_a_motion_of_a_tensor_has_everything_in_its_axes():
+    motion = TorqueFreeMotion.from_tensor(TENSOR, TURNING, LEANING)
+    t = np.array([0.0, 2.0, 4.0])
+    q, omega = motion(t)
+    for x, y in zip(motion.grid(0, 2, 3), (q, omega), strict=True):
+        np.testing.assert_allclose(x, y, atol=4e-15)
+    there, _, found = motion.sensitivity(t)
+    np.testing.assert_array_equal(there, q)
+    assert found.attitude.shape == (3, 3, 12)
+    transition = motion.state_transition(0.0, t)
+    np.testing.assert_allclose(transition, found.transition, atol=1e-13)
+    later = TorqueFreeMotion.from_tensor(TENSOR, omega[1] + [0, 1e-6, 0], q[1])(2.0)
+    np.testing.assert_allclose(
+        (later[1] - omega[2]) / 1e-6, motion.state_transition(2, 4)[3:, 4], atol=1e-5
+    )
+    assert motion.energy == pytest.approx(np.array(TURNING) @ TENSOR @ TURNING / 2, rel=1e-15)
+    momentum = matrices(q) @ (TENSOR @ omega[..., None])
+    np.testing.assert_allclose(momentum[1:], momentum[:1].repeat(2, axis=0), atol=3e-15)
+    steps = np.linspace(0, motion.period, 2001)[:-1]
+    np.testing.assert_allclose(motion(steps)[1].mean(axis=0), motion.mean_rates, atol=1e-14)
+    assert motion.regime is motion.principal.regime
+    assert "axes of its tensor" in repr(motion)
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(motion))(t)[0], q)
+    for name in ("precise", "enclose", "symbolic", "inertia", "plot", "replace"):
+        with pytest.raises(
+            AttributeError, match=rf"^{name}: is along the principal axes only: motion"
+        ):
+            getattr(motion, name)
+    with pytest.raises(AttributeError, match="has no attribute 'precises'"):
+        _ = motion.precises
+
+
+def test_a_diagonal_tensor_is_taken_exactly():
+    motion = TorqueFreeMotion.from_tensor(np.diag([4, 2, 3]), TURNING, LEANING)
+    plain = TorqueFreeMotion((4, 2, 3), TURNING, LEANING)
+    assert motion.regime is plain.regime
+    assert sorted(motion.principal.inertia) == [2, 3, 4]
+    for x, y in zip(motion([1.0, 1e6]), plain([1.0, 1e6]), strict=True):
+        np.testing.assert_allclose(x, y, atol=4e-15)
+    sphere = TorqueFreeMotion.from_tensor(np.eye(3), TURNING)
+    np.testing.assert_array_equal(sphere(9.0)[1], TURNING)
+    with pytest.raises(InputError, match="two are equal"):
+        sphere.sensitivity(1.0)
+
+
+@pytest.mark.parametrize(
+    ("changed", "rule"),
+    [
+        ({"tensor": (1, 2, 3)}, "tensor"),
+        ({"tensor": np.diag([1, 1, 5])}, r"inertia = \[1, 1, 5\]: no body"),
+        ({"omega0": ("1 +/- 0.1", 2, 3)}, r"omega0\[0\] = .*is uncertain; a motion from a tensor"),
+        ({"omega0": (1, 2)}, "omega0 = .*must have 3 numbers"),
+        ({"attitude0": (0, 0, 0, 0)}, "attitude0 = .*must not be zero"),
+        ({"engine": "x"}, "engine = 'x'"),
+        ({"degrees": 1}, "degrees = 1"),
+    ],
+)
+def test_tensors_and_states_that_are_refused(changed, rule):
+    with pytest.raises(InputError, match=f"^{rule}"):
+        TorqueFreeMotion.from_tensor(**{"tensor": TENSOR, "omega0": TURNING, **changed})
+
+
+def test_degrees_and_lengths_of_a_tensors_motion():
+    motion = TorqueFreeMotion.from_tensor(TENSOR, TURNING, LEANING)
+    other = TorqueFreeMotion.from_tensor(
+        TENSOR, np.rad2deg(TURNING), np.multiply(LEANING, 1e308), degrees=True
+    )
+    np.testing.assert_allclose(other(5.0)[0], motion(5.0)[0], atol=4e-16)

@@ -283,7 +283,7 @@ class Fit(Alternative):
             return observed_derivatives(point, *point.in_observed_axes(q, omega), sensitivity, own)
 
         covariance = self.observability.widest(rows)
-        found = *seen, covariance * (np.nan if self.agreement.hopeless else 1.0)
+        found = *seen, covariance * (np.nan if self.agreement.hopeless else 1.0), every
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
 
     @property

@@ -3,12 +3,17 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rigidsym._frames import RATES, dataframe
 from rigidsym.fitting._parameters import Point
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.solution._polhode import Mode
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,16 +74,31 @@ class Prediction:
         Rates, rad/s.
     covariance : (..., 6, 6)
         Covariance of a small turn along inertial axes, rad, and of the rates, rad/s.
+    t : (...)
+        Times, s.
     """
 
     q: np.ndarray
     omega: np.ndarray
     covariance: np.ndarray
+    t: np.ndarray
 
     @property
     def attitude_sigma(self) -> np.ndarray:
         """Return the standard deviation of the attitude about its most uncertain axis, in rad."""
         return np.sqrt(np.linalg.eigvalsh(self.covariance[..., :3, :3])[..., -1])
+
+    def to_dataframe(self) -> "DataFrame":
+        """Return the prediction as a pandas DataFrame with the times as its index.
+
+        Its columns are q0 ... q3, omega1 ... omega3, attitude_sigma (rad), and omega1_sigma ...
+        omega3_sigma (rad/s).  Needs pandas.
+        """
+        rates = np.sqrt(np.diagonal(self.covariance, axis1=-2, axis2=-1)[..., 3:])
+        errors = {f"{name}_sigma": np.atleast_1d(x) for name, x in zip(RATES, rates.T, strict=True)}
+        sigma = np.atleast_1d(self.attitude_sigma)
+        q, omega = np.atleast_2d(self.q), np.atleast_2d(self.omega)
+        return dataframe(self.t, q, omega, False, attitude_sigma=sigma, **errors)
 
 
 @dataclass(frozen=True, eq=False)

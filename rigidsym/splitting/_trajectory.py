@@ -3,13 +3,19 @@
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym._engines import batches
+from rigidsym._frames import dataframe, dataset
 from rigidsym.errors import InputError
 from rigidsym.splitting._stepping import Splitting, State
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 # Relative distance from the end of a step below which a time is that end, because of rounding.
 _NEAR = 4 * float(np.finfo(float).eps)
@@ -133,6 +139,22 @@ class Trajectory:
             for place, state in zip(places, found, strict=True):
                 q[..., place, :], omega[..., place, :] = state.q, state.omega
         return (q, omega) if np.ndim(given) else (q[..., 0, :], omega[..., 0, :])
+
+    def to_dataframe(self, *, degrees: bool = False) -> "DataFrame":
+        """Return the states at `times` as a pandas DataFrame.
+
+        Its index is the time, s, for several bodies after their number.  Rates are in rad/s, or in
+        deg/s with degrees=True.  Needs pandas.
+        """
+        return dataframe(self.times, self.q, self.omega, degrees)
+
+    def to_xarray(self, *, degrees: bool = False) -> "Dataset":
+        """Return the states at `times` as an xarray Dataset.
+
+        Its variables are q (..., t, component) and omega (..., t, axis).  Rates are in rad/s, or in
+        deg/s with degrees=True.  Needs xarray.
+        """
+        return dataset(self.times, self.q, self.omega, degrees)
 
 
 def states(

@@ -78,7 +78,10 @@ def _extras(value: type) -> list[str]:
     if hasattr(value, "__members__"):
         return [":undoc-members:"]
     own = "__call__" in vars(value) and bool(vars(value)["__call__"].__doc__)
-    return [":special-members: __call__"] if own else []
+    # A private base class has no page, so that its methods belong to those of its subclasses.
+    shared = any(base.__module__.startswith("rigidsym._") for base in value.__mro__[1:])
+    options = [":special-members: __call__"] if own else []
+    return [*options, ":inherited-members: ABC"] if shared else options
 
 
 def _function(place: str) -> str:
