@@ -6,6 +6,7 @@ Packages that a command needs are imported when it runs: `main` reports those th
 from argparse import Namespace
 from typing import Any
 
+from rigidsym._cli.commands import TABLE
 from rigidsym._cli.output import deliver, progress, say, say_written, table
 from rigidsym.io._files import probe
 
@@ -74,13 +75,15 @@ def fit(options: Namespace) -> int:
 
     Returns 1 if the fit does not converge or does not agree with the observations.
     """
-    from rigidsym.fitting import fit
-    from rigidsym.fitting._files import load
+    from rigidsym.fitting import fit, load
 
     if options.output:
         probe(options.output)
-    errors = {"attitudes": options.sigma_attitudes, "rates": options.sigma_rates}
-    file = load(options.observations, {k: x for k, x in errors.items() if x is not None})
+    keys = [name.replace("-", "_") for name in TABLE]
+    layout = {key: getattr(options, key) for key in keys if getattr(options, key) is not None}
+    file = load(options.observations, **layout)
+    for note in file.notes:
+        say(note)
     names = ("inertia", "moments", "loss", "starts", "fastest", "delta_chi2")
     asked = {name: getattr(options, name) for name in names if getattr(options, name) is not None}
     arguments: dict[str, Any] = {**file.arguments(), **asked, "progress": progress("fit")}

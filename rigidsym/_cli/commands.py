@@ -147,6 +147,33 @@ SETTING = {
 }
 "Options of `derive` for another derivation."
 
+_LINE: dict[str, Any] = {"type": as_count}
+TABLE: dict[str, tuple[str, str, dict[str, Any]]] = {
+    "sigma": (
+        "KIND=X,…",
+        "errors, as attitudes=0.1deg,rates=0.01deg/s; needed without columns",
+        {},
+    ),
+    "columns": ("NAME=COLUMN,…", "columns, as time=UTC,q0=qs; those named t, q0… by default", {}),
+    "units": ("NAME=UNIT,…", "as time=ms,rate=deg/s,angle=deg; by default the header's, or SI", {}),
+    "time-format": ("F", "seconds by default, iso, jd, mjd or unix", {}),
+    "epoch": ("EPOCH", "of t = 0, in UTC, or `first`; by default the first for dates", {}),
+    "attitude": (
+        "FORM",
+        "quaternion by default, quaternion-scalar-last, matrix, euler321 or another sequence",
+        {},
+    ),
+    "direction": ("D", "of attitudes: body-to-inertial by default, or inertial-to-body", {}),
+    "axis": ("AXIS", "what directions show; needed for them: spin, or X,Y,Z in the body", {}),
+    "allow": ("A,…", "missing, unsorted, repeated: what lines may be; by default none", {}),
+    "delimiter": ("C", "a comma by default; a character, tab or space", {}),
+    "decimal": ("C", "decimal mark, a point by default, or a comma", {}),
+    "header-line": ("N", "line of the names; by default the first that is no comment", _LINE),
+    "data-line": ("N", "line where data may begin; by default after the header", _LINE),
+    "encoding": ("E", "utf-8 by default, or another such as cp1252", {}),
+}
+"Options of `fit` for tables: arguments of `rigidsym.fitting.load`."
+
 COMMANDS = (
     Command(
         "reproduce",
@@ -392,11 +419,12 @@ COMMANDS = (
         "fit",
         "applications:fit",
         "the free motion that observations show",
-        "fit toutatis -o toutatis",
+        "fit gyro.csv --columns time=T,omega1=gx,omega2=gy,omega3=gz --units time=ms,rate=deg/s "
+        "--sigma rates=0.05deg/s --delimiter ';' --decimal ,",
         _value(
             "observations",
             "OBSERVATIONS",
-            "a file: .toml, .csv or .aem; or `toutatis` or `t-handle`",
+            "a file: .toml, .aem, or a table .csv, .tsv, .txt or .dat; or `toutatis` or `t-handle`",
         ),
         _value("--inertia", "HOW", "ratios by default, known or tensor"),
         _value(
@@ -405,15 +433,6 @@ COMMANDS = (
             "principal moments, kg m^2; needed where they are known",
             type=float,
             nargs=3,
-        ),
-        *(
-            _value(
-                f"--sigma-{kind}",
-                unit,
-                f"errors of {kind}; needed for files that have no errors",
-                type=float,
-            )
-            for kind, unit in (("attitudes", "RAD"), ("rates", "RAD/S"))
         ),
         _value("--loss", "L", "linear by default, soft_l1, huber, cauchy or arctan"),
         _count("--starts", "N", "starts of the search; 2000 by default"),
@@ -431,6 +450,13 @@ COMMANDS = (
         ),
         _output("DIR", "directory of JSON, a case file and a page"),
         _JSON,
+        Group(
+            *(
+                _value(f"--{name}", metavar, help, **how)
+                for name, (metavar, help, how) in TABLE.items()
+            ),
+            title="how a table is read; messages propose what to add",
+        ),
     ),
     Command(
         "init",

@@ -7,6 +7,7 @@ from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.fitting._estimate import fit
+    from rigidsym.fitting._files import ObservationFile, load
     from rigidsym.fitting._fit import Fit
     from rigidsym.fitting._observations import Attitudes, Directions, Modelled, Rates
     from rigidsym.fitting._result import Alternative, Periods, Prediction, periods
@@ -17,10 +18,12 @@ __all__ = [
     "Directions",
     "Fit",
     "Modelled",
+    "ObservationFile",
     "Periods",
     "Prediction",
     "Rates",
     "fit",
+    "load",
     "periods",
 ]
 
@@ -30,6 +33,7 @@ __getattr__, __dir__ = lazily(
     {
         "fit": "._estimate",
         "Fit": "._fit",
+        **dict.fromkeys(("ObservationFile", "load"), "._files"),
         **dict.fromkeys(("Attitudes", "Directions", "Modelled", "Rates"), "._observations"),
         **dict.fromkeys(("Alternative", "Periods", "Prediction", "periods"), "._result"),
     },

@@ -1,7 +1,8 @@
 """Kinds of observations: attitudes, rates, directions and values of a user's model.
 
 A kind is one class here, listed in `KINDS`: its residuals and their derivatives, what a search can
-start from, the conventions in which others may have written it, and its columns and keys in files.
+start from, the conventions in which others may have written it, and its keys in TOML files.  Its
+columns in tables of text are in `_names`.
 To add a kind, write its class, list it in `KINDS`, and give `rigidsym.fit` an argument of its name.
 
 Each set of observations has its own times and errors.  Residuals (..., N, width) are computed less
@@ -36,6 +37,8 @@ from rigidsym.quaternions import (
 _TINY = 1e-8
 # Relative step of central differences of a user's model, rad.
 _DIFFERENCE = 6e-6
+SPIN = "spin"
+"The known direction of `Directions` that is the axis of rotation."
 # Relative asymmetry of a covariance that counts as rounding.
 _SYMMETRY = 1e-9
 # Between attitudes no more than _PLAIN apart, rad, the rotation is known without whole turns; rates
@@ -67,9 +70,6 @@ class Observations(ABC):
     "Unit of the values and errors in TOML files."
     conventions: ClassVar[tuple[str, ...]] = ("",)
     "Conventions in which values may be written, the expected one first; see `by_convention`."
-    columns: ClassVar[tuple[str, ...]] = ()
-    "Columns of values in CSV files; empty where the kind is not in CSV files."
-    sigma_column: ClassVar[str] = ""
     keys: ClassVar[tuple[str, ...]] = ()
     "Keys of its tables in TOML files besides times and sigma."
 
@@ -126,10 +126,10 @@ class Observations(ABC):
         """Return time series of body rates that follow from the observations."""
         return []
 
-    def davenport(self, q: np.ndarray) -> np.ndarray:
+    def davenport(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return Davenport's matrices, which determine the best rotation of each motion.
 
-        Their shape is (B, 4, 4), for attitudes q (B, N, 4).
+        Their shape is (B, 4, 4), for attitudes q (B, N, 4) and rates omega (B, N, 3).
 
         Their eigenvectors of the largest eigenvalue are the rotations, on the left of q, after
         which the motions agree best with the observations.
@@ -216,8 +216,6 @@ class Attitudes(Observations):
         "inertial to body",
         "scalar last and inertial to body",
     )
-    columns: ClassVar[tuple[str, ...]] = ("q0", "q1", "q2", "q3")
-    sigma_column: ClassVar[str] = "sigma_q"
     keys: ClassVar[tuple[str, ...]] = ("q", "euler_313")
     unit: ClassVar[str] = "rad"
     width: ClassVar[int] = 3
@@ -261,7 +259,7 @@ class Attitudes(Observations):
         turns = rotation_vectors(product(conjugate(self.seen[:-stride]), self.seen[stride:]))
         return turns, np.linalg.norm(turns, axis=-1)
 
-    def davenport(self, q: np.ndarray) -> np.ndarray:
+    def davenport(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return Davenport's matrices (B, 4, 4), from products of quaternions."""
         between = product(self.seen, conjugate(q))
         return np.einsum("n,bni,bnj->bij", 2 * self._sizes(), between, between)
@@ -307,8 +305,6 @@ class Rates(Observations):
 
     kind: ClassVar[str] = "rates"
     from_arrays: ClassVar[bool] = True
-    columns: ClassVar[tuple[str, ...]] = ("omega1", "omega2", "omega3")
-    sigma_column: ClassVar[str] = "sigma_omega"
     keys: ClassVar[tuple[str, ...]] = ("omega",)
     unit: ClassVar[str] = "rad/s"
     width: ClassVar[int] = 3
@@ -360,9 +356,10 @@ class Directions(Observations):
     values : (N, 3)
         Observed directions, of any length.
     sigma : number, (N,), (2, 2) or (N, 2, 2)
-        Standard deviations, rad, or covariances.
-    known : (3,) or (N, 3)
-        Known directions, in the other axes.
+        Standard deviations, rad, or covariances along `tangents` of the observed directions.
+    known : (3,), (N, 3) or "spin"
+        Known directions, in the other axes; "spin" is the axis of rotation, along the rates, whose
+        direction in space is observed.
     seen_in : {"body", "space"}
         Axes of the observed directions; "space" is for a face of the body seen from elsewhere.
     """
@@ -375,7 +372,7 @@ class Directions(Observations):
     width: ClassVar[int] = 2
     # The mean square angle between random directions.
     unrelated: ClassVar[float] = np.pi**2 / 2 - 2
-    known: ArrayLike = (0.0, 0.0, 1.0)
+    known: ArrayLike | str = (0.0, 0.0, 1.0)
     seen_in: str = "body"
     tangents: np.ndarray = field(init=False, repr=False)
 
@@ -383,16 +380,7 @@ class Directions(Observations):
         super().__post_init__()
         if self.seen_in not in ("body", "space"):
             raise InputError("vectors.seen_in", repr(self.seen_in), "must be 'body' or 'space'")
-        known = batches.array("vectors.known", self.known)
-        if known.shape not in ((3,), (self.count, 3)):
-            rule = f"must have the shape (3,) or ({self.count}, 3)"
-            raise InputError("vectors.known", f"an array of shape {known.shape}", rule)
-        # Two unit vectors across each observed direction, right-handed with it.
-        least = np.eye(3)[np.argmin(np.abs(self.seen), axis=-1)]
-        first = np.cross(least, self.seen)
-        first /= np.linalg.norm(first, axis=-1, keepdims=True)
-        tangents = np.stack([first, np.cross(self.seen, first)], axis=-2)
-        vars(self).update(known=_unit("vectors.known", known), tangents=tangents)
+        vars(self).update(known=self._read_known(), tangents=tangents(self.seen))
 
     def _read(self, values: np.ndarray) -> np.ndarray:
         return _unit(self.kind, self._rows(values, 3))
@@ -401,13 +389,36 @@ class Directions(Observations):
     def _by_row(self) -> tuple[str, ...]:
         return "t", "seen", "weights", "tangents", *(["known"] * (np.ndim(self.known) == 2))
 
-    def _computed(self, q: np.ndarray) -> np.ndarray:
-        known = np.asarray(self.known)
-        return rotated(conjugate(q) if self.seen_in == "body" else q, known)
+    def _read_known(self) -> ArrayLike | str:
+        """Return the known directions with the length 1, or "spin".
+
+        Raises InputError.
+        """
+        if isinstance(self.known, str):
+            if self.known != SPIN:
+                raise InputError("vectors.known", repr(self.known), f"must be numbers or '{SPIN}'")
+            if self.seen_in != "space":
+                rule = f"must be 'space' where the known direction is '{SPIN}'"
+                raise InputError("vectors.seen_in", repr(self.seen_in), rule)
+            return self.known
+        known = batches.array("vectors.known", self.known)
+        if known.shape not in ((3,), (self.count, 3)):
+            rule = f"must have the shape (3,) or ({self.count}, 3)"
+            raise InputError("vectors.known", f"an array of shape {known.shape}", rule)
+        return _unit("vectors.known", known)
+
+    def _own(self, omega: np.ndarray) -> np.ndarray:
+        """Return the known directions; axes of rotation are (..., N, 3)."""
+        if not isinstance(self.known, str):
+            return np.asarray(self.known)
+        return omega / _size(omega)
+
+    def _computed(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        return rotated(conjugate(q) if self.seen_in == "body" else q, self._own(omega))
 
     def residuals(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return the angular residuals from the observed to the computed directions."""
-        there = self._computed(q)
+        there = self._computed(q, omega)
         angle, sine = self._apart(there)
         return (angle / sine)[..., None] * (self.tangents @ there[..., None])[..., 0]
 
@@ -424,28 +435,32 @@ class Directions(Observations):
     def derivatives(self, q: np.ndarray, omega: np.ndarray, residuals: np.ndarray) -> np.ndarray:
         """Return the derivatives of the residuals with respect to a small turn and the rates.
 
-        A turn eta moves R^T v by R^T (v x eta), and R b by eta x R b.
+        A turn eta moves R^T v by R^T (v x eta), and R b by eta x R b.  Rates w move the axis of
+        rotation R w/|w| by R (1 - w w^T/|w|^2)/|w|.
         """
-        there = self._computed(q)
+        there = self._computed(q, omega)
         angle, sine = self._apart(there)
+        moved = np.zeros((*there.shape, 6))
         if self.seen_in == "body":
             known = np.asarray(self.known)
-            moved = np.swapaxes(matrices(q), -2, -1) @ cross_matrices(known)
+            moved[..., :3] = np.swapaxes(matrices(q), -2, -1) @ cross_matrices(known)
         else:
-            moved = -cross_matrices(there)
+            moved[..., :3] = -cross_matrices(there)
+        if isinstance(self.known, str):
+            own = self._own(omega)
+            across = np.eye(3) - own[..., :, None] * own[..., None, :]
+            moved[..., 3:] = matrices(q) @ across / _size(omega)[..., None]
         # The derivative of angle/sine by the cosine; its limit at no angle is -1/3.
         cosine = np.sum(self.seen * there, axis=-1)
         slope = np.where(angle == sine, -1 / 3, -(sine - angle * cosine) / sine**3)
         along = self.seen[:, None, :] @ moved
         flat = self.tangents @ there[..., None]
-        found = np.zeros((*residuals.shape, 6))
-        found[..., :3] = (angle / sine)[..., None, None] * (self.tangents @ moved)
-        found[..., :3] += slope[..., None, None] * flat * along
-        return found
+        found = (angle / sine)[..., None, None] * (self.tangents @ moved)
+        return found + slope[..., None, None] * flat * along
 
-    def davenport(self, q: np.ndarray) -> np.ndarray:
+    def davenport(self, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """Return Davenport's matrices (B, 4, 4), from pairs of directions in space."""
-        known = np.broadcast_to(np.asarray(self.known), self.seen.shape)
+        known = np.broadcast_to(self._own(omega), q.shape[:-1] + (3,))
         space, body = (known, self.seen) if self.seen_in == "body" else (self.seen, known)
         turned = rotated(q, body)
         cosine = np.sum(turned * space, axis=-1)
@@ -459,7 +474,9 @@ class Directions(Observations):
 
     def by_convention(self, name: str) -> Self:
         """Reinterpret the directions, with the roles of body and space exchanged."""
-        return self.changed(seen_in="space" if self.seen_in == "body" else "body") if name else self
+        if not name or isinstance(self.known, str):
+            return self
+        return self.changed(seen_in="space" if self.seen_in == "body" else "body")
 
     @classmethod
     def from_table(
@@ -552,6 +569,14 @@ KINDS: Mapping[str, type[Observations]] = {
 "Kinds of observations by name, in the order of the arguments of `rigidsym.fit`."
 
 
+def tangents(directions: np.ndarray) -> np.ndarray:
+    """Return two unit vectors (N, 2, 3) across each direction (N, 3), right-handed with it."""
+    least = np.eye(3)[np.argmin(np.abs(directions), axis=-1)]
+    first = np.cross(least, directions)
+    first /= np.linalg.norm(first, axis=-1, keepdims=True)
+    return np.stack([first, np.cross(directions, first)], axis=-2)
+
+
 def middle(sets: Iterable[Observations]) -> float:
     """Return the middle of the time span of all observations, in s."""
     times = np.concatenate([one.t for one in sets])
@@ -602,6 +627,12 @@ def _needed(where: str, table: Mapping[str, Any], key: str) -> Any:
     if key not in table:
         raise InputError(f"{where}.{key}", "missing", "is needed")
     return table[key]
+
+
+def _size(omega: np.ndarray) -> np.ndarray:
+    """Return the lengths (..., 1) of rates; NaN at rest, where they have no direction."""
+    size = np.linalg.norm(omega, axis=-1, keepdims=True)
+    return np.where(size == 0, np.nan, size)
 
 
 def _mean_square(rows: np.ndarray) -> float:

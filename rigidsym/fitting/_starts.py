@@ -262,10 +262,10 @@ def aligned(problem: Problem, point: Point) -> Point:
     if not telling:
         return point
     free = replace(point, attitude=np.broadcast_to(IDENTITY, point.attitude.shape))
-    q, _ = free.in_observed_axes(*states(free, problem.since, problem.engine))
+    q, omega = free.in_observed_axes(*states(free, problem.since, problem.engine))
     matrix = np.zeros((point.count, 4, 4))
     for one, at in telling:
-        matrix += one.davenport(q[:, at])
+        matrix += one.davenport(q[:, at], omega[:, at])
     good = np.isfinite(matrix).all(axis=(1, 2))
     attitude = np.broadcast_to(IDENTITY, point.attitude.shape).copy()
     attitude[good] = np.linalg.eigh(matrix[good])[1][..., -1]

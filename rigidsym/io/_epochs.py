@@ -9,6 +9,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterable
 from datetime import date
+from decimal import Context, Decimal
 from fractions import Fraction
 
 from rigidsym.errors import InputError, unknown
@@ -80,6 +81,39 @@ def parse(field: str, text: str, system: str) -> int:
     leaps = bisect_left(_LEAP_DAYS, day) if system == "UTC" else 0
     whole = day * DAY + leaps + hours * 3600 + minutes * 60 + seconds
     return whole * SECOND + int(fraction.ljust(DECIMALS, "0"))
+
+
+# Days since 0001-01-01 at the zero of each count of days, and of the seconds of Unix.
+_ZEROS = {"jd": Decimal("-1721425.5"), "mjd": Decimal(678575), "unix": Decimal(719162)}
+FORMATS = ("seconds", "iso", *_ZEROS)
+"Formats of times in tables: a number, an epoch in UTC, days, and seconds since 1970."
+_OFFSET = re.compile(r"(.*:\d\d(?:\.\d+)?)\s*([+-])(\d\d):?(\d\d)", re.ASCII)
+_EXACT = Context(prec=60)
+
+
+def instant(field: str, text: str, layout: str, number: Decimal | None = None) -> int:
+    """Convert a time of a table to an instant, in ticks of 1e-14 s.
+
+    Days of "jd", "mjd" and "unix" have 86400 s, and are read exactly, as decimals.  An epoch "iso"
+    is one of `parse` in UTC; it may have a blank for the T, and an offset from UTC such as +02:00.
+
+    number: the number where the layout is not "iso".  Raises InputError.
+    """
+    if layout != "iso":
+        assert number is not None
+        days, seconds = (0, number) if layout == "unix" else (number, 0)
+        whole = _EXACT.multiply(_EXACT.add(days, _ZEROS[layout]), DAY * SECOND)
+        found = round(_EXACT.add(whole, _EXACT.multiply(seconds, SECOND)))
+        if not 0 <= found < date.max.toordinal() * DAY * SECOND:
+            rule = f"must lie in the years 1 to 9999, as {layout}: check --time-format"
+            raise InputError(field, number, rule)
+        return found
+    offset = _OFFSET.fullmatch(text)
+    ahead = 0
+    if offset:
+        text, sign, hours, minutes = offset.groups()
+        ahead = int(f"{sign}1") * (int(hours) * 60 + int(minutes)) * 60 * SECOND
+    return parse(field, re.sub(r"(?<=\d) +(?=\d)", "T", text, count=1), "UTC") - ahead
 
 
 def later(instant: int, seconds: float) -> int:

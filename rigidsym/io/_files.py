@@ -31,17 +31,19 @@ def probe(directory: Path) -> None:
         raise InputError("output", directory, f"cannot be written: {error.strerror}") from None
 
 
-def read_text(field: str, path: str | Path) -> str:
+def read_text(field: str, path: str | Path, encoding: str = "utf-8") -> str:
     """Return the text of a user's file.
 
-    Raises InputError if the file cannot be read or is not UTF-8.
+    Raises InputError if the file cannot be read, or does not have the encoding.
     """
     try:
-        return Path(path).read_text("utf-8")
+        return Path(path).read_text(encoding)
     except OSError as error:
         raise InputError(field, path, f"cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError(field, path, "is not UTF-8 text") from None
+    except LookupError:
+        raise InputError("encoding", repr(encoding), "is no encoding of text") from None
+    except UnicodeError:
+        raise InputError(field, path, f"is not {encoding.upper()} text") from None
 
 
 def parse_toml(field: str, text: str) -> TomlTable:

@@ -88,8 +88,9 @@ def test_help_is_cheap():
 def test_bad_observations_are_one_line(tmp_path, refused):
     path = tmp_path / "none.csv"
     path.write_text("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n")
-    assert refused("fit", path, "--sigma-attitudes", "0.1") == (
-        "rigidsym fit: attitudes.times[1] = 0.0: must be later than the time before it"
+    assert refused("fit", path, "--sigma", "attitudes=0.1") == (
+        "rigidsym fit: line 3, t = '0': is the time of line 2, too: remove one of them, or add "
+        "--allow repeated to keep the first"
     )
 
 

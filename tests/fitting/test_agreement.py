@@ -135,7 +135,7 @@ def test_the_command_says_so_and_exits_1(tmp_path, monkeypatch, capsys):
     rows = [[t, *q] for t, q in zip(T.tolist(), LAST.tolist(), strict=True)]
     lines = ["t,q0,q1,q2,q3", *(",".join(map(repr, row)) for row in rows)]
     (tmp_path / "seen.csv").write_text("\n".join(lines))
-    asked = ["fit", "seen.csv", "--sigma-attitudes", str(SIGMA), "--starts", str(STARTS)]
+    asked = ["fit", "seen.csv", "--sigma", f"attitudes={SIGMA}", "--starts", str(STARTS)]
     assert main(asked) == 1
     assert "MODEL AND DATA DISAGREE" in capsys.readouterr().out
     assert main([*asked, "--json"]) == 1

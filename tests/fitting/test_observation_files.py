@@ -4,11 +4,13 @@ import numpy as np
 import pytest
 from simulated import TUMBLING, refused
 
-from rigidsym.fitting._files import load, parse_csv, parse_message, parse_toml
+from rigidsym.fitting._files import load, parse_message, parse_table, parse_toml
+from rigidsym.fitting._layout import Layout
 from rigidsym.io import _attitude_ephemeris as attitude_ephemeris
 from rigidsym.io import aem, sampled
 
 T = np.array([0.0, 1.5, 4.0])
+ATTITUDE = Layout(sigma={"attitudes": 1})
 Q, OMEGA = TUMBLING(T)
 
 TOML = """
@@ -53,7 +55,7 @@ def test_csv_has_attitudes_and_rates_where_there_are_any():
     text = (
         "# said\nt,q0,q1,q2,q3,omega1,omega2,omega3,sigma_omega\n0,1,0,0,0,,,,\n2,,,,,1,2,3,0.5\n"
     )
-    found = parse_csv(text, {"attitudes": 0.1})
+    found = parse_table(text, Layout(sigma={"attitudes": 0.1}))
     (attitudes,), (rates,) = found.observations.values()
     assert (attitudes.t.tolist(), rates.t.tolist()) == ([0], [2])
     assert rates.seen.tolist() == [[1, 2, 3]]
@@ -68,9 +70,9 @@ def test_a_message_comes_back_as_it_was_written():
     assert found.times == pytest.approx(T, abs=1e-14)
     assert found.q == pytest.approx(Q, abs=1e-15)
     assert found.rates == pytest.approx(OMEGA, abs=1e-15)
-    both = parse_message(text, {"attitudes": 0.1, "rates": 0.2})
+    both = parse_message(text, Layout(sigma={"attitudes": 0.1, "rates": 0.2}))
     assert [*both.observations] == ["attitudes", "rates"]
-    assert [*parse_message(text, {"attitudes": 0.1}).observations] == ["attitudes"]
+    assert [*parse_message(text, Layout(sigma="attitudes=0.1")).observations] == ["attitudes"]
 
 
 def test_older_messages_say_where_the_scalar_is():
@@ -85,40 +87,40 @@ def test_older_messages_say_where_the_scalar_is():
     ("read", "message"),
     [
         (lambda: load("nowhere.csv"), "cannot be read"),
-        (lambda: load("some.txt"), "must end in .toml, .csv or .aem, or be one of: toutatis"),
-        (lambda: parse_csv("t,q5\n0,1\n", {}), "header = q5: is not one of: t, q0"),
-        (lambda: parse_csv("t,q0,q1\n0,1,0\n", {}), "header = no q2: is needed with q0, q1"),
-        (lambda: parse_csv("q0,q1,q2,q3\n1,0,0,0\n", {}), "header = no t: is needed with q0"),
-        (lambda: parse_csv("t,q0\n0,1,2\n", {}), "header = 2 columns: a line has more cells"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,x,0,0\n", {}), "line 2, q1 = 'x': must be a num"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n", {}), "sigma.attitudes = missing"),
-        (lambda: parse_csv("t,q0,q1,q2,q3,q1\n0,1,0,0,0,0\n", {}),
+        (lambda: load("some.doc"), "must end in .csv, .tsv, .txt, .dat, .toml or .aem, or be one"),
+        (lambda: parse_table("t,q5\n0,1\n"), "header = q5: is not one of: t (or time)"),
+        (lambda: parse_table("t,q0,q1\n0,1,0\n"), "header = no q2: is needed with q0, q1"),
+        (lambda: parse_table("q0,q1,q2,q3\n1,0,0,0\n"), "header = no t: is needed with q0"),
+        (lambda: parse_table("t,q0\n0,1,2\n"), "header = 2 columns: a line has more cells"),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,x,0,0\n"), "line 2, q1 = 'x': must be a num"),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n"), "sigma.attitudes = missing"),
+        (lambda: parse_table("t,q0,q1,q2,q3,q1\n0,1,0,0,0,0\n"),
          "header = q1: is the name of two columns: remove or rename one of them"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,,0,0,1\n", {"attitudes": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,,0,0,1\n", ATTITUDE),
          "line 2, q0 = '': must be a number where the line has t, q1, q2, q3"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,\n", {"attitudes": 1}), "line 2, q3 = ''"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n,1,0,0,0\n", {"attitudes": 1}), "line 2, t = ''"),
-        (lambda: parse_csv("# x\nt,omega1,omega2,omega3\n\n0,1,,3\n", {"rates": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,\n", ATTITUDE), "line 2, q3 = ''"),
+        (lambda: parse_table("t,q0,q1,q2,q3\n,1,0,0,0\n", ATTITUDE), "line 2, t = ''"),
+        (lambda: parse_table("# x\nt,omega1,omega2,omega3\n\n0,1,,3\n", Layout(sigma="rates=1")),
          "line 4, omega2 = '': must be a number"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n1,1,0,0,0,9\n", {"attitudes": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n1,1,0,0,0,9\n", ATTITUDE),
          "header = 5 columns: a line has more cells: line 3 has 6; name or remove them"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n1,1,0\n", {"attitudes": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n1,1,0\n", ATTITUDE),
          "line 3 = 3 cells: must be 5 as in the header"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n1,,,,\n", {"attitudes": 1}),
-         "line 3 = 1,,,,: has neither an attitude nor rates"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n", {"attitudes": 1}),
-         "attitudes.times[1] = 0.0: must be later than the time before it"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\nnan,1,0,0,0\n", {"attitudes": 1}), "line 2, t = 'nan'"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1_0,0,0,0\n", {"attitudes": 1}), "line 2, q0 = '1_0'"),
-        (lambda: parse_csv("t,q0,q1,q2,q3,sigma_omega\n0,1,0,0,0,1\n", {"attitudes": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n1,,,,\n", ATTITUDE),
+         "line 3 = 1,,,,: has no attitude: fill it in, remove the line, or add"),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n", ATTITUDE),
+         "line 3, t = '0': is the time of line 2, too: remove one of them, or add --allow repe"),
+        (lambda: parse_table("t,q0,q1,q2,q3\nnan,1,0,0,0\n", ATTITUDE), "line 2, t = 'nan'"),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1_0,0,0,0\n", ATTITUDE), "line 2, q0 = '1_0'"),
+        (lambda: parse_table("t,q0,q1,q2,q3,sigma_omega\n0,1,0,0,0,1\n", ATTITUDE),
          "header = no omega1: is needed with sigma_omega"),
-        (lambda: parse_csv("t,q0,q1,q2,q3,sigma_q\n0,1,0,0,0,1\n", {"attitudes": 1}),
+        (lambda: parse_table("t,q0,q1,q2,q3,sigma_q\n0,1,0,0,0,1\n", ATTITUDE),
          "sigma.attitudes = 1: the file has errors of its own, sigma_q: give one of the two"),
-        (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n", {"attitudes": 1, "rates": 2}),
-         "sigma.rates = 2: the file has no rates: leave it"),
-        (lambda: load("toutatis", {"attitudes": 1}), "toutatis has errors of its own: leave it"),
-        (lambda: load("some.toml", {"rates": 1}), "some.toml has errors of its own: leave it"),
-        (lambda: parse_message("QUATERNION_TYPE = LAST\nQUATERNION_TYPE = FIRST\n", {}),
+        (lambda: parse_table("t,q0,q1,q2,q3\n0,1,0,0,0\n", Layout(sigma="attitudes=1,rates=2")),
+         "sigma.rates = 2.0: the file has no rates: leave it"),
+        (lambda: load("toutatis", sigma={"attitudes": 1}), "toutatis has errors of its own"),
+        (lambda: load("some.toml", sigma="rates=1"), "some.toml has errors of its own: leave it"),
+        (lambda: parse_message("QUATERNION_TYPE = LAST\nQUATERNION_TYPE = FIRST\n"),
          "line 2, QUATERNION_TYPE = FIRST: is given twice in a segment"),
         (lambda: parse_toml("[[rates]]\ntimes = [0]\nsigma = 1\nsigma = 2\n"), "is not TOML"),
         (lambda: parse_toml("[[attitude]]\n"), "observations = attitude: is not one of"),
@@ -128,8 +130,8 @@ def test_older_messages_say_where_the_scalar_is():
          "epoch = missing: rates[0].times are epochs"),
         (lambda: parse_toml("attitudes = 3"), "attitudes = int: must be tables [[attitudes]]"),
         (lambda: parse_toml("[[attitudes]]\ntimes = [0]\nsigma = 1\n"), "must have q or euler_313"),
-        (lambda: parse_message("META_START\n", {}), "message = no states"),
-        (lambda: parse_message("ATTITUDE_TYPE = SPIN\nDATA_START\nx 1\n", {}),
+        (lambda: parse_message("META_START\n"), "message = no states"),
+        (lambda: parse_message("ATTITUDE_TYPE = SPIN\nDATA_START\nx 1\n"),
          "ATTITUDE_TYPE = SPIN: must be one of: QUATERNION, QUATERNION/ANGVEL"),
     ],
 )  # fmt: skip

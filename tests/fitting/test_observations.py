@@ -20,6 +20,7 @@ SETS = {
     "in space": Directions(T, rotated(NEAR, STAR), 0.1, STAR, "space"),
     "opposite": Directions(T, -rotated(conjugate(NEAR), STAR), 0.1, STAR),
     "exactly there": Directions(T, rotated(conjugate(Q), STAR), 0.1, STAR),
+    "the axis of rotation": Directions(T, rotated(NEAR, OMEGA + 0.2), 0.1, "spin", "space"),
     "model": Modelled(T, T, 0.1, lambda q, w: q[..., 0] ** 2 + w[..., 1]),
 }
 
@@ -88,6 +89,11 @@ def test_a_jacobian_of_the_user_is_taken():
         (lambda: Directions(T, OMEGA, 1, [0, 0, 0]), "vectors.known = [0.0, 0.0, 0.0]: must not"),
         (lambda: Directions(T, OMEGA, 1, [0, 0]), "must have the shape (3,) or (7, 3)"),
         (lambda: Directions(T, OMEGA, 1, STAR, "sky"), "'sky': must be 'body' or 'space'"),
+        (lambda: Directions(T, OMEGA, 1, "pole"), "vectors.known = 'pole': must be numbers or 'sp"),
+        (
+            lambda: Directions(T, OMEGA, 1, "spin"),
+            "vectors.seen_in = 'body': must be 'space' where",
+        ),
         (lambda: Modelled(T, T, 1), "models.model = None: must be a function of q and omega"),
     ],
 )

@@ -1,0 +1,90 @@
+"""Options that describe a table of observations, checked."""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rigidsym import _inputs as inputs
+from rigidsym.errors import InputError
+from rigidsym.fitting._names import ATTITUDES, FORMS, QUANTITIES, pairs
+from rigidsym.fitting._units import DEFAULTS, measured, needed
+from rigidsym.io import _epochs as epochs
+
+DIRECTIONS = ("body-to-inertial", "inertial-to-body")
+ALLOWED = ("missing", "unsorted", "repeated")
+"What `allow` permits: lines with missing numbers, out of order, or at the time of another."
+_MOST_LINES = 10**9
+FIRST = "first"
+"The epoch that is the first time of a table."
+_SINGULAR = {"attitude": "attitudes", "rate": "rates", "vector": "vectors", "direction": "vectors"}
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How a table of observations is read: the options of `rigidsym.fitting.load`."""
+
+    columns: str | Mapping[str, str] | None = None
+    units: str | Mapping[str, str] | None = None
+    sigma: str | Mapping[str, Any] | None = None
+    time_format: str | None = None
+    epoch: str | None = None
+    attitude: str = "quaternion"
+    direction: str = DIRECTIONS[0]
+    axis: Any = None
+    allow: str | Sequence[str] = ()
+    delimiter: str = ","
+    decimal: str = "."
+    header_line: int | None = None
+    data_line: int = 1
+    encoding: str = "utf-8"
+    names: dict[str, str] = field(init=False, repr=False)
+    factors: dict[str, str] = field(init=False, repr=False)
+    errors: dict[str, Any] = field(init=False, repr=False)
+    allowed: tuple[str, ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        for name, known in (
+            ("time_format", (None, *epochs.FORMATS)),
+            ("attitude", ATTITUDES),
+            ("direction", DIRECTIONS),
+            ("decimal", (".", ",")),
+        ):
+            one_of(name, getattr(self, name), known)
+        if self.decimal == self.delimiter:
+            rule = "is the delimiter, too: add --delimiter ';' or another"
+            raise InputError("decimal", repr(self.decimal), rule)
+        for name in ("delimiter", "encoding"):
+            if not isinstance(getattr(self, name), str):
+                raise InputError(name, repr(getattr(self, name)), "must be a text")
+        for name in ("header_line", "data_line"):
+            if getattr(self, name) is not None:
+                inputs.whole(name, getattr(self, name), _MOST_LINES)
+        allowed = self.allow.split(",") if isinstance(self.allow, str) else self.allow
+        if not isinstance(allowed, list | tuple):
+            raise InputError("allow", repr(allowed), f"must be some of: {', '.join(ALLOWED)}")
+        allowed = tuple(x.strip() if isinstance(x, str) else x for x in allowed if x)
+        for x in allowed:
+            one_of("allow", x, ALLOWED)
+        units = pairs("units", self.units)
+        for name, unit in units.items():
+            quantity = QUANTITIES.get(name, name)
+            one_of("units", name, (*DEFAULTS, *(x for x, y in QUANTITIES.items() if y)))
+            needed(f"units.{name}", quantity, str(unit))
+        errors = {}
+        for name, value in pairs("sigma", self.sigma).items():
+            kind = _SINGULAR.get(name, name)
+            scales = {form.kind: form.scale for form in FORMS}
+            if kind not in scales:
+                rule = f"must be KIND=ERROR, as attitudes=0.1deg; kinds are {', '.join(scales)}"
+                raise InputError("sigma", name, rule)
+            errors[kind] = measured(f"sigma.{kind}", scales[kind], value)
+        vars(self).update(
+            names=pairs("columns", self.columns), factors=units, errors=errors, allowed=allowed
+        )
+
+
+def one_of(name: str, value: Any, known: Collection[Any]) -> None:
+    """Raise InputError if a value is not one of some known ones."""
+    if value not in known:
+        listed = [str(x) for x in known if x is not None]
+        raise InputError(name, repr(value), f"must be one of: {', '.join(listed)}")
