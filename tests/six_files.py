@@ -208,6 +208,7 @@ FILES = (
 )
 
 if __name__ == "__main__":
+    Path(sys.argv[1]).mkdir(parents=True, exist_ok=True)
     for sample in FILES:
         (Path(sys.argv[1]) / sample.name).write_bytes(sample.text().encode())
         print(f"rigidsym fit {sample.name} {sample.options}")

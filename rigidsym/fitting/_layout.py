@@ -1,11 +1,11 @@
 """Options that describe a table of observations, checked."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from rigidsym import _inputs as inputs
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, unknown
 from rigidsym.fitting._names import ATTITUDES, FORMS, QUANTITIES, pairs
 from rigidsym.fitting._units import DEFAULTS, measured, needed
 from rigidsym.io import _epochs as epochs
@@ -49,7 +49,8 @@ class Layout:
             ("direction", DIRECTIONS),
             ("decimal", (".", ",")),
         ):
-            one_of(name, getattr(self, name), known)
+            if getattr(self, name) not in known:
+                raise unknown(name, getattr(self, name), [x for x in known if x])
         if self.decimal == self.delimiter:
             rule = "is the delimiter, too: add --delimiter ';' or another"
             raise InputError("decimal", repr(self.decimal), rule)
@@ -64,11 +65,13 @@ class Layout:
             raise InputError("allow", repr(allowed), f"must be some of: {', '.join(ALLOWED)}")
         allowed = tuple(x.strip() if isinstance(x, str) else x for x in allowed if x)
         for x in allowed:
-            one_of("allow", x, ALLOWED)
+            if x not in ALLOWED:
+                raise unknown("allow", x, ALLOWED)
         units = pairs("units", self.units)
         for name, unit in units.items():
             quantity = QUANTITIES.get(name, name)
-            one_of("units", name, (*DEFAULTS, *(x for x, y in QUANTITIES.items() if y)))
+            if not QUANTITIES.get(name, name in DEFAULTS):
+                raise unknown("units", name, (*DEFAULTS, *(x for x, y in QUANTITIES.items() if y)))
             needed(f"units.{name}", quantity, str(unit))
         errors = {}
         for name, value in pairs("sigma", self.sigma).items():
@@ -81,10 +84,3 @@ class Layout:
         vars(self).update(
             names=pairs("columns", self.columns), factors=units, errors=errors, allowed=allowed
         )
-
-
-def one_of(name: str, value: Any, known: Collection[Any]) -> None:
-    """Raise InputError if a value is not one of some known ones."""
-    if value not in known:
-        listed = [str(x) for x in known if x is not None]
-        raise InputError(name, repr(value), f"must be one of: {', '.join(listed)}")

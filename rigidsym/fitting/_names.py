@@ -8,11 +8,10 @@ import re
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from itertools import product
 from typing import Any
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, nearest
 from rigidsym.fitting._units import factor
 
 
@@ -149,9 +148,9 @@ def named(
     for given, title in columns.items():
         name = _ALIASES.get(given, given)
         if name not in QUANTITIES:
-            near = "".join(f"; did you mean {x}?" for x in get_close_matches(name, QUANTITIES, 1))
-            rule = f"is not one of: {LISTED}{near}"
-            raise InputError("columns", given, rule)
+            near = nearest(name, QUANTITIES)
+            step = f"did you mean {near}?" if near else ""
+            raise InputError("columns", given, f"is not one of: {LISTED}", next_step=step)
         found[name] = _chosen(listed, f"columns.{given}", str(title))
     used = {one.place for one in found.values()}
     for one in listed:
@@ -182,8 +181,10 @@ def _chosen(listed: Sequence[Column], field: str, title: str) -> Column:
         places = " or ".join(f"#{x.place + 1}" for x in same)
         raise InputError(field, title, f"is the name of {len(same)} columns: take {places}")
     names = [x.name for x in listed]
-    near = "".join(f"did you mean {x}? " for x in get_close_matches(title, names, 1))
-    raise InputError(field, title, f"is no column of the file: {near}it has {', '.join(names)}")
+    near = nearest(title, names)
+    step = f"did you mean {near}?" if near else ""
+    rule = f"is no column of the file, which has {', '.join(names)}"
+    raise InputError(field, title, rule, next_step=step)
 
 
 def _refuse(one: Column, listed: Sequence[Column], sample: Sequence[str], attitude: str) -> None:

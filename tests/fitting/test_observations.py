@@ -116,7 +116,7 @@ def test_observations_that_cannot_be_are_refused(make, message):
          "times = 1.0: all observations are at one time, and show no motion"),
         ({"attitudes": Attitudes([2], Q[:1], 1), "rates": Rates([2], OMEGA[:1], 1)},
          "times = 2.0: all observations are at one time"),
-        ({"times": T, "attitudes": Q, "sigma": {"attitude": 1}}, "sigma = attitude: must be one of"),
+        ({"times": T, "attitudes": Q, "sigma": {"attitude": 1}}, "sigma = attitude: must be one"),
         ({"times": T, "attitudes": Q, "sigma": 1, "inertia": "some"}, "inertia = 'some': must be"),
         ({"times": T, "attitudes": Q, "sigma": 1, "inertia": "known"}, "moments = missing"),
         ({"times": T, "attitudes": Q, "sigma": 1, "moments": [1, 1, 3]}, "inertia = [1, 1, 3]"),

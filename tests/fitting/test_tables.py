@@ -245,7 +245,7 @@ WRONG = {
     ),
     "no such column": (
         ATTITUDES, "--columns q0=qs",
-        "columns.q0 = qs: is no column of the file: it has t, q0, q1, q2, q3",
+        "columns.q0 = qs: is no column of the file, which has t, q0, q1, q2, q3",
     ),
     "times out of order": (
         "t,q0,q1,q2,q3\n2,1,0,0,0\n0,1,0,0,0\n", "--sigma attitudes=1deg",
