@@ -26,6 +26,9 @@ ALLOWED = {
     "rigidsym.principal": "containers errors frames inputs layers quaternions sensitivity",
     "rigidsym.motion": f"{NUMBERS} engines frames layers principal sensitivity view",
     "rigidsym.steps": "engines errors layers",
+    "rigidsym.tangents": "",
+    "rigidsym.jax": "engines errors motion steps tangents",
+    "rigidsym.torch": "engines errors motion sensitivity steps tangents",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
@@ -89,6 +92,7 @@ OTHERS = {
         *("rigidsym.language.functions", "rigidsym.solution.symbolic"),
     ),
     "casadi": ("rigidsym.manoeuvre.comparison",),
+    "jax": ("rigidsym.engines.xla",),
 }
 
 

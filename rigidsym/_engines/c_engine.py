@@ -26,7 +26,7 @@ _DOUBLE = ctypes.sizeof(c_double)
 # One state, q before omega.
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
 # Preparing a motion takes as long as this many states, a state with its sensitivities as so many.
-PREPARATION, _SENSITIVITY = 256, 8
+PREPARATION, SENSITIVITY = 256, 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ def _layout(names: tuple[str, ...] | None) -> _Layout:
     sizes = tuple(map(math.prod, shapes))
     offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
     flags = () if names is None else (sum(1 << arrays.COLUMNS.index(name) for name in names),)
-    cost = _SENSITIVITY if flags else 1
+    cost = SENSITIVITY if flags else 1
     return _Layout(flags, cost, shapes, sizes, (1, *sizes), offsets, c_double * (1 + sum(sizes)))
 
 

@@ -19,7 +19,7 @@ from rigidsym.generated import torque_free_step
 
 _DOUBLE = ctypes.sizeof(ctypes.c_double)
 # A step takes as long as this many states.
-_STEP = 16
+STEP = 16
 # Bodies that a thread takes at a time.
 _SOME = 64
 # Bodies whose constants are kept for their next step, when they step alone.
@@ -182,10 +182,10 @@ class CStepper(Stepper):
     The module is torque_free_step.c.  Threads share the bodies.
     """
 
-    __slots__ = ("_body", "_library", "_memory", "_put", "_step")
+    __slots__ = ("_body", "_memory", "_put", "_step", "library")
 
     def __init__(self, library: Library) -> None:
-        raw = self._library = library.raw
+        raw = self.library = library.raw
         self._step = raw.step
         size = -(-raw.body_size() // _DOUBLE)
 
@@ -206,11 +206,11 @@ class CStepper(Stepper):
             failed = ctypes.c_size_t(0)
             before = (*rows[0], rows[1][0], rows[2][0], *rows[3])
             after = (rows[4][0], rows[5][0], ctypes.addressof(failed))
-            code = self._library.steps(end - begin, *before, *after)
+            code = self.library.steps(end - begin, *before, *after)
             return (code, begin + failed.value) if code else None
 
-        parts = threads.threads(len(q) * _STEP)
-        self._run(piece, len(q), parts, threads.PIECE // _STEP)
+        parts = threads.threads(len(q) * STEP)
+        self._run(piece, len(q), parts, threads.PIECE // STEP)
 
     def one(
         self,
@@ -256,7 +256,7 @@ class CStepper(Stepper):
             vector = (None, 0) if kicks.vector is None else _from(kicks.vector, start)
             torque = _Torque(*_from(kicks.coefficients, start), *vector, orbit, *kicks.more)
             failed = ctypes.c_size_t(0)
-            code = self._library.integrate(
+            code = self.library.integrate(
                 *(end - start, *_from(kicks.inertia, start)),
                 *(ctypes.addressof(splitting), ctypes.addressof(torque)),
                 *(begin, step, first, last),
@@ -265,7 +265,7 @@ class CStepper(Stepper):
             )
             return (code, start + failed.value) if code else None
 
-        work = len(q) * _STEP * (last - first) * len(kicks.kicks)
+        work = len(q) * STEP * (last - first) * len(kicks.kicks)
         self._run(piece, len(q), threads.threads(work) if len(q) > _SOME else 1, _SOME)
 
     def _run(
@@ -278,5 +278,5 @@ class CStepper(Stepper):
         for refused in threads.in_parts(piece, count, parts, some):
             if refused:
                 code, body = refused
-                field, rule = (x(code).decode() for x in (self._library.field, self._library.rule))
+                field, rule = (x(code).decode() for x in (self.library.field, self.library.rule))
                 raise EngineError(field or "omega", rule, body)

@@ -18,16 +18,16 @@ Result = TypeVar("Result")
 # need a multiple of 64.
 PIECE = 1 << 14
 # Pieces per thread below which none is woken.
-_LEAST = 4
+LEAST = 4
 # With more threads than these, memory is slower than the arithmetic.
-_MOST = 4
+MOST = 4
 _LOCK = threading.Lock()
 _kept: list[ThreadPoolExecutor] = []
 
 
 def threads(states: int) -> int:
     """Return the number of threads to use for computing a number of states."""
-    wanted = min(_MOST, states // (_LEAST * PIECE))
+    wanted = min(MOST, states // (LEAST * PIECE))
     return min(wanted, processors()) if wanted > 1 else 1
 
 
@@ -80,7 +80,7 @@ def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
     """
     with suppress(RuntimeError), _LOCK:
         if not _kept:
-            _kept.append(ThreadPoolExecutor(_MOST - 1, "rigidsym"))
+            _kept.append(ThreadPoolExecutor(MOST - 1, "rigidsym"))
         return [_kept[0].submit(run) for _ in range(count)]
     return []
 

@@ -19,7 +19,7 @@ from rigidsym.manoeuvre._planning import solve
 
 KINDS = {
     *("sh", "python", "toml", "toml manoeuvre", "c", "c single", "js", "rust", "text"),
-    *("python no-run", "c no-run"),
+    *("python no-run", "c no-run", "python jax", "python torch"),
 }
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
 OF_PYTHON = (*NATIVE, ANY_MOMENTS, "-fPIC", "-shared")
@@ -53,6 +53,16 @@ def test_the_python_runs(name, tmp_path, monkeypatch):
     checks = [check(scope[name]) for name, check in ANSWERS.items() if name in scope]
     assert checks
     assert all(checks)
+
+
+@pytest.mark.parametrize("library", ["jax", "torch"])
+def test_gradient_descent_finds_the_rates(library):
+    pytest.importorskip(library)
+    scope = {}
+    for code in blocks(f"python {library}", "autodiff.md"):
+        exec(code, scope)
+    assert scope["miss"] < 1e-12
+    assert np.allclose(scope["omega0"].tolist(), [0.3, 0.2, -0.1], atol=1e-6)
 
 
 def test_the_example_has_five_lines():

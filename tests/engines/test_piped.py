@@ -103,6 +103,8 @@ def _child(engine, prepared, queue):
     queue.put((os.getpid(), engine.states(prepared, TIMES)[0]))
 
 
+# JAX warns of it, where it has been used.
+@pytest.mark.filterwarnings("ignore:.*fork.*")
 @every
 def test_a_child_of_a_fork_starts_a_process_of_its_own(language):
     engine = PipedEngine(language)

@@ -59,7 +59,8 @@ def test_without_threads_to_be_had_the_caller_does_it_all(monkeypatch):
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+# Python warns of it where there are threads, and JAX where it has been used.
+@pytest.mark.filterwarnings("ignore:.*fork.*")
 def test_a_child_of_a_fork_has_threads_of_its_own():
     met = threading.Barrier(2)
 

@@ -1,0 +1,26 @@
+"""What JAX's calls of the engine do without a C compiler, and without JAX."""
+
+import sys
+from importlib import import_module
+
+import pytest
+
+from rigidsym._engines import xla
+
+
+def test_without_a_compiler_nothing_is_registered(monkeypatch):
+    pytest.importorskip("jax")
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert not xla.registered.__wrapped__()
+
+
+@pytest.mark.parametrize("library", ["jax", "torch"])
+def test_a_missing_library_is_named_with_its_extra(library, monkeypatch):
+    monkeypatch.setitem(sys.modules, library, None)
+    monkeypatch.delitem(sys.modules, f"rigidsym.{library}", raising=False)
+    with pytest.raises(ImportError) as error:
+        import_module(f"rigidsym.{library}")
+    needed = (
+        f"rigidsym.{library} needs {library} (extra {library}): pip install 'rigidsym[{library}]'"
+    )
+    assert str(error.value) == needed
