@@ -1,4 +1,4 @@
-"""Engines that compute states: by NumPy, by C compiled on this machine, or by another process.
+"""Engines that compute states: by NumPy, by compiled C, or by another process.
 
 Everything computes by C by default, and by NumPy where there is no C compiler.  The states of
 engines at the same times agree within the errors they are measured to have.  A warning about an

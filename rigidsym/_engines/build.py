@@ -1,8 +1,9 @@
 """Compilation and caching of the C library for this machine.
 
-The user's cache directory keeps built libraries.  The name of a file has the digest of what it was
-built from and of its own bytes, so that a damaged file is noticed.  One move puts it there whole,
-and processes that build at once cannot disturb each other.
+A library that came with the package is used instead where there is one.  The user's cache directory
+keeps built libraries.  The name of a file has the digest of what it was built from and of its own
+bytes, so that a damaged file is noticed.  One move puts it there whole, and processes that build at
+once cannot disturb each other.
 """
 
 import hashlib
@@ -20,6 +21,7 @@ from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
+from rigidsym._engines import shipped
 from rigidsym._engines.library import Library, LibraryError, check_arithmetic, load
 from rigidsym.errors import InputError
 from rigidsym.io._files import write_bytes
@@ -56,7 +58,7 @@ FILES = {
 # GCC 12 fuses products for it when it vectorises straight lines, contraction being off.  With -O1
 # the build takes half the time of -O3.
 _PORTABLE = "-portable"
-_PORTABLE_FLAGS = (
+PORTABLE_FLAGS = (
     *(flag for flag in FLAGS if flag not in ("-O3", *NATIVE)),
     *("-O1", "-DTORQUE_FREE_FMA=0"),
 )
@@ -149,13 +151,20 @@ def _run(command: list[str], directory: Path | None = None) -> subprocess.Comple
 
 
 def library(remarks: list[str], engine: str = "c") -> Library:
-    """Load the C library of an engine from the cache, or build it.
+    """Load the C library of an engine: shipped, from the cache, or built.
 
     Warnings are appended to `remarks`.  Raises CompilerError and LibraryError where there can be no
     library.
     """
-    sources, compiler = package_sources(engine), find()
-    flags = _PORTABLE_FLAGS if engine.endswith(_PORTABLE) else FLAGS
+    sources = package_sources(engine)
+    try:
+        if brought := shipped.library(engine, sources):
+            check_arithmetic(brought)
+            return brought
+    except LibraryError as error:
+        remarks.append(f"engine: {error}: it is compiled")
+    compiler = find()
+    flags = PORTABLE_FLAGS if engine.endswith(_PORTABLE) else FLAGS
     determining = [dict(sources), flags, compiler.command, compiler.version, processor()]
     key = hashlib.sha256(json.dumps(determining).encode()).hexdigest()[:32]
     found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks, flags)

@@ -147,10 +147,11 @@ class Library:
     Attributes are named without the module's prefix.  A call with a wrong number of arguments, or a
     wrong one, raises TypeError.  `raw` has the same functions for engines, which pass addresses of
     arrays that they have checked: other types raise there, too.  It also has the header's
-    constants, in capitals.
+    constants, in capitals; `path` is the file.
     """
 
     def __init__(self, shared: ctypes.CDLL, header: str, stem: str) -> None:
+        self.path = Path(shared._name)
         self.signatures: dict[str, Signature] = {}
         self.raw: Any = SimpleNamespace()
         for name, signature in signatures(header).items():
