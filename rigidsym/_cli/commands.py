@@ -151,7 +151,7 @@ _LINE: dict[str, Any] = {"type": as_count}
 TABLE: dict[str, tuple[str, str, dict[str, Any]]] = {
     "sigma": (
         "KIND=X,…",
-        "errors, as attitudes=0.1deg,rates=0.01deg/s; needed without columns of errors",
+        "errors, as attitudes=0.1deg,rates=0.01deg/s; needed without columns",
         {},
     ),
     "columns": ("NAME=COLUMN,…", "columns, as time=UTC,q0=qs; those named t, q0… by default", {}),
@@ -465,6 +465,13 @@ COMMANDS = (
         "init motion.toml",
         _choice("template", TEMPLATES, ", ".join(TEMPLATES), metavar="TEMPLATE"),
         _output("FILE", "file to write; TEMPLATE in this directory by default"),
+    ),
+    Command(
+        "doctor",
+        "doctor:doctor",
+        "which engine computes and why, with compiler, extras and versions",
+        "doctor",
+        _JSON,
     ),
     Command(
         "completion",
