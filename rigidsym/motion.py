@@ -55,9 +55,9 @@ class TorqueFreeMotion(Sampled):
     attitude0 : array_like (4,) or Rotation
         Attitude quaternion at t = 0, scalar first, body to inertial; it is normalised.
     engine : {"auto", "c", "c-portable", "numpy"}
-        `c` is the generated C source, compiled once on this machine; without a compiler NumPy
-        computes, with a warning.  `auto` is `c`, and without a compiler NumPy, without a warning.
-        `c-portable` is C with the same bits on every processor.
+        `c` is the generated C source, compiled in wheels, else once on this machine; without a
+        compiler NumPy computes, with a warning.  `auto` is `c`, and without a compiler NumPy,
+        without a warning.  `c-portable` is C with the same bits on every processor.
     allow_nonphysical : bool
         Accept moments that no body has.
     degrees : bool
@@ -405,7 +405,7 @@ class TorqueFreeMotion(Sampled):
         --------
         >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
         >>> q, omega = motion.grid(0.0, 0.5, 361)
-        >>> bool(np.allclose(q[-1], motion(180.0)[0], rtol=0, atol=2e-15))
+        >>> bool(np.array_equal(q[-1], motion(180.0)[0]))
         True
         """
         first, apart = batches.number("start", start), batches.number("step", step)

@@ -25,6 +25,10 @@ for name in sys.argv[1:]:
             found = getattr(found, part)
     except AttributeError as error:
         print(name, error)
+    except ImportError as error:
+        # Of an extra that is not installed.
+        if "pip install 'rigidsym[" not in str(error):
+            raise
 """
 
 

@@ -235,7 +235,8 @@ class TorqueInC(DirectionTorque):
     """Torque that a compiled C function computes from time and attitude.
 
     It is in N m, in body axes.  The function is called from several threads where there are many
-    bodies, and has to live as long as this object.
+    bodies, and has to live as long as this object.  You compile it, by a C compiler or by numba:
+    the package brings none.
 
     Parameters
     ----------

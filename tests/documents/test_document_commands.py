@@ -12,7 +12,6 @@ import sys
 from functools import cache
 
 import pytest
-import six_files
 from document_texts import ROOT, blocks, commands
 
 from rigidsym._cli import main, parser
@@ -32,6 +31,12 @@ _NOT_RUN = {
         "pip install torch --index-url https://download.pytorch.org/whl/cpu",
         "uv sync --group all", "apt-get install chromium chromium-driver",
         "apt-get install texlive-latex-recommended",
+    ),
+    "minutes; tests/engines/test_wheels.py builds all wheels by it": (
+        "python -m rigidsym._engines.wheels -o dist",
+    ),
+    "it makes a wheel of pure Python, as tests/engines/test_wheels.py does": (
+        "uv build", "pip install .",
     ),
     "other commands follow it": ("uv run", "uv run --no-sync"),
     "it writes into the checkout": (
@@ -174,7 +179,6 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "satellite.toml").write_text(blocks("toml", "use.md")[0])
     (manoeuvre,) = blocks("toml manoeuvre", "manoeuvres.md")
     (tmp_path / "slew.toml").write_text(f"{manoeuvre}[run]\nlength = 10\n")
-    six_files.write(tmp_path / "six")
     return tmp_path
 
 
