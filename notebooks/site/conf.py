@@ -11,7 +11,7 @@ project = "rigidsym"
 author = "The rigidsym developers"
 smartquotes = False
 version = release = rigidsym.__version__
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "mathml"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "mathml", "words"]
 
 # Notebooks are shown as they are committed.
 nb_execution_mode = "off"

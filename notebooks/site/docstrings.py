@@ -2,12 +2,13 @@
 
 NumPy's sections become lists; other paragraphs with a drawn line, and indented ones, are kept as
 they are drawn; single backticks are code; doctests stay; all other marks mean themselves.
-Signatures show ArrayLike by its name, not by the union that it stands for: import this module
-before modules that take the name from NumPy.
+Signatures show ArrayLike and the project's own kinds of input by their names, not by the unions
+that these stand for: import this module before modules that take the names.
 """
 
 import re
 from collections.abc import Iterable, Iterator
+from importlib import import_module
 from itertools import groupby, pairwise
 from typing import Any, NewType
 
@@ -19,6 +20,15 @@ from sphinx.ext.napoleon.docstring import NumpyDocstring
 ArrayLike = NewType("ArrayLike", object)
 ArrayLike.__module__ = "numpy.typing"
 vars(numpy.typing)["ArrayLike"] = ArrayLike
+# After NumPy's, for this module takes it, and before the modules that take these.
+_inputs = import_module("rigidsym._inputs")
+ExactNumber = NewType("ExactNumber", object)
+Vector3 = NewType("Vector3", object)
+Quaternion = NewType("Quaternion", object)
+Times = NewType("Times", object)
+for _kind in (ExactNumber, Vector3, Quaternion, Times):
+    _kind.__module__ = "rigidsym"
+    vars(_inputs)[_kind.__name__] = _kind
 _SECTION = re.compile("Parameters|Returns|Raises|Examples")
 
 

@@ -7,7 +7,8 @@ that it does not know is a warning, and so an error.  The font is STIX Two Math 
 import re
 import unicodedata
 import xml.etree.ElementTree as ET
-from functools import cache
+from contextlib import suppress
+from functools import cache, partial
 from typing import Any
 
 from docutils import nodes
@@ -41,6 +42,34 @@ def mathml(latex: str, display: str) -> str:
         _drawable(element)
     tree.set("alttext", " ".join(latex.split()))
     return ET.tostring(tree, encoding="unicode")
+
+
+def letters(latex: str) -> str:
+    r"""The formula in letters alone, for what shows neither markup nor LaTeX, as a search does.
+
+    >>> letters(r"K\cdot A_1^2")
+    'K·A₁²'
+    """
+    return _lettered(ET.fromstring(mathml(latex, "inline")))
+
+
+def _lettered(element: ET.Element) -> str:
+    parts = [_lettered(child) for child in element]
+    tag = element.tag.removeprefix(f"{{{_SPACE}}}")
+    if tag in ("msub", "msup", "msubsup"):
+        signs = {"msub": "_", "msup": "^", "msubsup": "_^"}[tag]
+        return parts[0] + "".join(map(_raised, signs, parts[1:]))
+    if tag == "mfrac":
+        return "/".join(parts)
+    return (element.text or "").strip() + "".join(parts)
+
+
+def _raised(sign: str, text: str) -> str:
+    """The text as an index or as a power: digits have letters of their own."""
+    small = dict(zip("0123456789", "₀₁₂₃₄₅₆₇₈₉" if sign == "_" else "⁰¹²³⁴⁵⁶⁷⁸⁹", strict=True))
+    if set(text) <= set(small):
+        return "".join(small[digit] for digit in text)
+    return sign + (text if len(text) == 1 else f"({text})")
 
 
 def _prepared(latex: str) -> str:
@@ -88,10 +117,31 @@ def _styled(letter: str, style: str) -> str:
 
 def _written(translator: Any, node: nodes.Element, display: str) -> str:
     try:
-        return mathml(node.astext(), display)
+        return mathml(_latex(node), display)
     except FormulaError as error:
         _LOG.warning("formula: %s", error, location=node)
-        return f"<code>{translator.encode(node.astext())}</code>"
+        return f"<code>{translator.encode(_latex(node))}</code>"
+
+
+def _latex(node: nodes.Element) -> str:
+    return nodes.Element.astext(node)
+
+
+def _in_letters(node: nodes.Node) -> None:
+    """Let formulas of a title be letters where its text is taken: in the index of the search."""
+    for formula in node.findall(nodes.math):
+        with suppress(FormulaError):  # the page has the warning
+            vars(formula)["astext"] = partial(str, letters(_latex(formula)))
+
+
+def _indexed(app: Sphinx, env: Any) -> None:
+    for title in (*env.titles.values(), *env.longtitles.values()):
+        _in_letters(title)
+
+
+def _resolved(app: Sphinx, tree: nodes.document, name: str) -> None:
+    for title in tree.findall(nodes.title):
+        _in_letters(title)
 
 
 def _inline(translator: Any, node: nodes.Element) -> None:
@@ -107,5 +157,7 @@ def _block(translator: Any, node: nodes.Element) -> None:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Register the renderer under the name `mathml`."""
+    app.connect("env-updated", _indexed)
+    app.connect("doctree-resolved", _resolved)
     app.add_html_math_renderer("mathml", (_inline, None), (_block, None))
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -377,8 +377,13 @@ class Fit(Alternative):
         with np.errstate(invalid="ignore", divide="ignore"):
             correlations = self.covariance / np.outer(self.sigma, self.sigma)
         correlations[~np.isfinite(self.sigma) | (self.sigma == 0)] = np.nan
-        named = zip(self.names, correlations, strict=True)
-        listed = [(name, *("" if np.isnan(x) else f"{x:.2f}" for x in row)) for name, row in named]
+        # A parameter that is fixed, or not observed, has none.
+        free = np.flatnonzero(~np.isnan(np.diag(correlations)))
+        found = [self.names[k] for k in free]
+        listed = [
+            (name, *(f"{x:.2f}" for x in correlations[k, free]))
+            for name, k in zip(found, free, strict=True)
+        ]
         by_chi2 = ("", "chi2", "mode", "rotation", "precession", "moments")
         by_set = ("kind", "number", "chi2", "root mean square", "outliers")
         return [
@@ -386,7 +391,7 @@ class Fit(Alternative):
             ("parameters at t = 0", _COLUMNS, parameters),
             ("motions by chi2", by_chi2, minima),
             ("observations", by_set, observations),
-            ("correlations", ("", *self.names), listed),
+            ("correlations", ("", *found), listed),
         ]
 
     def _outliers_of(self, place: int) -> list[int]:

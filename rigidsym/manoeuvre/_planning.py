@@ -38,7 +38,7 @@ COLUMNS = (
     "energy (J)",
     "peak rate (rad/s)",
     "miss (rad)",
-    "1 %, 1° (deg)",
+    "miss for a burst 1 %, 1° off (deg)",
 )
 
 

@@ -81,7 +81,7 @@ def transfer_text(one: "Transfer") -> str:
     rates = ", ".join(f"{x:.6g}" for x in _without_rounding(one.omega0))
     return (
         f"<Transfer omega0=({rates}) rad/s, cost {one.cost:.6g} N m s, "
-        f"misses by {one.miss} rad, by {one.missed} deg for 1 %, 1 deg of burst: "
+        f"misses by {one.miss} rad, by {one.missed} deg for a burst 1 %, 1 deg off: "
         f"{one.motion.regime}>"
     )
 
@@ -170,7 +170,7 @@ def transfer_html(transfer: "Transfer") -> str:
         _quantity("energy", f"H = {decimal(transfer.energy, _COMPUTED)}", r"\mathrm{J}"),
         _quantity("peak_rate", decimal(transfer.peak_rate, _COMPUTED), _RATE),
         _quantity("residual", _miss(transfer.miss), r"\mathrm{rad}"),
-        (muted("by 1 %, 1 deg of burst (deg)"), muted(transfer.missed)),
+        (muted("miss for a burst 1 %, 1 deg off (deg)"), muted(transfer.missed)),
     ]
     return card(title, cards.table((), rows))
 

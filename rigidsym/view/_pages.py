@@ -3,6 +3,7 @@
 HTML pages load no other files.
 """
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -42,9 +43,14 @@ def _environment() -> "Environment":
     )
 
 
-def scaled(svg: str) -> Markup:
-    """Extract the SVG element of a document, and limit its width to that of the page."""
+def scaled(svg: str, number: int = 0) -> Markup:
+    """Extract the SVG element of a document, and limit its width to that of the page.
+
+    number: the place of the picture on its page.  It becomes part of the picture's ids, for two
+    pictures on one page would else be drawn with the clips and letters of the first.
+    """
     _, begin, rest = svg.partition("<svg ")
+    rest = re.sub(r'(?<=[ "(])((?:xlink:)?href="#|url\(#|id=")', rf"\1p{number}-", rest)
     return Markup(f'{begin}style="max-width:100%;height:auto" {rest}')
 
 
@@ -54,7 +60,7 @@ def fit_page(title: str, tables: Iterable[Table], pictures: Iterable[tuple[str, 
     pictures: pairs of a caption and an SVG document.
     """
     name, _, said = title.partition(": ")
-    drawn = [(caption, scaled(svg)) for caption, svg in pictures]
+    drawn = [(caption, scaled(svg, k)) for k, (caption, svg) in enumerate(pictures)]
     return render("fit.html", name=name, said=said, tables=tables, pictures=drawn)
 
 

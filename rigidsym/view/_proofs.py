@@ -6,7 +6,18 @@ from typing import TYPE_CHECKING
 
 from rigidsym.language._latex import condition, point
 from rigidsym.view import _cards as cards
-from rigidsym.view._cards import Markup, badge, card, code, counted, formula, head, join, muted
+from rigidsym.view._cards import (
+    Markup,
+    badge,
+    card,
+    code,
+    counted,
+    formula,
+    head,
+    join,
+    math,
+    muted,
+)
 
 if TYPE_CHECKING:
     from rigidsym.proof.derivation import Chapter, Derivation
@@ -80,7 +91,11 @@ def _rows(verdict: "Verdict") -> Iterator[tuple[str, object]]:
             said.append(join(read.reading.text, ": ", decided, " ", read.reading.implies, at or ""))
         yield "readings", cards.bullets(said)
     if equation.flaws:
-        yield "flaws", cards.bullets(f"{flaw}: {text}" for flaw, text in equation.flaws.items())
+        # Of a symbol that is not defined, the text is the symbol in LaTeX.
+        shown = (
+            (x, math(text) if x.name == "UNDEFINED" else text) for x, text in equation.flaws.items()
+        )
+        yield "flaws", cards.bullets(join(str(flaw), ": ", text) for flaw, text in shown)
     for what, names in (
         ("proved by", verdict.proved_by),
         ("refuted by", verdict.refuted_by),

@@ -119,7 +119,10 @@ def test_a_template_of_observations_is_fitted(name, tmp_path, monkeypatch, run):
     assert found == json.loads((tmp_path / "found" / "fit.json").read_text())
     run("propagate found/motion.toml")
     page = (tmp_path / "found" / "fit.html").read_text()
-    assert all(word in page for word in ("Correlations", "Motions by chi2", "<svg"))
+    assert all(page.count(word) == 1 for word in (">Correlations<", ">Motions by chi2<"))
+    ids = re.findall(r'\bid="([^"]+)"', page)
+    assert page.count("<svg") == 2
+    assert len(ids) == len(set(ids)), "pictures on a page share no clips and letters"
 
 
 def test_a_fit_says_what_is_not_observable(run):

@@ -80,3 +80,4 @@ def test_an_svg_has_no_digits_that_a_processor_decides():
     assert not re.search(r'id="[a-zA-Z][0-9a-f]{10}"', text)
     assert "date" not in text
     assert text == svg(MOTIONS["paper"].plot())
+    assert "scale(0.015625)" in text, "letters have the size of their spacing"

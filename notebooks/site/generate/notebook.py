@@ -14,26 +14,10 @@ PLOTLY = "application/vnd.plotly.v1+json"
 _LIVE = ("application/vnd.jupyter.widget-view+json", "application/javascript")
 _HEIGHT = 480
 _FORMULA = re.compile(r"\\\((.*?)\\\)", re.DOTALL)
-_SCRIPT = '<script src="../_static/plotly.min.js"></script>'
+_SCRIPT = """<script src="../_static/plotly.min.js"></script>
+<script src="../_static/pictures.js"></script>"""
 _PICTURE = """<div id="{name}" class="plotly-picture" style="height: {height}px"></div>
-<script>
-(() => {{
-  const figure = {figure};
-  const layout = {{...figure.layout, autosize: true}};
-  delete layout.width;
-  const phone = innerWidth < 600;
-  if (phone) {{  // Names stand one below the other there, and the title above them.
-    const named = figure.data.filter(trace => trace.name && trace.showlegend !== false);
-    const head = 46 + 19 * named.length, box = document.getElementById("{name}");
-    box.style.height = box.offsetHeight + head - (figure.layout.margin?.t ?? 100) + "px";
-    layout.margin = {{...figure.layout.margin, t: head}};
-    layout.title = {{...figure.layout.title, y: 1 - 20 / box.offsetHeight, yanchor: "top"}};
-  }}
-  const how = {{responsive: true, displaylogo: false, displayModeBar: !phone}};
-  Plotly.newPlot("{name}", figure.data, layout, how)
-    .then(() => figure.frames && Plotly.addFrames("{name}", figure.frames));
-}})();
-</script>"""
+<script>drawPicture("{name}", {figure});</script>"""
 
 
 def shown(text: str, stem: str, pages: Mapping[str, str]) -> str:

@@ -131,7 +131,8 @@ def svg(figure: "Figure", settings: Mapping["RcKeyType", object] | None = None) 
         value = float(found[0])
         return f"{round(value, DECIMALS) + 0.0:g}" if abs(value) < 1e4 else found[0]
 
-    text = re.sub(r"-?\d+\.\d{3,}(?![\d.]|e)", short, buffer.getvalue())
+    # The size of letters is 1/64 of a unit of their outlines, which rounding would change.
+    text = re.sub(r"(?<!scale\()-?\d+\.\d{3,}(?![\d.]|e)", short, buffer.getvalue())
     # Names are hashes of coordinates before they were rounded.
     names = dict.fromkeys(re.findall(r'id="([a-zA-Z][0-9a-f]{10})"', text))
     for k, name in enumerate(names):
