@@ -14,7 +14,7 @@ from derivations.phi1_integral import FUNCTIONS, constants
 from derivations.phi1_integral import sine as sine_of
 from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, part_of, sign
 from rigidsym.proof.algebra._computation import compute
-from rigidsym.proof.steps import Scope
+from rigidsym.proof.steps import Scope, multiply
 from rigidsym.proof.steps._names import read, symbol, symbols
 
 # zeta sn by itself, as (10) has it.
@@ -47,7 +47,8 @@ def _start_of_motion(builder: LedgerBuilder) -> None:
     at_e = Part(relations=("q0 - 1", "q1", "q2", "q3"))
     Scope.open(builder, "identity_start", body, at_e, matrices=matrices, static=True)
     gap = MatAdd(conjugated, -M)
-    scope.decide_matrices("any_start.commutes", gap * R, commutator(R, M), start)
+    why = "The gap between R M R^-1 and M, times R: none where R and M commute"
+    multiply(scope, "any_start.commutes", gap * R, commutator(R, M), why, start)
 
 
 def _degenerate(builder: LedgerBuilder) -> None:

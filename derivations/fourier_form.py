@@ -3,7 +3,7 @@
 Each series is the logarithmic derivative of theta_4, or a quotient by it.  Let s(k + 1) = -s(k),
 e = +-1, and all k be whole, or all half of odd numbers.  The product
 
-    (sum of s(k) q^(k^2) e^(2ikz), k whole) (sum of a(k) e^(2ikz)),    a(k) = q^k/(1 - e q^(2k))
+    (sum of s(k) q^(k^2) e^(2 i k z)) (sum of a(k) e^(2 i k z)),    a(k) = q^k/(1 - e q^(2k))
 
 has at e^(2imz) the coefficient s(m) q^(m^2) U(m), U(m) being the sum over k of the terms
 s(k) q^(k^2 - 2mk) a(k).  Of these `fourier_terms` shows by identities that

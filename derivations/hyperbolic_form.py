@@ -1,13 +1,13 @@
 """The theta form in the complementary nome, for moduli near one.
 
-With K_1' = K(1 - k_1^2), g = pi/(2 K_1') and the nome q of 1 - k_1^2, Jacobi's imaginary
+With K_c = K(1 - k_1^2), g = pi/(2 K_c) and the nome q of 1 - k_1^2, Jacobi's imaginary
 transformation (DLMF 20.7.30, 20.7.33) of the thetas of the theta form gives
 
     T_4 = theta_2(z | q),    T_1 = -i theta_1(z | q),    z = g (rho beta + i u_1),
 
-times a factor common to both, exp(-(v - i rho b)^2 K_1/(pi K_1')).  Its modulus goes into N.  Its
+times a factor common to both, exp(-(v - i rho b)^2 K_1/(pi K_c)).  Its modulus goes into N.  Its
 phase is linear in time and goes into Lambda: zeta grows by G beta and Z_u by G u_1,
-where G = pi/(2 K_1 K_1') (Legendre's relation, DLMF 19.7.1).  The proof of the theta form leaves
+where G = pi/(2 K_1 K_c) (Legendre's relation, DLMF 19.7.1).  The proof of the theta form leaves
 zeta free, so this is a model of it; `theta_functions` proves it of these functions themselves.
 """
 

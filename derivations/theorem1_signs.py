@@ -15,7 +15,7 @@ from derivations.conjugacy import MOMENTUM, K
 from derivations.lie_algebra import A, Algebra, M, R, combination, from_quaternion
 from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, equal, half_angle, named, sign
 from rigidsym.proof.algebra._computation import ordered
-from rigidsym.proof.steps import Scope, matrix
+from rigidsym.proof.steps import Scope, matrix, multiply
 from rigidsym.proof.steps._names import symbols
 
 HALF_ANGLE = "y* is the tangent or the cotangent of half of phi3"
@@ -124,7 +124,8 @@ def _signs(builder: LedgerBuilder) -> None:
     Proofs(builder, "signed").evaluate("frame", scope.determinant(R)[:1], "footnote 3")
     matched = Part(relations=("S2 - side*S1", S4 - S3))
     scope = Scope.open(builder, "matched_signs", *FACTORS, matched, matrices=matrices, static=True)
-    scope.decide_matrices("momentum", K * (R.I * A[0] * R), M, [19, 24, "Remark 2"])
+    why = "The momentum of (18), if S1 S2 is the sign of M3 and S3 S4 is 1"
+    multiply(scope, "momentum", K * (R.I * A[0] * R), M, why, [19, 24, "Remark 2"])
     tilt, why = {S1 * S2 * M3: ACROSS * cos_phi3}, "(29), where S1 S2 is the sign of Omega3"
     here = Proofs(builder, "matched_signs")
     here.claim("side", tilt, 19, "Remark 2", "footnote 3", why=why)
@@ -154,4 +155,4 @@ def _pull_back(builder: LedgerBuilder) -> None:
     scope = Scope.open(builder, "pulled_back", *quaternions, matrices=matrices, static=True)
     R_int, Rbar = map(matrix, matrices)
     start = MatMul(R_int, Adjoint(Rbar), Rbar)
-    scope.decide_matrices("start", start, R_int, [37, "Remark 3"])
+    multiply(scope, "start", start, R_int, "(37) at t = 0", [37, "Remark 3"])

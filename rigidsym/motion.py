@@ -405,7 +405,7 @@ class TorqueFreeMotion(Sampled):
         --------
         >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
         >>> q, omega = motion.grid(0.0, 0.5, 361)
-        >>> bool(np.array_equal(q[-1], motion(180.0)[0]))
+        >>> bool(np.allclose(q[-1], motion(180.0)[0], rtol=0, atol=2e-15))
         True
         """
         first, apart = batches.number("start", start), batches.number("step", step)

@@ -207,8 +207,16 @@ FILES = (
     ),
 )
 
-if __name__ == "__main__":
-    Path(sys.argv[1]).mkdir(parents=True, exist_ok=True)
+
+def write(directory):
+    """Write the six files to a directory, and return it."""
+    directory.mkdir(parents=True, exist_ok=True)
     for sample in FILES:
-        (Path(sys.argv[1]) / sample.name).write_bytes(sample.text().encode())
+        (directory / sample.name).write_bytes(sample.text().encode())
+    return directory
+
+
+if __name__ == "__main__":
+    write(Path(sys.argv[1]))
+    for sample in FILES:
         print(f"rigidsym fit {sample.name} {sample.options}")

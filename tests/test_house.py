@@ -67,7 +67,8 @@ ALLOWED = {
     "rigidsym.numbers": f"{FOUNDATION} inputs solution precise",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
-    "rigidsym.view.article": "language view.cards view.pages view.statements",
+    "rigidsym.view.article": "language view.cards view.pages view.prose view.statements",
+    "rigidsym.view.prose": "language view.statements",
     "rigidsym.view.statements": "language",
     "rigidsym.view.pages": "view.cards view.style view.tables",
     "rigidsym.view.plots": f"{NUMBERS} view",

@@ -82,7 +82,7 @@ def fit(options: Namespace) -> int:
     keys = [name.replace("-", "_") for name in TABLE]
     layout = {key: getattr(options, key) for key in keys if getattr(options, key) is not None}
     file = load(options.observations, **layout)
-    for note in file.notes:
+    for note in [*file.notes, *([f"t = 0 is {file.epoch}"] if file.epoch else [])]:
         say(note)
     names = ("inertia", "moments", "loss", "starts", "fastest", "delta_chi2")
     asked = {name: getattr(options, name) for name in names if getattr(options, name) is not None}

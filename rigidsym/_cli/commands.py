@@ -151,7 +151,7 @@ _LINE: dict[str, Any] = {"type": as_count}
 TABLE: dict[str, tuple[str, str, dict[str, Any]]] = {
     "sigma": (
         "KIND=X,…",
-        "errors, as attitudes=0.1deg,rates=0.01deg/s; needed without columns",
+        "errors, as attitudes=0.1deg,rates=0.01deg/s; needed without columns of errors",
         {},
     ),
     "columns": ("NAME=COLUMN,…", "columns, as time=UTC,q0=qs; those named t, q0… by default", {}),

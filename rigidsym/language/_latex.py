@@ -79,6 +79,8 @@ def symbol(name: str) -> Symbol:
     """
     if "\\" in name:
         return Symbol(name)
+    if name == "I":  # the imaginary unit
+        return Symbol("i")
     base, _, last = name.rpartition("_")
     first, _, rest = name.partition("_")
     if first in FUNCTIONS and rest:
@@ -153,11 +155,13 @@ class Printer:
     r"""A printer that converts expression trees to LaTeX.
 
     rank: the sort key of factors in a product.  most: the number of terms of a sum that are shown,
-    with \cdots in the place of the others; None for all.
+    with \cdots in the place of the others; None for all.  along: the name by which D is the
+    derivative, if it is not the time.
     """
 
     rank: Callable[[Expression], Any] = place
     most: int | None = MOST_TERMS
+    along: str = ""
 
     def of(self, expression: Expression) -> str:
         """Convert an expression tree to LaTeX."""
@@ -178,6 +182,8 @@ class Printer:
                 return " ".join(self._within(factor, _PRODUCT) for factor in factors)
             case Call("sqrt", (argument,)):
                 return rf"\sqrt{{{self.of(argument)}}}"
+            case Call("D", (argument,)) if self.along:
+                return self._slope(argument)
             case Call("D", (Name(name),)):
                 return self._rate(symbol(name))
             case Call("D", (argument,)):
@@ -186,6 +192,12 @@ class Printer:
                 head, inside = self._call(function, arguments)
                 return f"{head}{inside}"
         raise TypeError(f"{expression!r} is not an expression")
+
+    def _slope(self, argument: Expression) -> str:
+        by = rf"\partial {symbol(self.along).latex}"
+        if isinstance(argument, Name):
+            return rf"\frac{{\partial {self.of(argument)}}}{{{by}}}"
+        return rf"\frac{{\partial}}{{{by}}}\left({self.of(argument)}\right)"
 
     def _power(self, base: Expression, exponent: str) -> str:
         """Return the LaTeX text of a power.
@@ -340,13 +352,15 @@ def dotted(head: str) -> str:
 of = Printer().of
 
 
-def latex(text: str) -> str:
+def latex(text: str, along: str | None = None) -> str:
     r"""Convert an expression of the ledger to LaTeX.
+
+    along: the name by which D differentiates, if it is not the time.
 
     >>> latex("(c2 - c3)/c1*Omega2**2")
     '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'
     """
-    return of(parse(text))
+    return (Printer(along=along).of if along else of)(parse(text))
 
 
 def word(text: str) -> str:

@@ -33,6 +33,7 @@ from rigidsym.language._expression import (
 from rigidsym.language._lines import width
 from rigidsym.view._cards import Markup, card, code, formula, join, math, muted, tag
 from rigidsym.view._pages import render
+from rigidsym.view._prose import NAMES, displayed_formula, escaped, formulas
 from rigidsym.view._statements import (
     COLUMNS,
     WIDE,
@@ -76,15 +77,6 @@ CONSTANTS = {
     *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n", "s_i"),
     *("s_j", "alpha", "beta", "chi", "mu", "xi", "zeta", "nu", "kappa", "sqrt_mu", "b_free"),
 }
-# Names of quantities in prose: phi1', Omega_i^2, R^-1; M alone, but not "A" of a sentence.
-_GREEK = "|".join(sorted(language.GREEK, key=len, reverse=True))
-NAMES = re.compile(
-    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[0-9a-z])?|[AcqFMb][0-3](?![0-9])|[A-Za-z]_[0-9a-z]"
-    r"|b_free|K|H|M|R|B|S|sn))\b"
-    r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
-)
-# Powers of other names and of units: kg m^2.
-_POWERS = re.compile(r"(?<=[\w)])\^(-?[0-9]+)\b")
 _ROW = "display:flex;justify-content:space-between;align-items:baseline;gap:1em"
 _EQUATIONS = "min-width:0;padding-left:1.5em"
 _DOT = "\N{COMBINING DOT ABOVE}"
@@ -99,8 +91,8 @@ def article(chapters: Iterable["Chapter"], form: str) -> str:
     told = [*chapters]
     contexts = {name: context for chapter in told for name, context in chapter.contexts.items()}
     written = WRITERS[form]
-    tools = (breakable, displayed, escaped, fitted, formulas, markdown_display, opening)
-    more = (paragraph_text, tag_text, wrapped)
+    tools = (breakable, displayed, displayed_formula, escaped, fitted, formulas, markdown_display)
+    more = (opening, paragraph_text, tag_text, wrapped)
     text = render(
         FORMATS[form],
         chapters=[*_told(told)],
@@ -274,15 +266,15 @@ def fitted(row: str) -> str:
     return rf"{left}&\fit{{{right}}}"
 
 
-def displayed(found: Paragraph) -> Markup:
-    """Return the equations of a paragraph in MathML."""
-    rows = r" \\ ".join(row if "&" in row else f"&{row}" for row in found.rows)
+def displayed(aligned: Iterable[str]) -> Markup:
+    """Return aligned rows of LaTeX in MathML."""
+    rows = r" \\ ".join(row if "&" in row else f"&{row}" for row in aligned)
     return Markup(mathml(rf"\begin{{align*}}{rows}\end{{align*}}", "block"))
 
 
-def markdown_display(found: Paragraph) -> str:
-    """Return the equations of a paragraph in LaTeX, tagged with the paper's numbers."""
-    return _tagged(_joined(found.rows), found.numbers)
+def markdown_display(rows: Iterable[str], tags: str = "") -> str:
+    """Return aligned rows of LaTeX as one formula, tagged with the paper's numbers."""
+    return _tagged(_joined(rows), tags)
 
 
 def mathml(text: str, kind: str) -> str:
@@ -327,26 +319,6 @@ def sentence(line: "Step") -> str:
     words = line.why if formula else line.why[:1].upper() + line.why[1:]
     whole = f"{words}; {line.choice}" if line.choice else words
     return whole if whole.endswith("?") else f"{whole}:"
-
-
-def formulas(text: str) -> str:
-    """Replace the names of quantities in a text by LaTeX formulas."""
-
-    def name(found: re.Match[str]) -> str:
-        text = language.symbol(found["name"]).latex
-        primed = language.dotted(text) if found["prime"] else text
-        return f"${primed}^{{{found['power']}}}$" if found["power"] else f"${primed}$"
-
-    parts = re.split(r"(\$[^$]*\$)", NAMES.sub(name, text))
-    return "".join(x if x[:1] == "$" else _POWERS.sub(r"$^{\1}$", x) for x in parts)
-
-
-def escaped(text: str) -> str:
-    """Convert a text to LaTeX, with symbols for quantities and special characters escaped."""
-    parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
-    special = {mark: f"\\{mark}" for mark in "_#%&{}"} | {"^": r"\^{}", "|": r"$\mid$"}
-    escapes = str.maketrans(special)
-    return "".join(part if part.startswith("$") else part.translate(escapes) for part in parts)
 
 
 def _tagged(shown: str, tags: str) -> str:

@@ -347,17 +347,13 @@ def _displays(context: "Context", new: Sequence[Item], hidden: set[str]) -> Iter
         for name, _ in shown:
             if done := operations([context.definitions[name]]):
                 how.setdefault(done, []).append(name)
-        after = [
-            (
-                "Computed: ",
-                *listed(map(formula, names), " and "),
-                " by ",
-                *listed(map(Code, done)),
-                ".",
-            )
+        parts = [
+            (*listed(map(formula, names), " and "), " by ", *listed(map(Code, done)))
             for done, names in how.items()
         ]
-        yield _display(("Definitions:",), shown, after=tuple(after))
+        said = (x for k, part in enumerate(parts) for x in ("; " if k else "Computed: ", *part))
+        after = ((*said, "."),) if parts else ()
+        yield _display(("Definitions:",), shown, after=after)
     if of_kind["relation"]:
         pairs = [(text, "0") for _, text in of_kind["relation"]]
         yield _display(("Relations:",), pairs)
@@ -421,7 +417,7 @@ def operations(texts: Iterable[str]) -> tuple[str, ...]:
     """Return the operations by which texts of a ledger were computed."""
     origins = (getattr(text, "origin", None) for text in texts)
     found = (x for origin in origins if origin is not None for x in origin.operations)
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys(x.lstrip("_") for x in found))
 
 
 def stated(fact: "Fact", context: "Context", shown: set[str]) -> Paragraph:
@@ -452,7 +448,7 @@ def stated(fact: "Fact", context: "Context", shown: set[str]) -> Paragraph:
         if first in shown:
             sentence = (fact_named(first), " holds here, too.")
             return Paragraph(sentence, numbers=numbers(fact.source), fact=fact.id)
-    found, left_out = _statement(fact)
+    found, left_out = _statement(fact, derived_by(context))
     after = [*_grounds(fact, context)]
     if left_out:
         more = f"And {left_out} more {'component' if left_out == 1 else 'components'}."
@@ -466,20 +462,23 @@ def stated(fact: "Fact", context: "Context", shown: set[str]) -> Paragraph:
     )
 
 
-def _statement(fact: "Fact") -> tuple[Paragraph, int]:
-    """Return the equations of a fact, and how many of its components are left out."""
+def _statement(fact: "Fact", along: str | None) -> tuple[Paragraph, int]:
+    """Return the equations of a fact, and how many of its components are left out.
+
+    along: the name by which its context differentiates, if it is not the time.
+    """
     every = dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True))
     pairs = [pair for pair in every if pair[0] != pair[1]] or [*every]
     sign = {"unequal": r"\neq"}.get(fact.kind, "=")
     equations: list[tuple[str, str, str]] = []
     texts: list[str] = []
     for count, (left, right) in enumerate(pairs):
-        value, plain = language.latex(right), right
+        value, plain = language.latex(right, along), right
         if fact.kind == "root":
             value, plain = rf"\sqrt{{{value}}}", f"sqrt({right})"
         if fact.kind == "nonnegative":
             value, plain = rf"{value} \geq 0", f"{right} >= 0"
-        more = (language.latex(left), sign, value)
+        more = (language.latex(left, along), sign, value)
         if equations and len(aligned_rows([*equations, more])) > MOST_ROWS:
             return Paragraph((), (), tuple(aligned_rows(equations)), tuple(texts)), len(
                 pairs
@@ -502,7 +501,8 @@ def _head(fact: "Fact") -> Words:
         return ("As it is printed:",)
     why: dict[str, None] = dict.fromkeys(getattr(text, "why", "") for text in texts)
     if said := "; ".join(filter(None, why)):
-        return (f"Proved, and typed, since {said}:",)
+        law = any(type(text).__name__ == "Law" for text in texts)
+        return (f"{'A law that holds' if law else 'Typed, and then proved'} ({said}):",)
     return ("Proved:",)
 
 

@@ -8,18 +8,20 @@ import tomllib
 
 import numpy as np
 import pytest
+import six_files
 from document_texts import FENCED, README, ROOT, TEXTS, blocks
 
 import rigidsym
 from rigidsym._cli import main, parser
 from rigidsym._engines.build import ANY_MOMENTS, FLAGS, NATIVE
+from rigidsym.fitting import load
 from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre._manoeuvre import parse
 from rigidsym.manoeuvre._planning import solve
 
 KINDS = {
-    *("sh", "python", "toml", "toml manoeuvre", "c", "c single", "js", "rust", "text"),
-    *("python no-run", "c no-run", "python jax", "python torch"),
+    *("sh", "python", "toml", "toml manoeuvre", "toml observations", "c", "c single", "js", "rust"),
+    *("text", "python no-run", "c no-run", "python jax", "python torch"),
 }
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
 OF_PYTHON = (*NATIVE, ANY_MOMENTS, "-fPIC", "-shared")
@@ -32,6 +34,7 @@ ANSWERS = {
     "solution": lambda solution: str(solution.omega(180).evalf(30)[0]).startswith(
         "0.0571406808658981944279541748"
     ),
+    "fit": lambda fit: fit.converged and fit.agreement.verdict == "agree",
     "plan": lambda plan: plan.best.residual <= 1e-12,
 }
 
@@ -47,6 +50,7 @@ def test_every_block_is_of_a_kind_that_is_run(name):
 def test_the_python_runs(name, tmp_path, monkeypatch):
     """Run all of a text, from top to bottom, as a reader would type it."""
     monkeypatch.chdir(tmp_path)
+    six_files.write(tmp_path / "six")
     scope = {}
     for code in blocks("python", name):
         exec(code, scope)
@@ -83,6 +87,13 @@ def test_a_case_file_is_one(text, tmp_path, capsys):
 @pytest.mark.parametrize("text", blocks("toml manoeuvre"))
 def test_a_manoeuvre_is_planned(text):
     assert solve(parse(tomllib.loads(text))).best.residual <= 1e-12
+
+
+@pytest.mark.parametrize("text", blocks("toml observations"))
+def test_observations_are_read(text, tmp_path):
+    path = six_files.write(tmp_path) / "observations.toml"
+    path.write_text(text)
+    assert load(path).observations["rates"][0].count == 200
 
 
 def test_the_table_of_commands_has_all_of_them(capsys):

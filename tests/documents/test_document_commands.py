@@ -12,6 +12,7 @@ import sys
 from functools import cache
 
 import pytest
+import six_files
 from document_texts import ROOT, blocks, commands
 
 from rigidsym._cli import main, parser
@@ -179,6 +180,7 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "satellite.toml").write_text(blocks("toml", "use.md")[0])
     (manoeuvre,) = blocks("toml manoeuvre", "manoeuvres.md")
     (tmp_path / "slew.toml").write_text(f"{manoeuvre}[run]\nlength = 10\n")
+    six_files.write(tmp_path / "six")
     return tmp_path
 
 

@@ -4,6 +4,8 @@ import shlex
 
 import numpy as np
 import pytest
+import six_files
+from document_texts import commands
 from mpmath import mp
 from scipy.spatial.transform import Rotation
 from simulated import refused, told
@@ -39,7 +41,7 @@ def turned(truth):
 @pytest.mark.parametrize("sample", FILES, ids=lambda sample: sample.name)
 def test_a_file_of_each_field_is_fitted_by_one_command(sample, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / sample.name).write_bytes(sample.text().encode())
+    six_files.write(tmp_path)
     assert len(sample.text().splitlines()) < 210
     fits = []
     fit = rigidsym.fitting.fit
@@ -56,10 +58,16 @@ def test_a_file_of_each_field_is_fitted_by_one_command(sample, tmp_path, monkeyp
     assert min(np.sum(told(found, x) ** 2) for x in truths) < 26
 
 
+def test_the_page_has_these_commands():
+    shown = [sorted(shlex.split(one)) for one in commands() if one.startswith("rigidsym fit six/")]
+    for sample in FILES:
+        command = f"rigidsym fit six/{sample.name} {sample.options}"
+        assert sorted(shlex.split(command)) in shown
+
+
 def test_options_are_the_same_in_python_and_in_toml(tmp_path):
-    gyro, simulation = FILES[2], FILES[5]
-    for sample in (gyro, simulation):
-        (tmp_path / sample.name).write_bytes(sample.text().encode())
+    gyro = FILES[2]
+    six_files.write(tmp_path)
     words = shlex.split(gyro.options)
     options = dict(zip((x[2:] for x in words[::2]), words[1::2], strict=True))
     text = "\n".join(f'{name.replace("-", "_")} = "{value}"' for name, value in options.items())

@@ -21,7 +21,8 @@ from rigidsym.proof.algebra._computation import Standing, joined, reasons, stand
 from rigidsym.proof.derivation import derive
 from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
 from rigidsym.proof.steps._names import symbol, symbols
-from rigidsym.view._article import FORMATS, _told, article, latex, pretty
+from rigidsym.view._article import FORMATS, _told, article, latex, opening, pretty
+from rigidsym.view._prose import displayed_formula
 from rigidsym.view._statements import numbers
 
 # What may stick out of a line, in points of TeX.
@@ -171,7 +172,10 @@ def test_html_is_well_formed():
     assert text.startswith("<!doctype html>\n")
     Elements(text)
     shown = [paragraph for _, found in _told(whole()) for paragraph in found if paragraph.rows]
-    assert text.count('<div class="equations"') == len(shown)
+    parts = [part for chapter in whole() for is_formula, part in opening(chapter) if is_formula]
+    formulas = [part for part in parts if displayed_formula(part)]
+    assert len(formulas) > 20
+    assert text.count('<div class="equations"') == len(shown) + len(formulas)
     assert "merror" not in text
     anchors = re.findall(r' id="([^"]+)"', text)
     assert len(anchors) == len({*anchors})
@@ -186,7 +190,7 @@ def test_pages_fit_a_phone_and_fractions_do_not_collide(tmp_path):
         phone = {"width": 390, "height": 844, "deviceScaleFactor": 2, "mobile": True}
         browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", phone)
         browser.get(page.as_uri())
-        assert browser.execute_script("return document.documentElement.scrollWidth") <= 420
+        assert browser.execute_script("return document.documentElement.scrollWidth") <= 390
         # Rows of equations one below the other: pairs whose fractions overlap, and how many.
         collide, rows = browser.execute_script(COLLISIONS)
         assert rows > 1000
@@ -364,6 +368,12 @@ def test_a_terminal_shows_the_line_in_two_dimensions():
     assert shown.splitlines()[0] == "Solve for M1 < M2:  (28)"
     assert "[plane.found]" in shown
     assert repr(solved()) == "<solve: x = y/a [plane.found]>"
+
+
+@pytest.mark.parametrize("form", ["latex", "markdown"])
+def test_the_gradient_of_the_energy_is_no_rate(form):
+    assert written(form).count(r"\frac{\partial H}{\partial M_{1}}") == 2  # derived, and printed
+    assert r"\dot{H} &= \frac{M_{1}}{c_{1}}" not in written(form)
 
 
 # What an article says of facts that were typed.

@@ -129,7 +129,7 @@ def test_a_fact_says_where_it_comes_from_and_what_it_uses():
     assert in_text(said_of(builder, typed).sentence) == "Proved:"
     assert in_text(said_of(builder, typed).after[0]) == "This uses y**2 - x**2 = 0."
     assert in_text(said_of(builder, guessed).sentence) == (
-        "Proved, and typed, since no step finds it:"
+        "Typed, and then proved (no step finds it):"
     )
     assert in_text(said_of(builder, false).sentence) == "This does not hold:"
     assert in_text(said_of(builder, false).after[0]) == "It fails at x = 3, y = 3."
