@@ -64,7 +64,7 @@ class Evaluated(DefinedFunction):
         )
 
     _ccode = _cxxcode = _fcode = _numpycode = _mpmathcode = _pythoncode = _code
-    _jaxcode = _cupycode = _torchcode = _tensorflowcode = _code
+    _jaxcode = _cupycode = _torchcode = _tensorflowcode = _mcode = _maple = _code
 
 
 def rounded_up(prec: int) -> int:

@@ -233,6 +233,16 @@ class JacobiFunction(Evaluated):
         name = self._name()
         return printer._helper_print_function(self.func, self.args, func_name=name, delimiter=" | ")
 
+    def _mcode(self, printer: Any) -> str:
+        name = {"am": "Amplitude", "epsilon": "Epsilon"}.get(self._name(), self._name().upper())
+        return f"Jacobi{name}[{printer.stringify(self.args, ', ')}]"
+
+    def _maple(self, printer: Any) -> str:
+        if self._name() == "epsilon":
+            return self._code(printer)
+        u, m = self.args  # Maple's second argument is the modulus
+        return f"Jacobi{self._name().upper()}({printer.stringify((u, sqrt(m)), ', ')})"
+
     def _symbol(self) -> str:
         return rf"\operatorname{{{self._name()}}}"
 

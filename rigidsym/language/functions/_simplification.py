@@ -91,7 +91,7 @@ def _reduced(expression: Any) -> Any:
     """
     if not isinstance(expression, (Add, Mul)):
         return expression
-    if isinstance(expression, Mul) and not fraction(expression)[1].has(Add):
+    if isinstance(expression, Mul) and not fraction(expression)[1].has(Add, JacobiFunction):
         return expression
     found = expression.atoms(jacobi_sn, jacobi_cn, jacobi_dn)
     arguments = sorted({x.args for x in found}, key=default_sort_key)

@@ -456,6 +456,14 @@ def test_other_languages_are_refused(function, language):
         REFUSED[language](function(u, m))
 
 
+def test_mathematica_and_maple_have_these_functions():
+    assert sp.mathematica_code(jacobi_sn(u, m) ** 2) == "JacobiSN[u, m]^2"
+    assert sp.mathematica_code(jacobi_am(2 * u, m)) == "JacobiAmplitude[2*u, m]"
+    assert sp.maple_code(jacobi_dn(u, m) + 1) == "JacobiDN(u, sqrt(m)) + 1"  # by the modulus
+    with pytest.raises(NotImplementedError, match="no such function"):
+        sp.maple_code(jacobi_epsilon(u, m))
+
+
 def test_languages_take_the_callers_function():
     one, own = jacobi_sn(u, m) ** 2, {"jacobi_sn": "my_sn"}
     assert sp.ccode(one, user_functions=own) == "pow(my_sn(u, m), 2)"

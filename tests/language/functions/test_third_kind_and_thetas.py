@@ -93,6 +93,11 @@ def test_parts_that_vanish():
         theta_re(5, x, y, q, 0)
 
 
+def test_mathematica_is_refused():
+    with pytest.raises(NotImplementedError, match=r"jacobi_pi: .* has no such function"):
+        sp.mathematica_code(jacobi_pi(*sp.symbols("n u m")))
+
+
 def test_latex():
     assert sp.latex(jacobi_pi(n, u, m)) == (
         r"\Pi\left(n; \operatorname{am}\left(u \mid m\right) \mid m\right)"
