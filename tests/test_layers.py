@@ -4,8 +4,10 @@ import sys
 
 import numpy as np
 import pytest
+from document_texts import blocks
 
 from rigidsym import InputError, TorqueFreeMotion, propagate, step
+from rigidsym import _layers as layers
 
 DRAW = np.random.default_rng(8)
 COUNT, TIMES = 20, np.arange(7.0)
@@ -175,6 +177,44 @@ def test_sensitivities_of_dask_and_dask_in_xarray(da, labelled):
     assert isinstance(q.data, da.Array)
     assert q.chunksizes["body"] == (6, 6, 6, 2)
     same((q, omega), STATES)
+
+
+def test_every_block_is_computed_once(da, monkeypatch):
+    called, block = [], layers._block
+
+    def counted(*blocks, **more):
+        called.append(len(blocks[0]))
+        return block(*blocks, **more)
+
+    monkeypatch.setattr(layers, "_block", counted)
+    lazy = da.from_array(INERTIA, chunks=7)
+    for q, omega in (propagate(lazy, RATES[0], TIMES), step(lazy, ATTITUDES[0], RATES[0], 0.1)):
+        assert not called
+        da.compute((q**2).sum(), omega.mean(), scheduler="synchronous")
+        assert sorted(called) == [6, 7, 7]
+        called.clear()
+
+
+def test_the_page_on_many_bodies_runs(tmp_path, monkeypatch):
+    """Run its code with few bodies, and without the cluster."""
+    for name in ("dask.array", "distributed", "zarr", "xarray"):
+        pytest.importorskip(name, reason=f"{name} is not installed (extra dev)")
+    code = "".join(blocks("python no-run", "many.md"))
+    for line, given in (
+        ('client = Client("tcp://host:8786")  # the address of dask scheduler', ""),
+        ("1_000_000_000, 1_000_000", "100, 25"),
+        ('zarr.create_array("q.zarr"', 'zarr.create_array("q2.zarr"'),
+        ('zarr.create_array("omega.zarr"', 'zarr.create_array("omega2.zarr"'),
+        ("out = (", "inertia, omega0 = da.compute(inertia, omega0)\nout = ("),
+    ):
+        assert code.count(line) == 1
+        code = code.replace(line, given)
+    monkeypatch.chdir(tmp_path)
+    scope = {"names": [f"debris {k}" for k in range(100)], "times": TIMES}
+    exec(code, scope)
+    q, omega = propagate(scope["inertia"], scope["omega0"], [600.0])
+    same((*scope["outputs"], *scope["out"]), (q, omega, q, omega))
+    assert scope["omega"].dims == ("body", "t", "axis")
 
 
 def test_chunks_of_unknown_size(da):

@@ -100,6 +100,8 @@ def floats(value: object, length: int) -> tuple[float, ...] | None:
 
     Returns None for a vector that needs them.
     """
+    if type(value) is np.ndarray and value.shape != (length,):
+        return None  # before its numbers are listed, which takes long for many bodies
     listed = value.tolist() if type(value) is np.ndarray else value
     if not isinstance(listed, (tuple, list)) or len(listed) != length:
         return None

@@ -71,6 +71,7 @@ def main() -> None:
         def reduced(*arrays: Any) -> None:
             da.compute(*((x**2).mean(axis=0) for x in arrays))
 
+        reduced(*(x[: 10 * given.workers] for x in drawn))  # imports of the workers
         row("the bodies drawn, reduced", count, client, lambda: reduced(*drawn))
         row("and propagate, reduced", count, client, lambda: reduced(q, omega))
         row("and step, reduced", count, client, lambda: reduced(*after))

@@ -64,6 +64,18 @@ def test_the_rule_for_many_is_the_exact_one(middle, octaves, steps):
     assert batches._are_impossible(np.array([[high, low, middle]])).tolist() == [not exists]
 
 
+def test_arrays_of_many_bodies_are_not_listed():
+    """To see that they are not one body, `step` made lists of all their numbers."""
+    many = np.ones((100_000, 3))
+    tracemalloc.start()
+    found = batches.floats(many, 3), batches.floats(many[:3], 3), batches.moments(many)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert found == (None,) * 3
+    assert peak < 10_000
+    assert batches.floats(many[0], 3) == (1.0, 1.0, 1.0)
+
+
 def test_errors_as_nan_leave_the_others_as_they_are(engine):
     inertia = np.tile(BODY, (8, 1))
     omega0, attitude0 = np.tile(RATES, (8, 1)), np.tile((1.0, 0, 0, 0), (8, 1))
