@@ -76,6 +76,7 @@ def fit(options: Namespace) -> int:
     Returns 1 if the fit does not converge or does not agree with the observations.
     """
     from rigidsym.fitting import fit, load
+    from rigidsym.fitting._layout import options_for
 
     if options.output:
         probe(options.output)
@@ -94,6 +95,9 @@ def fit(options: Namespace) -> int:
         for one in found.tables():
             table(*one)
 
+    for reading in found.agreement.readings if file.is_table and not options.units else ():
+        if proposed := options_for(reading.name):
+            say(f"to read {reading.name}, add {proposed}")
     if options.json and (found.agreement.message or found.nonlinearity.flagged):
         say(found.title)
     deliver(options, found, show)

@@ -164,7 +164,11 @@ TABLE: dict[str, tuple[str, str, dict[str, Any]]] = {
         {},
     ),
     "direction": ("D", "of attitudes: body-to-inertial by default, or inertial-to-body", {}),
-    "axis": ("AXIS", "what directions show; needed for them: spin, or X,Y,Z in the body", {}),
+    "axis": (
+        "AXIS",
+        "what directions show, needed for them: spin or, in the body, as --axis=-1,0,0",
+        {},
+    ),
     "allow": ("A,…", "missing, unsorted, repeated: what lines may be; by default none", {}),
     "delimiter": ("C", "a comma by default; a character, tab or space", {}),
     "decimal": ("C", "decimal mark, a point by default, or a comma", {}),

@@ -36,13 +36,14 @@ class ObservationFile:
     """The content of an observation file.
 
     It has the observations by kind, the options of the fit, the epoch of t = 0, and notes on what
-    was not read.
+    was not read.  is_table: whether it was a table of text.
     """
 
     observations: Mapping[str, list[Observations]]
     options: Mapping[str, Any] = field(default_factory=dict)
     epoch: str | None = None
     notes: tuple[str, ...] = ()
+    is_table: bool = False
 
     def arguments(self) -> dict[str, Any]:
         """Return the content of the file as keyword arguments of `rigidsym.fit`."""
@@ -139,7 +140,8 @@ def load(
     if ending not in (*TABLES, ".toml", ".aem"):
         rule = f"must end in {', '.join(TABLES)}, .toml or .aem, or be one of: {', '.join(OWN)}"
         raise InputError("observations", name, rule)
-    content = files.read_text("observations", path, encoding)
+    step = "add --encoding cp1252, utf-16 or another" if ending in TABLES else ""
+    content = files.read_text("observations", path, encoding, step)
     if ending == ".toml":
         return parse_toml(content, path.parent)
     return parse_table(content, layout) if ending in TABLES else parse_message(content, layout)
@@ -148,7 +150,7 @@ def load(
 def parse_table(content: str, layout: Layout | None = None) -> ObservationFile:
     """Parse observations in a table of text."""
     found = read(content, layout or Layout())
-    return ObservationFile(found.observations, epoch=found.epoch, notes=found.notes)
+    return ObservationFile(found.observations, {}, found.epoch, found.notes, True)
 
 
 def parse_toml(content: str, folder: Path | None = None) -> ObservationFile:

@@ -14,6 +14,23 @@ DIRECTIONS = ("body-to-inertial", "inertial-to-body")
 ALLOWED = ("missing", "unsorted", "repeated")
 "What `allow` permits: lines with missing numbers, out of order, or at the time of another."
 _MOST_LINES = 10**9
+# Options by the convention that `Agreement.readings` name.
+_CONVENTIONS = {
+    "attitudes scalar last": "--attitude quaternion-scalar-last",
+    "attitudes inertial to body": "--direction inertial-to-body",
+    "attitudes scalar last and inertial to body": "--attitude quaternion-scalar-last "
+    "--direction inertial-to-body",
+    "rates in degrees": "--units rate=deg/s",
+    "rates in degrees a day": "--units rate=deg/d",
+    "rates in revolutions": "--units rate=turn/s",
+    "rates in revolutions a minute": "--units rate=rpm",
+    "rates in rad/min": "--units rate=rad/min",
+    "rates in rad/h": "--units rate=rad/h",
+    "times in ms, or rates in mrad/s": "--units time=ms",
+    "times in min": "--units time=min",
+    "times in h": "--units time=h",
+    "times in days": "--units time=d",
+}
 FIRST = "first"
 "The epoch that is the first time of a table."
 _SINGULAR = {"attitude": "attitudes", "rate": "rates", "vector": "vectors", "direction": "vectors"}
@@ -84,3 +101,16 @@ class Layout:
         vars(self).update(
             names=pairs("columns", self.columns), factors=units, errors=errors, allowed=allowed
         )
+
+
+def options_for(reading: str) -> str:
+    """Return the options that read a table in the conventions of an `Agreement`'s reading.
+
+    The text is empty where there is no option for one of them.
+    """
+    found = []
+    for name in sorted(_CONVENTIONS, key=len, reverse=True):
+        if name in reading:
+            reading = reading.replace(name, "", 1)
+            found.append(_CONVENTIONS[name])
+    return "" if reading.strip(", ") else " ".join(sorted(found))

@@ -31,10 +31,11 @@ def probe(directory: Path) -> None:
         raise InputError("output", directory, f"cannot be written: {error.strerror}") from None
 
 
-def read_text(field: str, path: str | Path, encoding: str = "utf-8") -> str:
+def read_text(field: str, path: str | Path, encoding: str = "utf-8", next_step: str = "") -> str:
     """Return the text of a user's file.
 
-    Raises InputError if the file cannot be read, or does not have the encoding.
+    Raises InputError if the file cannot be read, or does not have the encoding: next_step is then
+    what to do.
     """
     try:
         return Path(path).read_text(encoding)
@@ -43,7 +44,8 @@ def read_text(field: str, path: str | Path, encoding: str = "utf-8") -> str:
     except LookupError:
         raise InputError("encoding", repr(encoding), "is no encoding of text") from None
     except UnicodeError:
-        raise InputError(field, path, f"is not {encoding.upper()} text") from None
+        rule = f"is not {encoding.upper()} text"
+        raise InputError(field, path, rule, next_step=next_step) from None
 
 
 def parse_toml(field: str, text: str) -> TomlTable:

@@ -137,7 +137,9 @@ def test_the_command_says_so_and_exits_1(tmp_path, monkeypatch, capsys):
     (tmp_path / "seen.csv").write_text("\n".join(lines))
     asked = ["fit", "seen.csv", "--sigma", f"attitudes={SIGMA}", "--starts", str(STARTS)]
     assert main(asked) == 1
-    assert "MODEL AND DATA DISAGREE" in capsys.readouterr().out
+    out, err = capsys.readouterr()
+    assert "MODEL AND DATA DISAGREE" in out
+    assert "to read attitudes scalar last, add --attitude quaternion-scalar-last\n" in err
     assert main([*asked, "--json"]) == 1
     out, err = capsys.readouterr()
     assert "MODEL AND DATA DISAGREE" in err

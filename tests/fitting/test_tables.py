@@ -13,9 +13,10 @@ from six_files import FILES
 
 import rigidsym.fitting
 from rigidsym.errors import InputError
-from rigidsym.fitting import load
+from rigidsym.fitting import Attitudes, load
+from rigidsym.fitting._agreement import _RATES
 from rigidsym.fitting._files import parse_table, parse_toml
-from rigidsym.fitting._layout import Layout
+from rigidsym.fitting._layout import Layout, options_for
 from rigidsym.fitting._names import SEQUENCES
 from rigidsym.fitting._units import factor, measured
 from rigidsym.io import _epochs as epochs
@@ -179,6 +180,24 @@ def test_lines_are_left_out_and_moved_where_that_is_allowed():
     assert seen.t.tolist() == [2, 3]
     assert seen.seen.tolist() == [[1, 0, 0, 0]] * 2
     assert found.notes == ("lines left out or moved: 2 missing, 1 unsorted, 1 repeated",)
+
+
+def test_every_other_convention_has_an_option():
+    for name in [*_RATES, *(f"attitudes {x}" for x in Attitudes.conventions if x)]:
+        assert options_for(name).startswith("--"), name
+    both = "attitudes inertial to body, times in ms, or rates in mrad/s"
+    assert options_for(both) == "--direction inertial-to-body --units time=ms"
+    assert options_for("attitudes scalar last, rates along inertial axes") == ""
+
+
+def test_another_encoding_is_asked_for_and_read(tmp_path):
+    path = tmp_path / "gyro.csv"
+    text = "t,omega1 [°/s],omega2 [°/s],omega3 [°/s]\n0,180,0,0\n1,0,180,0\n"
+    path.write_bytes(text.encode("cp1252"))
+    refused(lambda: load(path, sigma="rates=1"), "is not UTF-8 text (add --encoding cp1252, utf-16")
+    refused(lambda: load(path, encoding="x"), "encoding = 'x': is no encoding of text")
+    (rates,) = load(path, sigma="rates=1", encoding="cp1252").observations["rates"]
+    assert rates.seen[0, 0] == np.pi
 
 
 # What is in the file, the options given, and the end of the one line that is printed.
