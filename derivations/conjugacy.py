@@ -12,10 +12,18 @@ from typing import Any
 import sympy
 from sympy import ImmutableMatrix, MatrixExpr
 
-from derivations.euler_lax import MOMENTA, RATES, Dynamics
-from derivations.lie_algebra import A, Algebra, M, R, combination
+from derivations.euler_lax import MOMENTA, RATES, Dynamics, H
+from derivations.lie_algebra import MOMENTUM_MATRIX, A, Algebra, M, R
 from derivations.setting import Setting
-from rigidsym.proof.algebra import LedgerBuilder, Part, circle, double_angle, half_angle, join
+from rigidsym.proof.algebra import (
+    LedgerBuilder,
+    Part,
+    circle,
+    double_angle,
+    half_angle,
+    join,
+    named,
+)
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps import (
     SIZE,
@@ -30,13 +38,11 @@ from rigidsym.proof.steps import (
 from rigidsym.proof.steps._names import Dictionary, symbol, symbols
 
 MOMENTUM = Part({"K": "|M|, kg m^2 rad/s"}, units=("K",))
+K, PHI, PHI_RATES = symbol("K"), symbols("phi1 phi2 phi3"), symbols("phi1_rate phi2_rate phi3_rate")
 TURNING = Part(
-    tuple(f"phi{k}_rate" for k in (1, 2, 3)),
-    rates={f"phi{k}_rate": "?" for k in (1, 2, 3)},
-    reading={f"phi{k}_rate": f"d phi{k}/dt, rad/s" for k in (1, 2, 3)},
+    {rate: f"d {phi}/dt, rad/s" for rate, phi in zip(PHI_RATES, PHI, strict=True)},
+    rates=dict.fromkeys(PHI_RATES, "?"),
 )
-K = symbol("K")
-PHI = symbols("phi1 phi2 phi3")
 E1, E2, E3 = map(matrix, ("E1", "E2", "E3"))
 
 
@@ -134,16 +140,14 @@ def derive(builder: LedgerBuilder) -> None:
     parts, target = turns(setting), A[setting.target - 1]
     matrices = {**algebra.basis, **rotation(setting)}
     scope = Scope.open(builder, "three_angles", MOMENTUM, TURNING, *parts, matrices=matrices)
-    first = A[setting.sequence[0] - 1]
-    rate = symbol("phi1_rate")
-    why = "a turn about a fixed axis"
-    multiply(scope, "three_angles.exponential", Rate(E1), rate * first * E1, why, [25])
+    first, turned = A[setting.sequence[0] - 1], "a turn about a fixed axis"
+    multiply(scope, "exponential", Rate(E1), PHI_RATES[0] * first * E1, turned, [25])
     one, why = sympy.Identity(SIZE), "R is unitary"
-    multiply(scope, "three_angles.inverse", R * R.adjoint(), one, why, [1, 25])
+    multiply(scope, "inverse", R * R.adjoint(), one, why, [1, 25])
     why = "the first turn leaves its own axis where it is"
-    multiply(scope, "three_angles.stabiliser", E1 * first * E1.I, first, why, [25])
+    multiply(scope, "stabiliser", E1 * first * E1.I, first, why, [25])
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
-    seen = coordinates(scope, "three_angles.momentum", R.I * target * R, A, why, [24, 26])
+    seen = coordinates(scope, "momentum", R.I * target * R, A, why, [24, 26])
     momenta = builder.result(Dynamics).momenta
     reduction = Reduction(seen.value, momenta, matrices, parts, circles(setting))
     builder.keep(reduction)
@@ -156,21 +160,21 @@ def _reduced(builder: LedgerBuilder, reduction: Reduction) -> None:
     setting, given = builder.result(Algebra).setting, builder.result(Dynamics).parameters
     parts = (given, MOMENTUM, *reduction.angles)
     body = by_angles(builder, reduction, *parts)
-    matrices = {**reduction.matrices, "M": combination("M1 M2 M3")}
+    matrices = {**reduction.matrices, **MOMENTUM_MATRIX}
     scope = Scope.open(builder, "reduced", *parts, body, matrices=matrices, static=True)
     target = A[setting.target - 1]
     why = "with these components of M, R turns M onto the axis"
-    multiply(scope, "reduced.conjugate", R * M * R.I, K * target, why, [23])
-    multiply(scope, "reduced.momentum", M, K * (R.I * target * R), "and back", [24])
+    multiply(scope, "conjugate", R * M * R.I, K * target, why, [23])
+    multiply(scope, "momentum", M, K * (R.I * target * R), "and back", [24])
 
 
 def by_angles(builder: LedgerBuilder, reduction: Reduction, *parts: Part) -> Part:
     """Return the body whose momentum is K times the direction."""
     dynamics = builder.result(Dynamics)
     text = Dictionary(join("by_angles", *parts, static=True)).text
-    seen: Any = {m: K * x for m, x in zip(MOMENTA, reduction.direction, strict=True)}
-    rates = {str(rate): text(compute(dynamics.velocities[rate]).subs(seen)) for rate in RATES}
-    known = {name: dynamics.body.definitions[name] for name in ("M1", "M2", "M3", "H")}
+    seen: Any = named(MOMENTA, (K * x for x in reduction.direction))
+    rates = {rate: text(compute(dynamics.velocities[rate]).subs(seen)) for rate in RATES}
+    known = {name: dynamics.body.definitions[name] for name in (*MOMENTA, H)}
     return Part(definitions={**rates, **known})
 
 
@@ -181,26 +185,19 @@ def _angles(builder: LedgerBuilder, reduction: Reduction) -> None:
     last, middle, third = (reduction.direction[axis] for axis in axes)
     along, across = setting.nutation(PHI[1])
     name = f"{across.func}_phi2"
-    free = Part(
-        ("M1", "M2", "M3", name),
-        units=(name,),
-        reading={name: str(across)},
-    )
+    free = Part((*MOMENTA, name), units=(name,), reading={name: str(across)})
     unknown: list[sympy.Expr] = [along]
     unknown += [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     names = (f"{along.func}_phi2", "cos_phi3", "sin_phi3")
-    angles = Part(
-        names,
-        reading=dict(zip(names, map(str, unknown), strict=True)),
-    )
+    angles = Part(names, reading=named(names, map(str, unknown)))
     scope = Scope.open(builder, "compared", MOMENTUM, free, angles, static=True)
     M_last, M_middle, M_third = (MOMENTA[axis] for axis in axes)
     why = "the component along the last axis gives phi2"
-    nutation = solve(scope, "compared.phi2", [(M_last, K * last)], unknown[:1], why, [27])
+    nutation = solve(scope, "phi2", [(M_last, K * last)], unknown[:1], why, [27])
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
-    found = solve(scope, "compared.phi3", equations, unknown[1:], why, [28])
+    found = solve(scope, "phi3", equations, unknown[1:], why, [28])
     cosine, sine = unknown[1:]
-    momenta = dict(zip(MOMENTA, reduction.momenta, strict=True))
+    momenta = named(MOMENTA, reduction.momenta)
     quotient = (found.found[sine] / found.found[cosine]).cancel().subs(momenta)
     by_momentum = {along: nutation.found[along], **{x: found.found[x] for x in (cosine, sine)}}
     builder.keep(Angles(by_momentum[along].subs(momenta), quotient, by_momentum))

@@ -10,7 +10,7 @@ a factor: its roots are the principal moments.
 
 import sympy
 
-from derivations.euler_lax import RATES, Dynamics
+from derivations.euler_lax import RATES, Dynamics, H
 from derivations.lie_algebra import Algebra
 from derivations.setting import AXES
 from rigidsym.proof.algebra import LedgerBuilder, Part, part_of
@@ -18,7 +18,7 @@ from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import Scope, eliminate, rate_of, rewrite
 from rigidsym.proof.steps._names import read, symbol, symbols
 
-H, K_SQUARED, X = symbols("H K_squared x")
+K_SQUARED, X = symbols("K_squared x")
 
 
 def gyrostat(builder: LedgerBuilder) -> None:
@@ -34,12 +34,12 @@ def gyrostat(builder: LedgerBuilder) -> None:
 
 def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
     """Return 2 H and K^2 as quadrics in the rates."""
-    return 2 * read(dynamics.body.definitions["H"]), sympy.Add(*(m**2 for m in dynamics.momenta))
+    return 2 * read(dynamics.body.definitions[H]), sympy.Add(*(m**2 for m in dynamics.momenta))
 
 
 def _along(builder: LedgerBuilder, dynamics: Dynamics, axis: int) -> None:
     body = builder.ledger.contexts["body"]
-    names = (*map(str, RATES), *dynamics.body.definitions)
+    names = (*map(str, RATES), *map(str, dynamics.body.definitions))
     parts = (dynamics.parameters, part_of(body, *names))
     scope = Scope.open(builder, "gyrostat", *parts)
     rate = scope.rate(RATES[axis])
@@ -48,7 +48,7 @@ def _along(builder: LedgerBuilder, dynamics: Dynamics, axis: int) -> None:
     why = "the rate along the wheel, squared, two rates eliminated by H and K: a quartic"
     equations = [2 * H - energy, K_SQUARED - momentum]
     squared = rate_of(RATES[axis]) ** 2
-    eliminate(scope, "gyrostat.quartic", rate**2, equations, squares, why, [14], squared)
+    eliminate(scope, "quartic", rate**2, equations, squares, why, [14], squared)
 
 
 def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
@@ -60,7 +60,7 @@ def _pencil(builder: LedgerBuilder, dynamics: Dynamics) -> None:
     matrix = X * _matrix(_quadrics(dynamics)[0], 2 * H) - _matrix(_quadrics(dynamics)[1], K_SQUARED)
     leibniz = matrix.applyfunc(sympy.factor).det(method="berkowitz")
     why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
-    rewrite(scope, "pencil.quartic", leibniz, compute(leibniz).factor(), why, [14])
+    rewrite(scope, "quartic", leibniz, compute(leibniz).factor(), why, [14])
 
 
 def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:

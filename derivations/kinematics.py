@@ -12,20 +12,15 @@ from typing import Any
 import sympy
 
 from derivations.conjugacy import MOMENTUM, PHI, TURNING, K, Reduction, by_angles
-from derivations.euler_lax import MOMENTA, RATES, Dynamics
-from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
-from rigidsym.proof.algebra import LedgerBuilder, Part
+from derivations.conjugacy import PHI_RATES as UNKNOWN
+from derivations.euler_lax import BODY_RATES, MOMENTA, RATES, Dynamics, H
+from derivations.lie_algebra import MOMENTUM_MATRIX, VELOCITY, A, Algebra, M, Omega, R, commutator
+from rigidsym.proof.algebra import LedgerBuilder, Part, named
 from rigidsym.proof.algebra._computation import Computation
 from rigidsym.proof.steps import Rate, Scope, coordinates, eliminate, multiply, rewrite, solve
-from rigidsym.proof.steps._names import read, symbol, symbols
+from rigidsym.proof.steps._names import read
 
-H = symbol("H")
-UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
-BODY_RATES = Part(
-    ("Omega1", "Omega2", "Omega3"),
-    rates={f"Omega{k}": "?" for k in (1, 2, 3)},
-    reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
-)
+ANY_RATES = Part(BODY_RATES, rates=dict.fromkeys(RATES, "?"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,12 +35,12 @@ class Phi1:
 def derive(builder: LedgerBuilder) -> None:
     """Prove R^-1 R', (30) to (33), and that all together is a motion."""
     reduction = builder.result(Reduction)
-    parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
+    parts = (MOMENTUM, TURNING, ANY_RATES, *reduction.angles)
     scope = Scope.open(builder, "turning", *parts, matrices=reduction.matrices)
     why = "the velocity in the body, multiplied out"
-    velocity = coordinates(scope, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
-    unknown = Part((*map(str, UNKNOWN),), reading=TURNING.reading)
-    scope = Scope.open(builder, "velocity", BODY_RATES, unknown, *reduction.circles, static=True)
+    velocity = coordinates(scope, "velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
+    unknown = Part(UNKNOWN, reading=TURNING.reading)
+    scope = Scope.open(builder, "velocity", ANY_RATES, unknown, *reduction.circles, static=True)
     equations = list(zip(RATES, velocity.value, strict=True))
     why = "R' = R Omega, solved for the rates of the angles"
     rates = solve(scope, "rates.angles", equations, UNKNOWN, why, [3, 30, 31])
@@ -54,7 +49,7 @@ def derive(builder: LedgerBuilder) -> None:
     setting = builder.result(Algebra).setting
     along = setting.sequence[2] - 1
     why = "phi3' without a denominator"
-    last = solve(scope, "velocity.phi3", [equations[along]], UNKNOWN[2:], why, [3])
+    last = solve(scope, "phi3", [equations[along]], UNKNOWN[2:], why, [3])
     _motion(builder, reduction, found, rates[UNKNOWN[1]], last[UNKNOWN[2]])
 
 
@@ -65,34 +60,32 @@ def _phi1(builder: LedgerBuilder, reduction: Reduction, rate: Computation) -> Ph
     base = Scope.open(
         builder, "on_momentum", *parts, by_angles(builder, reduction, *parts), static=True
     )
-    momenta: Any = dict(zip(MOMENTA, dynamics.momenta, strict=True))
+    momenta: Any = named(MOMENTA, dynamics.momenta)
     put_in: Any = {rate: base.read(base.context.definitions[str(rate)]) for rate in RATES}
     by_phi = rate.subs(put_in).apply(base.reduced)
     why = "phi1' with the momentum put in"
     units = Part(units=tuple(map(base.text, base.divisors(rate.value))))
-    named = Part(definitions={"phi1_rate": base.text(rate)})
+    known = Part(definitions={UNKNOWN[0]: base.text(rate)})
     body = by_angles(builder, reduction, *parts)
-    line = Scope.open(builder, "line32", *parts, units, body, named, static=True)
-    rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, [32], "substitute")
+    line = Scope.open(builder, "line32", *parts, units, body, known, static=True)
+    rewrite(line, "by_angles", UNKNOWN[0], by_phi, why, [32], "substitute")
     by_momentum = _by_momentum(builder, reduction, rate)
     quotient = by_momentum.subs(momenta).apply(base.reduced)
     why = "phi1' with the momentum in the place of the angles"
-    found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, [32], "substitute")
+    found = rewrite(line, "rate", UNKNOWN[0], quotient, why, [32], "substitute")
     if not found.value.has(*RATES):  # equal moments across the last axis
         return Phi1(found.value, by_phi.value, base.divisors(by_phi.value))
     setting = builder.result(Algebra).setting
     _, middle, third = (axis - 1 for axis in setting.axes)
     given, unknown = found.value, [RATES[middle] ** 2, RATES[third] ** 2]
-    equations = [2 * H - 2 * read(dynamics.body.definitions["H"]), K**2 - _square(dynamics.momenta)]
+    equations = [2 * H - 2 * read(dynamics.body.definitions[H]), K**2 - _square(dynamics.momenta)]
     why = "two rates eliminated by H and K"
     if not setting.about_principal_axes or setting.alike(middle + 1, third + 1):
         given, unknown = by_momentum.value, [MOMENTA[middle] * RATES[middle], MOMENTA[middle] ** 2]
         triples = zip(MOMENTA, setting.wheel(), RATES, strict=True)
         equations = [2 * H - sum((m - h) * w for m, h, w in triples), K**2 - _square(MOMENTA)]
         why = "the momentum across the last axis eliminated by H and K"
-    eliminated = eliminate(
-        line, "line32.by_invariants", given, equations, unknown, why, [33], UNKNOWN[0]
-    )
+    eliminated = eliminate(line, "by_invariants", given, equations, unknown, why, [33], UNKNOWN[0])
     return Phi1(eliminated.value, by_phi.value, base.divisors(by_phi.value))
 
 
@@ -121,20 +114,11 @@ def _motion(
     parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
     body = by_angles(builder, reduction, *parts)
     text = Scope(builder, builder.ledger.contexts["turning"], {}).text
-    rates = Part(
-        definitions={
-            name: text(value)
-            for name, value in zip(map(str, UNKNOWN), (found.by_angles, phi2, phi3), strict=True)
-        }
-    )
-    matrices = {
-        **reduction.matrices,
-        "M": combination("M1 M2 M3"),
-        "Omega": combination("Omega1 Omega2 Omega3"),
-    }
+    rates = Part(definitions=named(UNKNOWN, map(text, (found.by_angles, phi2, phi3))))
+    matrices = {**reduction.matrices, **MOMENTUM_MATRIX, **VELOCITY}
     units = Part(units=tuple(map(text, found.divisors)))
     scope = Scope.open(builder, "three_angle_motion", *parts, units, body, rates, matrices=matrices)
     why = "angles that move so carry a motion"
-    multiply(scope, "three_angle_motion.kinematics", Rate(R), R * Omega, why, [3, 25])
+    multiply(scope, "kinematics", Rate(R), R * Omega, why, [3, 25])
     why = "whose rates satisfy Euler's equations"
-    multiply(scope, "three_angle_motion.euler", Rate(M), commutator(M, Omega), why, [5, 7])
+    multiply(scope, "euler", Rate(M), commutator(M, Omega), why, [5, 7])

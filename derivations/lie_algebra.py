@@ -9,42 +9,25 @@ of (1) in a derivation with matrices of SO(3).
 from dataclasses import dataclass
 
 import sympy
-from sympy import ImmutableMatrix, MatAdd, MatrixExpr
+from sympy import ImmutableMatrix, MatAdd, MatrixExpr, Symbol
 
-from derivations.setting import AXES, Setting, su2
-from rigidsym.proof.algebra import LedgerBuilder, Part
+from derivations.setting import AXES, MOMENTA, RATES, Setting, su2
+from rigidsym.proof.algebra import LedgerBuilder, Part, named, unit_quaternion
 from rigidsym.proof.algebra._quaternion import product
 from rigidsym.proof.steps import SIZE, Scope, coordinates, determinant, matrix, multiply
 from rigidsym.proof.steps._names import symbols
 
-UNIT_QUATERNION = Part(
-    ("q0", "q1", "q2", "q3"),
-    relations=("q3**2 + q2**2 + q1**2 + q0**2 - 1",),
-    reading={f"q{k}": f"component {k} of a unit quaternion" for k in range(4)},
-)
+UNIT_QUATERNION = unit_quaternion("q", "a unit quaternion")
 PAIR = Part(
-    (
-        "q0",
-        "q1",
-        "q2",
-        "q3",
-        "p0",
-        "p1",
-        "p2",
-        "p3",
-        "Omega1",
-        "Omega2",
-        "Omega3",
-    ),
-    reading={
+    {
         **{f"{name}{k}": f"component {k} of a quaternion" for name in "qp" for k in range(4)},
-        **{f"Omega{k}": f"body rate about axis {k}" for k in (1, 2, 3)},
-    },
+        **{rate: f"body rate about axis {k}" for k, rate in zip(AXES, RATES, strict=True)},
+    }
 )
 # 1, i, j, k as matrices, by (1) and (2).
 UNITS = {f"e{k}": su2(unit) for k, unit in enumerate(sympy.eye(4).tolist())}
 e = tuple(map(matrix, UNITS))
-A = tuple(map(matrix, ("A1", "A2", "A3")))
+A = A1, A2, A3 = tuple(map(matrix, ("A1", "A2", "A3")))
 R, M, Omega, P, Q, S = map(matrix, ("R", "M", "Omega", "P", "Q", "S"))
 
 
@@ -59,13 +42,12 @@ class Algebra:
     @property
     def basis(self) -> dict[str, ImmutableMatrix]:
         """The basis A1, A2, A3 by name."""
-        return dict(zip(("A1", "A2", "A3"), self.setting.basis(), strict=True))
+        return named(map(str, A), self.setting.basis())
 
     @property
     def attitude(self) -> Part:
         """The rates of an attitude that moves by (3)."""
-        rates = {f"q{k}": str(rate) for k, rate in enumerate(self.kinematics)}
-        return Part(rates=rates)
+        return Part(rates={f"q{k}": str(rate) for k, rate in enumerate(self.kinematics)})
 
 
 def from_quaternion(name: str) -> ImmutableMatrix:
@@ -73,10 +55,14 @@ def from_quaternion(name: str) -> ImmutableMatrix:
     return Setting().element(name)
 
 
-def combination(names: str) -> MatrixExpr:
+def combination(x1: Symbol, x2: Symbol, x3: Symbol) -> MatrixExpr:
     """Return x1 A1 + x2 A2 + x3 A3, the paper's (8)."""
-    x1, x2, x3 = symbols(names)
-    return x1 * A[0] + x2 * A[1] + x3 * A[2]
+    return x1 * A1 + x2 * A2 + x3 * A3
+
+
+# The momentum and the velocity as matrices.
+MOMENTUM_MATRIX = {"M": combination(*MOMENTA)}
+VELOCITY = {"Omega": combination(*RATES)}
 
 
 def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
@@ -98,14 +84,13 @@ def derive(builder: LedgerBuilder) -> None:
 
 def _unitary(builder: LedgerBuilder, setting: Setting) -> Algebra:
     """Read off the product of two quaternions, the brackets, and the rates of a quaternion."""
-    basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
-    pair = {"P": setting.element("p"), "Q": setting.element("q"), **UNITS, **basis}
-    matrices = {**pair, "Omega": combination("Omega1 Omega2 Omega3")}
+    pair = {"P": setting.element("p"), "Q": setting.element("q")}
+    matrices = {**pair, **UNITS, **named(map(str, A), setting.basis()), **VELOCITY}
     scope = Scope.open(builder, "quaternions", PAIR, matrices=matrices, static=True)
-    coordinates(scope, "quaternions.product", P * Q, e, "the product of two quaternions", [2])
+    coordinates(scope, "product", P * Q, e, "the product of two quaternions", [2])
     constants = _brackets(scope)
     why = "R' = R Omega in the components of a quaternion"
-    rates = coordinates(scope, "quaternions.kinematics", Q * Omega, e, why, [3])
+    rates = coordinates(scope, "kinematics", Q * Omega, e, why, [3])
     return Algebra(setting, constants, rates.value)
 
 
@@ -116,15 +101,13 @@ def _orthogonal(builder: LedgerBuilder, setting: Setting) -> Algebra:
     matrix at the identity along omega; euler_lax decides it (moving_body.kinematics).
     """
     p, q, s = (symbols(f"{x}0 {x}1 {x}2 {x}3") for x in "pqs")
-    both = Part(definitions=dict(zip(s, product(p, q), strict=True)))
-    matrices = {
-        **{x.upper(): setting.element(x) for x in "pqs"},
-        **dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True)),
-    }
+    both = Part(definitions=named(s, product(p, q)))
+    elements = {x.upper(): setting.element(x) for x in "pqs"}
+    matrices = {**elements, **named(map(str, A), setting.basis())}
     scope = Scope.open(builder, "quaternions", PAIR, both, matrices=matrices, static=True)
     why = "two rotations are one by the product of their quaternions"
-    multiply(scope, "quaternions.product", P * Q, S, why, [2])
-    rates = dict(zip(setting.order, symbols("Omega1 Omega2 Omega3"), strict=True))
+    multiply(scope, "product", P * Q, S, why, [2])
+    rates = named(setting.order, RATES)
     omega = [setting.sign * setting.factor * rates[axis] for axis in AXES]
     turning = product(q, (sympy.S.Zero, *omega))
     return Algebra(setting, _brackets(scope), turning)

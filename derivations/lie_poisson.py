@@ -10,13 +10,13 @@ Lax equation M' = [M, Omega].
 import sympy
 from sympy import MatAdd
 
-from derivations.euler_lax import MOMENTA, Dynamics
-from derivations.lie_algebra import A, Algebra, M, Omega, combination, commutator
+from derivations.euler_lax import FREE_MOMENTUM, MOMENTA, Dynamics, H, K_squared
+from derivations.lie_algebra import MOMENTUM_MATRIX, VELOCITY, A, Algebra, M, Omega, commutator
 from derivations.setting import AXES
-from rigidsym.proof.algebra import LedgerBuilder, Part
+from rigidsym.proof.algebra import LedgerBuilder, Part, named
 from rigidsym.proof.algebra._computation import compute
 from rigidsym.proof.steps import SIZE, Rate, Scope, differentiate, multiply
-from rigidsym.proof.steps._names import read, symbol
+from rigidsym.proof.steps._names import read
 
 
 def derive(builder: LedgerBuilder) -> None:
@@ -26,44 +26,34 @@ def derive(builder: LedgerBuilder) -> None:
     cyclic = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
     terms = (commutator(commutator(A[i], A[j]), A[k]) for i, j, k in cyclic)
     total, why = MatAdd(*terms, evaluate=False), "Jacobi's identity, by the commutator's"
-    multiply(scope, "lie_bracket.jacobi", total, sympy.ZeroMatrix(SIZE, SIZE), why, [4])
+    multiply(scope, "jacobi", total, sympy.ZeroMatrix(SIZE, SIZE), why, [4])
 
     body = _momenta(builder)
     rates = {}
     for j, momentum in zip(AXES, MOMENTA, strict=True):
-        along = Part(rates={m: _bracket(algebra, i, j) for i, m in zip(AXES, MOMENTA, strict=True)})
+        along = Part(rates=named(MOMENTA, (_bracket(algebra, i, j) for i in AXES)))
         scope = Scope.open(builder, f"poisson{j}", given, body, along)
         why = f"in the flow of M{j}, with M{j} in the place of H, K^2 is constant: a Casimir"
-        differentiate(scope, f"poisson{j}.casimir", symbol("K_squared"), why, [6, 7])
+        differentiate(scope, "casimir", K_squared, why, [6, 7])
         why = f"and the rate of H is the bracket of H and M{j}, by the chain rule"
-        rates[momentum] = -differentiate(scope, f"poisson{j}.energy", symbol("H"), why, [8]).found
-    matrices = {
-        **algebra.basis,
-        "M": combination("M1 M2 M3"),
-        "Omega": combination("Omega1 Omega2 Omega3"),
-    }
+        rates[momentum] = -differentiate(scope, "energy", H, why, [8]).found
+    matrices = {**algebra.basis, **MOMENTUM_MATRIX, **VELOCITY}
     velocity = Part(definitions=builder.result(Dynamics).velocities)
     scope = Scope.open(builder, "flow", given, body, velocity, Part(rates=rates), matrices=matrices)
     why = "the flow of H is the Lax equation"
-    multiply(scope, "flow.lax", Rate(M), commutator(M, Omega), why, [5, 7])
+    multiply(scope, "lax", Rate(M), commutator(M, Omega), why, [5, 7])
 
 
 def _momenta(builder: LedgerBuilder) -> Part:
     """Return free momenta with H and K^2 as their functions."""
     dynamics = builder.result(Dynamics)
-    energy = compute(read(dynamics.body.definitions["H"])).subs(dynamics.velocities)
-    return Part(
-        MOMENTA,
-        definitions={
-            "H": energy.expand().factor(),
-            "K_squared": dynamics.body.definitions["K_squared"],
-        },
-        reading={m: f"body momentum along axis {k}" for k, m in zip(AXES, MOMENTA, strict=True)},
-    )
+    energy = compute(read(dynamics.body.definitions[H])).subs(dynamics.velocities)
+    square = dynamics.body.definitions[K_squared]
+    known = {H: energy.expand().factor(), K_squared: square}
+    return Part(MOMENTA, definitions=known, reading=FREE_MOMENTUM.reading)
 
 
 def _bracket(algebra: Algebra, i: int, j: int) -> sympy.Expr:
     """Return {M_i, M_j}, of [A_i, A_j] = sum f_ijk A_k."""
-    return -sympy.Add(
-        *(f * m for f, m in zip(algebra.constants[i - 1][j - 1], MOMENTA, strict=True))
-    )
+    terms = zip(algebra.constants[i - 1][j - 1], MOMENTA, strict=True)
+    return -sympy.Add(*(f * m for f, m in terms))

@@ -22,36 +22,32 @@ from rigidsym.proof.steps._names import symbol, symbols
 K, H, ZETA, XI, MU, T = symbols("K H zeta xi mu t")
 ARGUMENT = XI * T + symbol("gamma")
 SN, DN = jacobi_sn(ARGUMENT, MU), jacobi_dn(ARGUMENT, MU)
+sn, dn, n, Pi, phi1, kappa, theta = symbols("sn dn n Pi phi1 kappa theta")
 FUNCTIONS = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
-AMPLITUDE = Part(
-    {"theta": "jacobi_am(xi*t + gamma, mu)"},
-    rates={"theta": "xi*dn"},
-)
+AMPLITUDE = Part({theta: "jacobi_am(xi*t + gamma, mu)"}, rates={theta: XI * dn})
 
 
 def constants(axis: int, moment: str = "") -> Part:
     """Return a moment of inertia, the invariants, and constants of zeta sn(xi t + gamma | mu)."""
-    moment = moment or f"c{axis}"
+    c = symbol(moment or f"c{axis}")
     return Part(
-        (moment, "H", "K", "zeta", "xi", "mu"),
-        units=(moment, "K"),
+        (c, H, K, ZETA, XI, MU),
+        units=(c, K),
         reading={
-            "H": "kinetic energy, J",
-            "K": "|M|, kg m^2 rad/s",
-            "zeta": f"amplitude of Omega{axis}, rad/s",
-            "xi": "rate of the argument, rad/s",
-            "mu": "parameter (k^2) of the Jacobi functions",
+            H: "kinetic energy, J",
+            K: "|M|, kg m^2 rad/s",
+            ZETA: f"amplitude of Omega{axis}, rad/s",
+            XI: "rate of the argument, rad/s",
+            MU: "parameter (k^2) of the Jacobi functions",
         },
     )
 
 
 def sine(axis: int, moment: str = "") -> Part:
     """Return a rate that is zeta sn, with K^2 - (c Omega)^2 never zero."""
-    momentum = f"{moment or f'c{axis}'}*zeta*sn"
-    return Part(
-        units=(f"K - {momentum}", f"K + {momentum}"),
-        definitions={f"Omega{axis}": "zeta*sn"},
-    )
+    momentum = symbol(moment or f"c{axis}") * ZETA * sn
+    units = (K - momentum, K + momentum)
+    return Part(units=units, definitions={RATES[axis - 1]: ZETA * sn})
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,47 +73,32 @@ def derive(builder: LedgerBuilder) -> None:
     put_in = integrand.subs(RATES[axis - 1], ZETA * SN)
     split = apart(put_in, SN**2)
     why = "with the rate put in, partial fractions in sn^2"
-    rewrite(scope, "sine_motion.split", integrand, split, why, [34], "partial_fractions")
+    rewrite(scope, "split", integrand, split, why, [34], "partial_fractions")
 
     found = split.apply(_parameter)
-    n = found.value
     table = Part(
-        {"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
-        definitions={"n": found},
-        rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
-        units=("xi",),
+        {Pi: "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", T: "time, s"},
+        definitions={n: found},
+        rates={Pi: compute(XI / (1 - n * sn**2)).ordered("xi n"), T: 1},
+        units=(XI,),
     )
     scope = Scope.open(builder, "table", *given, table)
-    rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
+    rates = {T: sympy.S.One, Pi: XI / (1 - found.value * SN**2)}
     why = "integrated term by term, by the table that has the rate of Pi"
-    phi1 = integrate(scope, "table.phi1", split, rates, why, [19, 36])
-    factor = phi1.found.coeff(symbol("Pi"))
-    kappa = symbol("kappa")
-    named = Part(
-        definitions={
-            kappa: factor,
-            "phi1": phi1.found.subs(factor * symbol("Pi"), kappa * symbol("Pi")),
-        }
-    )
+    total = integrate(scope, "phi1", split, rates, why, [19, 36]).found
+    factor = total.coeff(Pi)
+    named = Part(definitions={kappa: factor, phi1: total.subs(factor * Pi, kappa * Pi)})
     scope = Scope.open(builder, "third_kind", *given, table, named)
-    why = "so phi1 has the rate (33)"
-    rewrite(
-        scope,
-        "third_kind.phi1",
-        rate_of(symbol("phi1")),
-        integrand,
-        why,
-        [19, 33],
-        "differentiate",
-        law="(33), which phi1 was integrated from",
-    )
+    why, law = "so phi1 has the rate (33)", "(33), which phi1 was integrated from"
+    source, verb = [19, 33], "differentiate"
+    rewrite(scope, "phi1", rate_of(phi1), integrand, why, source, verb, law=law)
     builder.keep(ThirdKind(axis, (*given, table, named), split))
 
     scope = Scope.open(builder, "amplitude", given[0], FUNCTIONS, AMPLITUDE)
     why = "the square of the rate of the amplitude theta"
     by_sn = compute(DN**2 + MU * SN**2 - 1).solve_for(DN**2)
-    squared = rate_of(symbol("theta")) ** 2
-    rewrite(scope, "amplitude.squared", squared, XI**2 * by_sn, why, [35], "differentiate")
+    squared = rate_of(theta) ** 2
+    rewrite(scope, "squared", squared, XI**2 * by_sn, why, [35], "differentiate")
 
 
 def _parameter(split: Any) -> sympy.Expr:

@@ -18,6 +18,7 @@ from rigidsym.proof.steps._names import read, symbols
 
 RATES = symbols("Omega1 Omega2 Omega3")
 MOMENTS, PRODUCTS, WHEELS = symbols("c1 c2 c3"), symbols("c12 c13 c23"), symbols("h1 h2 h3")
+MOMENTA = symbols("M1 M2 M3")
 KINETIC = "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2"
 AXES = (1, 2, 3)
 # Twelve sequences of turns: no two in a row are about the same axis.

@@ -30,13 +30,13 @@ def symmetric(builder: LedgerBuilder, axis: int) -> None:
         return  # the turns end about another axis
     motion = Scope(builder, builder.ledger.contexts["three_angle_motion"], {})
     tilt, why = sympy.cos(2 * setting.factor * PHI[1]), "the tilt of the axis stays"
-    differentiate(motion, "three_angle_motion.tilt", tilt, why, [27])
+    differentiate(motion, "tilt", tilt, why, [27])
     why = "and the turn about it is even"
-    differentiate(motion, "three_angle_motion.spin", UNKNOWN[2], why, [28])
+    differentiate(motion, "spin", UNKNOWN[2], why, [28])
     time = Part({T: "time, s"}, rates={T: 1})
     scope = Scope.open(builder, "precession", builder.result(Dynamics).parameters, MOMENTUM, time)
     why = "the precession is regular"
-    integrate(scope, "precession.phi1", rate, {T: sympy.S.One}, why, [33, 36])
+    integrate(scope, "phi1", rate, {T: sympy.S.One}, why, [33, 36])
 
 
 def _harmonic(builder: LedgerBuilder, axis: int) -> None:
@@ -47,7 +47,7 @@ def _harmonic(builder: LedgerBuilder, axis: int) -> None:
     scope = Scope.open(builder, "symmetric", dynamics.parameters, body)
     slopes = [scope.rate(rate) for rate in (first, second)]
     why = "a rate across the axis of symmetry swings evenly"
-    differentiate(scope, "symmetric.swing", slopes[0], why, [5])
+    differentiate(scope, "swing", slopes[0], why, [5])
     nu, wave = (compute(slopes[0]) / second).apply(sympy.cancel), AMPLITUDE * COSINE
     other = compute(wave).diff(COSINE) * (-NU * SINE) / NU  # from Omega_i' = nu Omega_j
     turning = Part(

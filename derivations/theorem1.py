@@ -38,7 +38,7 @@ def derive(builder: LedgerBuilder) -> None:
         matrices = {**reduction.matrices, **UNITS}
         scope = Scope.open(builder, "theorem1", *reduction.angles, matrices=matrices, static=True)
         why = "the three turns as a quaternion"
-        turned = coordinates(scope, "theorem1.quaternion", R, e, why, [18, "Theorem 1"])
+        turned = coordinates(scope, "quaternion", R, e, why, [18, "Theorem 1"])
         _outer_halves(scope, algebra)
         builder.keep(Theorem1(turned.found, _inner_half(builder)))
     else:
@@ -55,10 +55,10 @@ def _rotation_matrix(builder: LedgerBuilder, algebra: Algebra, reduction: Reduct
     matrices = reduction.matrices
     scope = Scope.open(builder, "theorem1", *parts, *body, matrices=matrices, static=True)
     turned, why = compute(scope.explicit(R)), "the three turns as a rotation matrix"
-    multiply(scope, "theorem1.matrix", R, turned, why, [18, "Theorem 1"])
+    multiply(scope, "matrix", R, turned, why, [18, "Theorem 1"])
     value = turned.subs(builder.result(Angles).by_momentum)
     why = "and with the momentum in the place of phi2 and phi3"
-    multiply(scope, "theorem1.by_momentum", R, value, why, [19, "Theorem 1"])
+    multiply(scope, "by_momentum", R, value, why, [19, "Theorem 1"])
 
 
 def _outer_halves(scope: Scope, algebra: Algebra) -> None:
@@ -94,7 +94,7 @@ def _inner_half(builder: LedgerBuilder) -> Computation:
     leading = sympy.Poly(quadratic, TAU).LC()
     product = compute(found).apply(_product, leading)
     why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
-    rewrite(scope, "half_tangent.roots", quadratic, product, why, [19], "roots")
+    rewrite(scope, "roots", quadratic, product, why, [19], "roots")
     _, cotangent = compute(quadratic).subs(TAU, 1 / TAU).apply(sympy.solve, TAU)
     return 1 / cotangent.subs(root, ROOT).together()
 
@@ -113,4 +113,4 @@ def _third_kind(builder: LedgerBuilder) -> None:
     changed = constant + (slope - constant) / (XI * DN) * theta
     why = "with the amplitude theta as variable of the integral"
     rate = rate_of(symbol("phi1"))
-    rewrite(scope, "theorem1_amplitude.integrand", rate, changed, why, [36], "substitute")
+    rewrite(scope, "integrand", rate, changed, why, [36], "substitute")

@@ -12,8 +12,17 @@ from sympy import MatMul, Symbol, UnevaluatedExpr, cos, sin, sqrt
 from sympy.matrices.expressions.adjoint import Adjoint
 
 from derivations.conjugacy import MOMENTUM, K
-from derivations.lie_algebra import A, Algebra, M, R, combination, from_quaternion
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, equal, half_angle, named, sign
+from derivations.lie_algebra import MOMENTUM_MATRIX, A, Algebra, M, R, from_quaternion
+from rigidsym.proof.algebra import (
+    LedgerBuilder,
+    Part,
+    Proofs,
+    equal,
+    half_angle,
+    named,
+    sign,
+    unit_quaternion,
+)
 from rigidsym.proof.algebra._computation import ordered
 from rigidsym.proof.steps import Scope, matrix, multiply
 from rigidsym.proof.steps._names import symbols
@@ -117,7 +126,7 @@ def _signs(builder: LedgerBuilder) -> None:
     matrices = {
         **builder.result(Algebra).basis,
         "R": from_quaternion("q"),
-        "M": combination("M1 M2 M3"),
+        **MOMENTUM_MATRIX,
     }
     scope = Scope.open(builder, "signed", *FACTORS, matrices=matrices, static=True)
     # A reflected frame would have the determinant -1.
@@ -144,15 +153,9 @@ def _crossing(builder: LedgerBuilder) -> None:
 
 def _pull_back(builder: LedgerBuilder) -> None:
     """Prove that (37) is R_int at t = 0, so that R_int = R(0)."""
-    quaternions = [
-        Part(
-            {f"{x}{k}": f"component {k} of {name}" for k in range(4)},
-            relations=(f"{x}3**2 + {x}2**2 + {x}1**2 + {x}0**2 - 1",),
-        )
-        for x, name in (("p", "R_int"), ("r", "Rbar(0)"))
-    ]
+    both = unit_quaternion("p", "R_int"), unit_quaternion("r", "Rbar(0)")
     matrices = {"R_int": from_quaternion("p"), "Rbar": from_quaternion("r")}
-    scope = Scope.open(builder, "pulled_back", *quaternions, matrices=matrices, static=True)
+    scope = Scope.open(builder, "pulled_back", *both, matrices=matrices, static=True)
     R_int, Rbar = map(matrix, matrices)
     start = MatMul(R_int, Adjoint(Rbar), Rbar)
     multiply(scope, "start", start, R_int, "(37) at t = 0", [37, "Remark 3"])

@@ -15,6 +15,7 @@ from rigidsym.proof.algebra._parts import (
     named,
     part_of,
     sign,
+    unit_quaternion,
 )
 from rigidsym.proof.algebra._proofs import Proofs
 
@@ -33,4 +34,5 @@ __all__ = [
     "part_of",
     "sign",
     "text",
+    "unit_quaternion",
 ]

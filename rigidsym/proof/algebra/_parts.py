@@ -115,6 +115,17 @@ def sign(name: str, reading: str) -> Part:
     return Part({name: reading}, relations=(f"{name}**2 - 1",))
 
 
+def unit_quaternion(name: str, reading: str) -> Part:
+    """Return the part that introduces the components 0 to 3 of a unit quaternion.
+
+    `reading` says what quaternion it is.
+    """
+    return Part(
+        {f"{name}{k}": f"component {k} of {reading}" for k in range(4)},
+        relations=(f"{name}3**2 + {name}2**2 + {name}1**2 + {name}0**2 - 1",),
+    )
+
+
 def half_angle(name: str, rate: str = "") -> Part:
     """Return the part that introduces cos and sin of half an angle and of the angle.
 
