@@ -206,13 +206,10 @@ def _array(name: str, value: Any) -> Any:
         rule = "must be on, because states are float64"
         step = 'jax.config.update("jax_enable_x64", True) before the first array'
         raise InputError("jax_enable_x64", False, rule, next_step=step)
-    if value is None or isinstance(value, (str, bytes, np.ndarray)):
+    # Lists may have JAX's arrays in them.
+    if not any(isinstance(x, jax.Array) for x in jax.tree.leaves(value)):
         value = batches.array(name, value, lenient=True)
-    try:
-        # Lists may have tracers in them.
-        found = jnp.asarray(value)
-    except (TypeError, ValueError, OverflowError):
-        found = jnp.asarray(batches.array(name, value, lenient=True))
+    found = jnp.asarray(value)
     if not (jnp.issubdtype(found.dtype, jnp.integer) or jnp.issubdtype(found.dtype, jnp.floating)):
         raise InputError(name, f"an array of {found.dtype}", "must be an array of numbers")
     return found.astype(jnp.float64)
