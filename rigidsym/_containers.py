@@ -112,6 +112,12 @@ def ticks(field: str, value: Any) -> tuple[np.ndarray, Fraction] | None:
     return count, multiple * _SECONDS[name]
 
 
+def refuse_dates(field: str, value: Any) -> None:
+    """Raise InputError for dates where t = 0 is known to be another date than the first of them."""
+    if getattr(getattr(unwrapped(field, value), "dtype", None), "kind", "") == "M":
+        raise InputError(field, "dates", "must be times since t = 0", next_step=_SUBTRACT)
+
+
 def _to_numpy(value: Any) -> np.ndarray:
     """Convert an array of pandas or xarray to NumPy, and dates with a time zone to UTC."""
     dtype = getattr(value, "dtype", None)

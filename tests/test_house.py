@@ -60,9 +60,9 @@ ALLOWED = {
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
     "rigidsym.validate.torques": "errors quaternions splitting validate",
     "rigidsym.validate.faults": f"{NUMBERS} codegen engines generated io splitting validate view",
-    "rigidsym.splitting": "engines errors frames generated inputs motion quaternions",
+    "rigidsym.splitting": "containers engines errors frames generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
-    "rigidsym.fitting": f"{NUMBERS} engines frames io motion view",
+    "rigidsym.fitting": f"{NUMBERS} containers engines frames io motion view",
     # Both halves meet: what a ledger publishes is compared with the equations of motion.
     "rigidsym.numbers": f"{FOUNDATION} inputs solution precise",
     # What shows it, and what reads and writes files.

@@ -203,6 +203,9 @@ def test_frames_of_dates_trajectories_and_predictions():
     assert found.attitude_sigma.tolist() == predicted.attitude_sigma.tolist()
     assert found.omega2_sigma[300.0] == np.sqrt(predicted.covariance[1, 4, 4])
     assert len(fitted.predict(3.0).to_dataframe()) == 1
+    for known in (run, fitted.predict):
+        with pytest.raises(InputError, match=r"^t = dates: must be times since t = 0 \(subtract"):
+            known(dates)
 
 
 @pytest.mark.parametrize(("method", "package"), [("dataframe", "pandas"), ("xarray", "xarray")])

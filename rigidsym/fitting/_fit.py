@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.stats import chi2 as chi2_law
 
+from rigidsym import _containers as containers
 from rigidsym import _inputs as inputs
 from rigidsym._engines import batches
 from rigidsym.errors import InputError
@@ -269,6 +270,7 @@ class Fit(Alternative):
         InputError
             As a motion does, for times that it does not reach.
         """
+        containers.refuse_dates("t", t)
         times = batches.array("t", t)
         if times.ndim > 1:
             raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rigidsym import _containers as containers
 from rigidsym._engines import batches
 from rigidsym._frames import dataframe, dataset
 from rigidsym.errors import InputError
@@ -121,6 +122,7 @@ class Trajectory:
         InputError
             For times outside of `times`.
         """
+        containers.refuse_dates("t", t)
         given = batches.times(t)
         wanted = np.atleast_1d(given)
         inside, reach = np.zeros(wanted.shape, bool), "none"

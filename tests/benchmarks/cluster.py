@@ -9,6 +9,7 @@ wall-clock time, and the most memory that any process has had until then.  All r
 contain the first, drawing the bodies.
 """
 
+import logging
 import resource
 import sys
 import tempfile
@@ -51,6 +52,7 @@ def main() -> None:
             threads_per_worker=1,
             processes=not given.quick,
             dashboard_address=None,
+            silence_logs=logging.CRITICAL,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
