@@ -10,7 +10,7 @@ from functools import reduce
 from operator import mul, truediv
 from typing import Any, TypeAlias, TypeVar
 
-from sympy import Expr, cancel
+from sympy import Expr
 
 from rigidsym.proof.algebra import _parts
 from rigidsym.proof.algebra._computation import (
@@ -23,6 +23,7 @@ from rigidsym.proof.algebra._computation import (
 )
 from rigidsym.proof.algebra._enclosures import encloses
 from rigidsym.proof.algebra._normal_form import divide, nested
+from rigidsym.proof.algebra._rational import cancel
 from rigidsym.proof.algebra._witness import witness
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel._rules import differences

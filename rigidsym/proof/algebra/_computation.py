@@ -20,6 +20,7 @@ from typing import Any
 
 import sympy
 
+from rigidsym.proof.algebra import _rational
 from rigidsym.proof.kernel import Fact
 
 
@@ -85,14 +86,28 @@ class Computation:
         For several unknowns return their values by unknown, for which all of these are zero.
         Raises ValueError if there is none, or more than one.
         """
-        found = sympy.solve(self.value, *plain(unknowns), simplify=False, dict=True)
-        if len(found) != 1 or not {*plain(unknowns)} <= {*found[0]}:
+        first, *more = plain(unknowns)
+        if not more and (linear := _rational.root(self.value, first)) is not None:
+            found = [{first: linear}]
+        else:
+            found = sympy.solve(self.value, first, *more, simplify=False, dict=True)
+        if len(found) != 1 or not {first, *more} <= {*found[0]}:
             asked = ", ".join(map(str, unknowns))
             raise ValueError(f"{asked}: {len(found)} solutions of {self.value} = 0")
-        values = {x: self._after("solve", sympy.cancel(found[0][plain(x)]), ()) for x in unknowns}
-        if len(unknowns) > 1:
+        values = {
+            x: self._after("solve", _rational.cancel(found[0][plain(x)]), ()) for x in unknowns
+        }
+        if more:
             return values
         return values[unknowns[0]]._knowing(self._answers(*unknowns))
+
+    def factor(self) -> "Computation":
+        """Return the same as a product of factors."""
+        return self._after("factor", _rational.factor(self.value), ())
+
+    def cancel(self) -> "Computation":
+        """Return the same as a fraction in lowest terms."""
+        return self._after("cancel", _rational.cancel(self.value), ())
 
     def _answers(self, unknown: Any, *_: Any) -> tuple[Any, ...]:
         """Return the value of an unknown that an equation such as unknown - value = 0 types."""
@@ -115,7 +130,10 @@ class Computation:
 
         def operation(*given: Any, **options: Any) -> Any:
             _require_names(*given)
-            return self._after(name, found(*plain(given), **options), given)
+            known = plain(given)
+            if name == "subs" and (by := _independent(self.value, *known)):
+                return self._after(name, self.value.xreplace(by), given)
+            return self._after(name, found(*known, **options), given)
 
         return operation
 
@@ -367,6 +385,16 @@ def _sums(value: Any) -> tuple[Any, ...]:
 def same(one: Any, other: Any) -> bool:
     """Return whether two expressions have the same structure."""
     return type(one) is type(other) and one == other
+
+
+def _independent(value: Any, by: Any, *_: Any) -> dict[sympy.Symbol, sympy.Basic]:
+    """Return what is to be put in for names, if all at once gives the same as one by one."""
+    if not (isinstance(by, Mapping) and isinstance(value, sympy.Expr)):
+        return {}
+    found = {x: sympy.sympify(form) for x, form in by.items() if isinstance(x, sympy.Symbol)}
+    chained = any(form.free_symbols & found.keys() for form in found.values())
+    bound = value.has(sympy.Integral, sympy.Derivative)
+    return {} if chained or bound or len(found) < len(by) else found
 
 
 def _is_algebra(value: Any) -> bool:

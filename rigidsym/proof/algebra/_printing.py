@@ -9,7 +9,7 @@ printed in parentheses, for numbers that need it worked out first.
 from collections.abc import Iterable
 from typing import Any, TypeAlias
 
-from sympy import Add, Expr, Function, Mul, Pow, Rational, S, UnevaluatedExpr
+from sympy import Add, Expr, Function, Mul, Pow, Rational, S, Symbol, UnevaluatedExpr
 
 Ranks: TypeAlias = dict[str, int]
 
@@ -111,8 +111,8 @@ def _factor(base: Expr, power: int, ranks: Ranks) -> tuple[int, str, int]:
         given: Any = base.args if isinstance(base, Function) else (base.base,)
         rank, degree = len(ranks), 1
         text = f"{name}({', '.join(_sum(x, ranks) for x in given)})"
-    elif str(base) not in ranks:
+    elif (text := base.name if isinstance(base, Symbol) else str(base)) not in ranks:
         raise ValueError(f"{base}: not one of the names {' '.join(ranks)}")
     else:
-        rank, text, degree = ranks[str(base)], str(base), 1
+        rank, degree = ranks[text], 1
     return rank, text if power == 1 else f"{text}**{power}", degree * power

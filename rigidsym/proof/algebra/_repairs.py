@@ -9,8 +9,9 @@ hypotheses.
 import ast
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from functools import lru_cache
+
+from flint import fmpq
 
 from rigidsym.proof.algebra._mutants import decide, edits, variants
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ledger, Ring
@@ -91,6 +92,9 @@ def _points(ledger: Ledger, context: Context) -> Iterable[Mapping[str, str]]:
             yield fact.certificate["point"]
 
 
+_STILL = fmpq(0)
+
+
 @dataclass(frozen=True, slots=True)
 class Jet:
     """A rational value with its time derivative.
@@ -98,8 +102,8 @@ class Jet:
     The derivative is None if it is unknown.
     """
 
-    value: Fraction
-    rate: Fraction | None = Fraction(0)
+    value: fmpq
+    rate: fmpq | None = _STILL
 
     def plus(self, other: "Jet") -> "Jet":
         """Return the sum of two jets."""
@@ -121,7 +125,7 @@ class Jet:
         return Jet(self.value**exponent, None if self.rate is None else slope * self.rate)
 
 
-_MINUS = Jet(Fraction(-1))
+_MINUS = Jet(fmpq(-1))
 _OPERATIONS: dict[type, Callable[[Jet, Jet], Jet]] = {
     ast.Add: Jet.plus,
     ast.Sub: lambda left, right: left.plus(_MINUS.times(right)),
@@ -145,7 +149,7 @@ class Instant:
 
     def __init__(self, context: Context, point: Mapping[str, str]) -> None:
         self.definitions, self.rates = context.definitions, context.rates or {}
-        self.still = {name: Jet(Fraction(value)) for name, value in point.items()}
+        self.still = {name: Jet(fmpq(value)) for name, value in point.items()}
         self.moving = self._moving({})
 
     def _moving(self, changed: Mapping[str, str]) -> dict[str, Jet]:
@@ -178,7 +182,7 @@ class Instant:
     def _jet(self, node: ast.expr, known: dict[str, Jet | str]) -> Jet:
         match node:
             case ast.Constant(value=int(number)):
-                return Jet(Fraction(number))
+                return Jet(fmpq(number))
             case ast.Name(id=name):
                 found = known[name] if name in known else self.definitions[name]
                 if isinstance(found, str):

@@ -18,6 +18,7 @@ from rigidsym.language._expression import parse
 from rigidsym.language.functions._translation import BY_PARAMETER, sympified
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.algebra._computation import Computation, compute, computed, plain
+from rigidsym.proof.algebra._rational import factor
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.steps._record import StepError
 
@@ -126,7 +127,7 @@ def collected(expression: Expr) -> Expr:
 
     Each factor has its shorter form and sign.
     """
-    above, below = sympy.fraction(sympy.factor(expression))
+    above, below = sympy.fraction(factor(expression))
     sign_above, above = _side(above)
     sign_below, below = _side(below)
     return sign_above * sign_below * above / below
@@ -143,16 +144,16 @@ def _side(side: Expr) -> tuple[int, Expr]:
     No factor of that form begins with a minus sign.
     """
     sign, factors = 1, []
-    for factor in Mul.make_args(side):
-        base, power = factor.as_base_exp()
+    for each in Mul.make_args(side):
+        base, power = each.as_base_exp()
         if base.is_Add and str(base).startswith("-"):
             base, sign = -base, sign * (-1 if power % 2 else 1)
         factors.append(base**power)
     product = Mul(*factors)
-    sums = [factor for factor in factors if factor.is_Add]
+    sums = [x for x in factors if x.is_Add]
     whole = sympy.expand(Mul(*sums))
     if len(sums) > 1 and sympy.count_ops(whole) <= sympy.count_ops(Mul(*sums)):
         flip = -1 if str(whole).startswith("-") else 1
-        rest = [factor for factor in factors if not factor.is_Add]
+        rest = [x for x in factors if not x.is_Add]
         return sign * flip, Mul(*rest, flip * whole)
     return sign, product

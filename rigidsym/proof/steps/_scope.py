@@ -12,6 +12,7 @@ from rigidsym.language._expression import parse, to_text
 from rigidsym.proof.algebra import LedgerBuilder, Part, join
 from rigidsym.proof.algebra._builder import Source
 from rigidsym.proof.algebra._computation import Computation, computed
+from rigidsym.proof.algebra._rational import cancel
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.steps._matrices import (
     SIZE,
@@ -186,7 +187,7 @@ class Scope:
         parts = sympy.fraction(sympy.together(named))
         if self.context.relations and {*map(str, named.free_symbols)} <= {*self.context.generators}:
             parts = tuple(self._modulo(part) for part in parts)
-        return collected(self.dictionary.meant(sympy.cancel(parts[0] / parts[1])))
+        return collected(self.dictionary.meant(cancel(parts[0] / parts[1])))
 
     def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
         """Reduce a polynomial modulo the relations of the context.
