@@ -210,18 +210,22 @@ def _exact_text(field: str, text: str) -> Fraction:
         raise InputError(field, written(text, repr), "must be a finite decimal number") from None
 
 
-def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Number, ...]:
+def vector(
+    field: str, values: Vector3 | Quaternion, length: int, next_step: str = ""
+) -> tuple[Number, ...]:
     """Convert user input to a vector of exact or uncertain numbers.
 
-    Raises InputError for a wrong length.
+    next_step: how the message says to give another kind of value.  Raises InputError for a wrong
+    length.
     """
-    items = sequence(field, values)
+    items = sequence(field, values, next_step=next_step or f"{length} of them")
     if len(items) != length:
-        raise InputError(field, values, f"must have {length} numbers, not {len(items)}")
+        rule = f"must have {length} numbers, not {len(items)}"
+        raise InputError(field, values, rule, next_step=next_step)
     return tuple(number(f"{field}[{k}]", item) for k, item in enumerate(items))
 
 
-def sequence(field: str, values: Any, ndim: int = 1) -> list[Any]:
+def sequence(field: str, values: Any, ndim: int = 1, next_step: str = "") -> list[Any]:
     """Return the items of an ordered sequence or array that has `ndim` axes.
 
     Raises InputError for other values.
@@ -229,11 +233,17 @@ def sequence(field: str, values: Any, ndim: int = 1) -> list[Any]:
     values = containers.plain(field, values)
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
-        raise InputError(field, written(values, repr), "must be a list of numbers")
+        rule = "must be a list of numbers"
+        raise InputError(field, written(values, repr), rule, next_step=next_step)
     return list(values)
 
 
 NO_BODY = "no body has a principal moment larger than the sum of the other two"
+# What to do with a tensor where moments are expected.
+PRINCIPAL = "of an inertia tensor, rigidsym.principal_axes(tensor) has them"
+ROTATIONS = (
+    "scalar first; SciPy's Rotation.from_matrix and from_euler make attitudes of other kinds"
+)
 # How to have such a body accepted.
 ALLOW = "allow_nonphysical=True or --allow-nonphysical lets it pass"
 
@@ -248,9 +258,8 @@ def inertia(
     """
     rows = isinstance(values, list | tuple) and all(isinstance(x, list | tuple) for x in values)
     if getattr(values, "shape", None) == (3, 3) or (rows and values):
-        first = "of an inertia tensor, rigidsym.principal_axes(tensor) has them"
-        raise InputError("inertia", values, "must be a list of numbers", next_step=first)
-    given = sequence("inertia", values)
+        raise InputError("inertia", values, "must be a list of numbers", next_step=PRINCIPAL)
+    given = sequence("inertia", values, next_step="3 of them, about principal axes")
     moments = vector("inertia", given, 3)
     least, most = ([_end(moment, side) for moment in moments] for side in (-1, 1))
     for k, moment in enumerate(least):
@@ -295,7 +304,7 @@ def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]
 
     It may have any length but zero.
     """
-    quaternion = vector(field, values, 4)
+    quaternion = vector(field, values, 4, ROTATIONS)
     if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
         raise InputError(field, shown(quaternion), "must not be zero")
     return quaternion

@@ -31,7 +31,8 @@ def lazily(
             return found
         if not name.startswith("_") and name in modules():
             return import_module(f"{package}.{name}")
-        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        # With both, Python proposes the nearest name.
+        raise AttributeError(f"module {package!r} has no attribute {name!r}", name=name, obj=own)
 
     def names() -> list[str]:
         special = (name for name in vars(own) if name[:2] == "__")

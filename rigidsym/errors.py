@@ -11,6 +11,8 @@ from numbers import Rational
 from types import ModuleType
 
 _LONGEST = 120
+# How alike a misspelt name is to the name that is meant, of 1.
+_ALIKE = 0.65
 _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 
@@ -91,7 +93,9 @@ def nearest(value: object, known: Iterable[str]) -> str:
     from difflib import get_close_matches
 
     by_folded = {_folded(name): name for name in known}
-    found = get_close_matches(_folded(str(value)[:_LONGEST]), by_folded, 1)
+    text = _folded(str(value)[:_LONGEST])
+    # A number is not a misspelt one.
+    found = [] if text.isdigit() else get_close_matches(text, by_folded, 1, _ALIKE)
     return by_folded[found[0]] if found else ""
 
 

@@ -257,7 +257,7 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     array([2., 4., 6.])
     >>> rates, attitude = body.to_principal([0.1, 0.2, 0.3], [1, 0, 0, 0])
     """
-    rows = inputs.sequence("tensor", tensor, ndim=2)
+    rows = inputs.sequence("tensor", tensor, ndim=2, next_step="3 rows of 3 numbers")
     if len(rows) != 3:
         raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
     named = {f"tensor[{i}]": row for i, row in enumerate(rows)}

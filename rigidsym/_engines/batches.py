@@ -150,9 +150,11 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
         return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
     for body in np.flatnonzero(refused)[:1]:
         place = np.unravel_index(body, inertia.shape[:-1])
+        tensor = inertia.shape == (3, 3) and np.array_equal(inertia, inertia.T)
+        step = inputs.PRINCIPAL if tensor else ""
         for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
-            _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
-        _refuse("inertia", inertia, place, inputs.NO_BODY, inputs.ALLOW)
+            _refuse("inertia", inertia, (*place, axis), "principal moments must be positive", step)
+        _refuse("inertia", inertia, place, inputs.NO_BODY, step or inputs.ALLOW)
     return inertia
 
 

@@ -210,6 +210,9 @@ def posed(
     Raises InputError.
     """
     if inertia not in INERTIA:
+        if not isinstance(inertia, str):
+            rule, step = f"must be one of: {', '.join(INERTIA)}", "numbers are given as moments="
+            raise InputError("inertia", repr(inertia), rule, next_step=step)
         raise unknown("inertia", inertia, INERTIA)
     known = None
     if moments is not None:

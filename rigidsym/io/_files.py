@@ -20,6 +20,13 @@ _KINDS = {"case", "manoeuvre", "observations"}
 _READ_BY = {"omega0": "propagate", "start": "plan", "target": "plan"}
 _READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
 
+# By kind of file, how to get one.
+_BEGIN = {
+    "case": "`rigidsym init motion.toml` writes a template; `paper` is the paper's case",
+    "manoeuvre": "`rigidsym init slew.toml` writes a template; `paper` is the paper's manoeuvre",
+    "observations": "`rigidsym init observations.csv` writes a template",
+}
+
 
 def probe(directory: Path) -> None:
     """Create a directory, and raise InputError if no file can be written there."""
@@ -40,7 +47,9 @@ def read_text(field: str, path: str | Path, encoding: str = "utf-8", next_step: 
     try:
         return Path(path).read_text(encoding)
     except OSError as error:
-        raise InputError(field, path, f"cannot be read: {error.strerror}") from None
+        step = _BEGIN.get(field, "") if isinstance(error, FileNotFoundError) else ""
+        rule = f"cannot be read: {error.strerror}"
+        raise InputError(field, path, rule, next_step=step) from None
     except LookupError:
         raise InputError("encoding", repr(encoding), "is no encoding of text") from None
     except UnicodeError:
@@ -83,7 +92,9 @@ def check_keys(
             raise InputError(field, key, rule, next_step=f"did you mean {near}?" if near else "")
     for key in needed:
         if key not in table:
-            raise InputError(key, "missing", f"a {field} needs it")
+            step = "times = [0, 10], or a table [times] with start, stop and count"
+            step = step if key == "times" else ""
+            raise InputError(key, "missing", f"a {field} needs it", next_step=step)
 
 
 def write_text(path: Path, text: str) -> Path:

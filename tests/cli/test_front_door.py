@@ -6,8 +6,10 @@ import re
 import shlex
 import sys
 
+import numpy as np
 import pytest
 
+import rigidsym
 from rigidsym import _engines as engines
 from rigidsym._cli import output, parser
 from rigidsym.errors import InputError
@@ -72,6 +74,49 @@ def test_help_lists_all_names_that_an_option_takes():
 )  # fmt: skip
 def test_a_misspelt_name_is_answered_with_the_nearest(command, near, refused):
     assert f"did you mean {near}?" in refused(command)
+
+
+TENSOR = [[2.0, 0.1, 0.0], [0.1, 3.0, 0.0], [0.0, 0.0, 4.0]]
+START = ([1, 0, 0, 0], [0.1, 0.2, 0.3])
+SEEN = [START[0]] * 5
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda tensor: rigidsym.TorqueFreeMotion(tensor, START[1]),
+        lambda tensor: rigidsym.propagate(tensor, START[1], [0, 1]),
+        lambda tensor: rigidsym.step(tensor, *START, 0.1),
+        lambda tensor: rigidsym.integrate(tensor, *START, lambda t, q, w: 0 * w, [0, 1], step=0.1),
+        lambda tensor: rigidsym.plan(tensor, START[0], (0, 1, 0, 0), 10),
+    ],
+)
+def test_a_tensor_where_moments_are_expected_names_principal_axes(call):
+    for tensor in (TENSOR, np.array(TENSOR), np.diag([1, 2, 2.5])):
+        with pytest.raises(InputError, match=r"rigidsym\.principal_axes\(tensor\) has them"):
+            call(tensor)
+
+
+def test_messages_of_a_beginner_say_the_next_step(tmp_path, refused):
+    path = tmp_path / "case.toml"
+    path.write_text("inertia = [1, 2, 2.5]\nomega0 = [1, 2, 3]\n")
+    for command, step in (
+        ("propagate papper", "rigidsym init motion.toml"), ("plan nothere.toml", "init slew.toml"),
+        ("fit nothere.csv", "init observations.csv"), (f"propagate {path}", "times = [0, 10]"),
+    ):  # fmt: skip
+        assert step in refused(command)
+    for call, step in (
+        (lambda: rigidsym.TorqueFreeMotion(2.0, START[1]), "3 of them, about principal axes"),
+        (lambda: rigidsym.TorqueFreeMotion([1, 2, 2.5], START[1], np.eye(3)), "from_matrix"),
+        (lambda: rigidsym.TorqueFreeMotion([1, 2, 2.5], START[1], [1, 2, 3]), "from_euler"),
+        (lambda: rigidsym.principal_axes(np.ones(3)), "3 rows of 3 numbers"),
+        (lambda: rigidsym.fit(range(5), attitudes=SEEN, sigma=0.1, inertia=[1, 2, 2]), "moments="),
+    ):  # fmt: skip
+        with pytest.raises(InputError, match=re.escape(step)):
+            call()
+    with pytest.raises(AttributeError) as found:
+        getattr(rigidsym, "TorqueFreemotion")  # noqa: B009
+    assert found.value.obj is rigidsym
 
 
 def test_a_name_that_is_like_none_is_answered_with_all(refused):
