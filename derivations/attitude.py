@@ -13,7 +13,7 @@ from typing import Any
 
 from sympy import Add, S, Symbol, factor, factor_terms, rem
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle, sign
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, half_angle, named, sign
 from rigidsym.proof.algebra._computation import Computation, compute, plain
 from rigidsym.proof.algebra._quaternion import conjugate, product
 from rigidsym.proof.steps import rate_of
@@ -41,8 +41,8 @@ def times(left: Iterable[Any], right: Iterable[Any]) -> Computation:
 
 def components(name: str, sides: Iterable[Computation]) -> dict[str, Computation]:
     """Return definitions of the components of a quaternion."""
-    named = zip(quaternion(name), sides, strict=True)
-    return {str(x): side.ordered(NAMES) for x, side in named}
+    table = named(quaternion(name), sides)
+    return {str(x): side.ordered(NAMES) for x, side in table.items()}
 
 
 def squares(names: Iterable[Any]) -> Any:
@@ -151,7 +151,7 @@ def momentum() -> dict[str, Computation]:
     turned = times(times(conjugate(QBAR), [K * x for x in ALONG]), QBAR)
     forms = (side.expand().apply(rem, epsilon**2 - 1, epsilon) for side in turned[1:])
     factored = (form.apply(factor_terms, sign=False).ordered(NAMES) for form in forms)
-    return dict(zip(map(str, M), factored, strict=True))
+    return named(map(str, M), factored)
 
 
 MOMENTUM = momentum()
@@ -169,8 +169,7 @@ def derive(builder: LedgerBuilder) -> None:
     here = Proofs.open(builder, "attitude", *ATTITUDE)
     here.evaluate("conserved", [rate_of(H), rate_of(K**2)], 6)
     here.root(K, compute(K**2 - SIZE).solve_for(K**2), 6, 15)
-    for m, w in zip(M, OMEGA, strict=True):
-        here.formulas({w: (GRADIENT[m] - m).solve_for(w)}, 8)
+    here.formulas({w: (GRADIENT[m] - m).solve_for(w) for m, w in zip(M, OMEGA, strict=True)}, 8)
     here.root(nu, NU_SQUARED, 27)
 
     here.formulas(INVERSE, 37)

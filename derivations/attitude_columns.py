@@ -14,9 +14,9 @@ from typing import Any
 
 from sympy import Matrix, Symbol, diag, eye, factor
 
-from derivations.attitude_sensitivities import SQUARED, named
+from derivations.attitude_sensitivities import SQUARED
 from derivations.rate_sensitivities import change, still
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import product, rotated
 from rigidsym.proof.steps._names import symbol, symbols
@@ -92,7 +92,7 @@ def _column(i: int, y: str) -> Computation:
     return (begun - seen.held()).held() + work * L[i]
 
 
-INTEGRALS = dict(zip(SQUARED, EXCESSES + t * OMEGA_0.applyfunc(lambda x: x**2), strict=True))
+INTEGRALS = named(SQUARED, EXCESSES + t * OMEGA_0.applyfunc(lambda x: x**2))
 COLUMNS = {by(f"eta{i + 1}", y): _column(i, y) for y in CHANGES for i in range(3)}
 # Differences of moments by names of their own: numbers have them from before rounding.
 DIFFERENCES = {

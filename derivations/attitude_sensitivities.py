@@ -18,7 +18,7 @@ from sympy import Matrix, Symbol
 
 from derivations.euler_lax import Dynamics
 from derivations.rate_sensitivities import change, defined, moving, small, still
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.algebra._quaternion import product
 from rigidsym.proof.steps._names import symbol, symbols
@@ -34,11 +34,6 @@ K, s, s_0, t = symbols("K s s_0 t")
 def varied(names: Iterable[Symbol]) -> Any:
     """Return the changes of quantities."""
     return Matrix([symbol(f"d{name}") for name in names])
-
-
-def named(names: Iterable[Any], values: Iterable[Any]) -> dict[Any, Any]:
-    """Return values by names."""
-    return dict(zip(names, values, strict=True))
 
 
 def commutator(one: Any, other: Any) -> Computation:

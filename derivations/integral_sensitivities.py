@@ -32,7 +32,7 @@ from derivations.rate_sensitivities import (
     r,
     still,
 )
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named
 from rigidsym.proof.steps._names import symbol, symbols
 
 t, U, V, W = symbols("t U_t V_t W_t")
@@ -53,7 +53,7 @@ WAYS = {"k": {p: 1, r: 1}, "r": {r: 1}}
 def _along(way: str) -> dict[str, Any]:
     """Return the changes of the functions and of both integrals in a direction."""
     functions = {"k": ALONG_K, "r": ALONG_R}[way]
-    by = {**WAYS[way], **dict(zip((S, C, D), functions, strict=True))}
+    by = {**WAYS[way], **named((S, C, D), functions)}
     one, (inner, outer) = {"k": (E, (U, V)), "r": (F, (V, W))}[way]
     integrals = {
         E: integral(change(RATES[E], by), S**2 * one, inner, rates=RATES),

@@ -33,7 +33,7 @@ from derivations.addition_form import (
     TIME,
 )
 from derivations.attitude import HANDEDNESS, INERTIA
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, join, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import collected, read, symbol, symbols
 
@@ -154,9 +154,7 @@ REGULAR = Part(
 # The variation of S_t' = C_t D_t and the other two, and of the relations between them.
 VARIED_RATES = {f"D(d{x})": change(rate) for x, rate in moving(MODULI, FUNCTIONS).items()}
 VARIED_CURVES = tuple(map(change, CURVES))
-VARIED_FUNCTIONS = Part(
-    relations=VARIED_CURVES, rates=dict(zip(VARIED, VARIED_RATES.values(), strict=True))
-)
+VARIED_FUNCTIONS = Part(relations=VARIED_CURVES, rates=named(VARIED, VARIED_RATES.values()))
 QUANTITIES = defined(COEFFICIENTS, GIVEN, FUNCTIONS, RATES)
 CHANGES = {f"d{name}": change_of(name, value) for name, value in QUANTITIES.items()}
 

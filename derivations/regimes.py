@@ -14,7 +14,7 @@ separatrix 1 - m = 0, for symmetric bodies m = 0.
 from sympy import Expr, S, Symbol, UnevaluatedExpr
 
 from derivations.regular_form import FORMULAS, PARAMETERS
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, extend, part_of
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, extend, named, part_of
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import symbol, symbols
 
@@ -84,8 +84,8 @@ TREE = (
 NAMES = symbols("c_a c_b c_d c_ab c_ad c_bd E_a E_b E_d")
 NOT_E_2 = -UnevaluatedExpr(-E_2)
 VISIBLY = {
-    1: dict(zip(NAMES, (c_1, c_2, c_3, c_12, c_13, c_23, E_1, E_2, E_3), strict=True)),
-    3: dict(zip(NAMES, (c_3, c_2, c_1, -c_23, -c_13, -c_12, -E_3, NOT_E_2, -E_1), strict=True)),
+    1: named(NAMES, (c_1, c_2, c_3, c_12, c_13, c_23, E_1, E_2, E_3)),
+    3: named(NAMES, (c_3, c_2, c_1, -c_23, -c_13, -c_12, -E_3, NOT_E_2, -E_1)),
 }
 PLAINLY = {c_12: c_1 - c_2, c_13: c_1 - c_3, c_23: c_2 - c_3, NOT_E_2: E_2}
 # What is 0 at an edge, and makes m or 1 - m zero.

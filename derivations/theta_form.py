@@ -22,7 +22,7 @@ from sympy import Expr, I, UnevaluatedExpr, factor_terms, powdenest, sqrt
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION, SECULAR
 from derivations.regular_form import AMPLITUDES, HALF
-from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, text
+from rigidsym.proof.algebra import LedgerBuilder, Part, Proofs, named, text
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import expressions, symbol, symbols, unfold
 
@@ -59,7 +59,7 @@ def times(one: str, other: str) -> dict[str, str]:
     names = " ".join(f"{name}_{part}" for name in (one, other) for part in ("re", "im"))
     product = parts("", whole(one) * whole(other)).values()
     sides = (text(side.ordered(names), ()) for side in product)
-    return dict(zip(("re", "im"), sides, strict=True))
+    return named(("re", "im"), sides)
 
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z; those of -i rho beta follow by parity.

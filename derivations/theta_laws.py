@@ -34,7 +34,7 @@ from sympy import (
     sympify,
 )
 
-from rigidsym.proof.algebra import LedgerBuilder
+from rigidsym.proof.algebra import LedgerBuilder, named
 from rigidsym.proof.algebra._computation import Computation, compute
 from rigidsym.proof.steps._names import symbols as real
 
@@ -199,7 +199,7 @@ class Family:
         for name, law in OF.items():
             identity = self.identity(law)
             unit = self._unit(next(iter(law.tops)), len(law.along))
-            at = dict(zip(ARGUMENTS, law.at, strict=True))
+            at = named(ARGUMENTS, law.at)
             factor, whole = (self.named(identity, at) / unit).expand().primitive()
             equations = []
             for part in (whole.coeff(I, k) for k in (0, 1)):
@@ -267,5 +267,5 @@ JACOBI = {
 def prove(builder: LedgerBuilder, context: str, family: Family) -> None:
     """Prove the laws in a context that declares the functions of a family."""
     for name, (identity, equations) in family.laws.items():
-        at = dict(zip(ARGUMENTS, OF[name].at, strict=True))
+        at = named(ARGUMENTS, OF[name].at)
         builder.theta(f"{context}.{name}", equations, str(identity), family.texts(at))

@@ -1,8 +1,19 @@
 """The builder of ledgers: joined parts, claims, comparisons and publications."""
 
 import pytest
+from sympy import sin, sqrt, symbols
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, extend, half_angle, jacobi, join, sign
+from rigidsym.proof.algebra import (
+    LedgerBuilder,
+    Part,
+    Proofs,
+    extend,
+    half_angle,
+    jacobi,
+    join,
+    sign,
+    unit_quaternion,
+)
 from rigidsym.proof.algebra._builder import definitions, facts, readings
 from rigidsym.proof.algebra._computation import Standing, standing
 from rigidsym.proof.kernel import Grade, KernelError
@@ -205,3 +216,39 @@ def test_an_expression_is_evaluated_by_definitions_rates_and_relations(builder):
     assert standing(fact) == Standing.COMPUTED
     with pytest.raises(KernelError, match="has no meaning here"):
         builder.evaluate("circle.lost", ["x"])
+
+
+def test_proofs_name_facts_within_their_context():
+    x, y, d = symbols("x y d")
+    builder = LedgerBuilder()
+    here = Proofs.open(builder, "here", A)
+    here.formulas({d: 2 * x**2, y: d / x}, 5, "Remark 1")
+    here.root(x, x**2, fact="of_square")
+    here.evaluate("rate", [d - x * y], 7)
+    here.refute("wrong", {x: 2 * x}, 7)
+    found = {fact.id: fact for fact in builder.ledger.facts.values()}
+    assert [*found] == ["here.d", "here.y", "here.of_square", "here.rate", "here.wrong"]
+    assert found["here.y"].source == ("5", "Remark 1")
+    assert found["here.y"].rhs == ("d/x",)
+    there = Proofs.open(builder, "there", A, B)
+    there.model("here")
+    there.carry("here", d, "rate")
+    assert [*builder.ledger.facts][-2:] == ["there.d", "there.rate"]
+    with pytest.raises(KernelError, match=r"here\.more: undecided"):
+        here.claim("more", {x: y})
+
+
+def test_a_reading_may_be_an_expression_with_functions_that_no_formula_may_have():
+    k, u, v = symbols("k u v")
+    part = Part((k, u), reading={u: 1 / sqrt(1 + k * sin(k * v))})
+    assert join("here", part).reading == {"u": "1/sqrt(1 + k*sin(k*v))"}
+    with pytest.raises(ValueError, match="not a whole power"):
+        join("here", Part((k, u), definitions={v: sqrt(k)}))
+
+
+def test_the_components_of_a_unit_quaternion_have_its_norm():
+    builder = LedgerBuilder()
+    here = Proofs.open(builder, "here", unit_quaternion("p", "the start"))
+    here.evaluate("norm", [sum(p**2 for p in symbols("p0:4"))])
+    assert builder.ledger.facts["here.norm"].rhs == ("1",)
+    assert builder.ledger.contexts["here"].reading["p3"] == "component 3 of the start"

@@ -3,7 +3,7 @@
 import pytest
 from sympy import Mul, apart, solve, symbols
 
-from rigidsym.proof.algebra import LedgerBuilder, Part, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, join, text
 from rigidsym.proof.algebra._computation import (
     Computed,
     Guess,
@@ -11,6 +11,7 @@ from rigidsym.proof.algebra._computation import (
     compute,
     guess,
     joined,
+    ordered,
     reasons,
     standing,
 )
@@ -194,6 +195,19 @@ def test_the_only_solution_is_computed():
     quotient = symbols("quotient")
     found = compute(X**2 - Y**2 - quotient * (X - Y)).solve_for(quotient)
     assert standing(stated(found)) == Standing.COMPUTED
+
+
+def test_several_unknowns_have_their_values_by_name():
+    found = compute([X + Y - 3, X - Y - 1]).solve_for(X, Y)
+    assert {name: value.value for name, value in found.items()} == {X: 2, Y: 1}
+    assert all(value.computed for value in found.values())
+    with pytest.raises(ValueError, match="x, y: 1 solutions"):
+        compute([X + Y - 3]).solve_for(X, Y)
+
+
+def test_a_table_is_printed_in_an_order_of_names():
+    printed = {name: text(form) for name, form in ordered("y x", {"a": X * Y, "b": X + Y}).items()}
+    assert printed == {"a": "y*x", "b": "y + x"}
 
 
 @pytest.mark.parametrize(("equation", "count"), [(X**2 - Y**2, 2), (Y + 1, 0)])
