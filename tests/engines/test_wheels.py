@@ -6,6 +6,8 @@ import shutil
 import struct
 import subprocess
 import sys
+import tarfile
+import tomllib
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -61,6 +63,18 @@ def test_each_platform_has_the_code_paths_of_its_processors():
     for name, platform in wheels.PLATFORMS.items():
         assert {*platform.paths} == (arm if "arm" in name else x86)
     assert {*shipped.PATHS.values()} == x86 | arm
+
+
+def test_the_recipe_for_conda_needs_what_the_package_needs():
+    text = (wheels.ROOT / ".ci" / "conda" / "recipe.yaml").read_text("utf-8")
+    listed = re.findall(r"^    - ([\w-]+) (\S+)$", text.partition("  run:")[2], re.MULTILINE)
+    project = tomllib.loads((wheels.ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    needed = {tuple(re.match(r"([\w-]+)(.*)", x).groups()) for x in project["dependencies"]}
+    # conda-forge's matplotlib brings Qt, which nothing here uses.
+    plain = {(name.removesuffix("-base"), version) for name, version in listed}
+    assert plain == needed | {("python", project["requires-python"])}
+    tags = [platform.tag for name, platform in wheels.PLATFORMS.items() if "musl" not in name]
+    assert all(f"-py3-none-{tag}.whl" in text for tag in tags)
 
 
 def test_unknown_platforms_are_refused(monkeypatch, capsys):
@@ -151,3 +165,40 @@ def test_the_library_for_arm_has_the_same_bits(built, tmp_path):
     line = ["qemu-aarch64", "-L", root, "-E", f"LD_LIBRARY_PATH={library.parent}", "./bits"]
     done = subprocess.run(line, cwd=tmp_path, input=MOTIONS, capture_output=True, check=True)
     assert done.stdout.decode().splitlines() == EXPECTED
+
+
+@pytest.mark.slow
+def test_the_library_for_windows_has_the_same_bits(built, tmp_path):
+    """Wine runs it; the program asks for the library by the name that it was linked with."""
+    if not shutil.which("wine"):
+        pytest.skip("needs wine")
+    name = "windows-x86-64"
+    folder = built(name)[1] / "rigidsym" / "_engines" / "shipped"
+    target = wheels.PLATFORMS[name].target
+    program = tmp_path / "bits.exe"
+    zig("-target", target, "-O1", "-I", GENERATED, BITS, folder / "portable.dll", "-o", program)
+    shutil.copy(folder / "portable.dll", tmp_path / "torque_free.so")
+    variables = {**os.environ, "WINEPREFIX": str(tmp_path / "wine"), "WINEDEBUG": "-all"}
+    line = ["wine", program]
+    done = subprocess.run(line, input=MOTIONS, capture_output=True, check=True, env=variables)
+    assert done.stdout.decode().splitlines() == EXPECTED
+
+
+@pytest.mark.slow
+def test_the_source_distribution_installs_without_zig(tmp_path):
+    """It makes a wheel of pure Python, which compiles at its first use."""
+    pytest.importorskip("hatchling")
+    line = [sys.executable, "-m", "hatchling", "build", "-d", str(tmp_path)]
+    subprocess.run([*line, "-t", "sdist"], cwd=wheels.ROOT, check=True, capture_output=True)
+    (path,) = tmp_path.glob("*.tar.gz")
+    with tarfile.open(path) as file:
+        file.extractall(tmp_path, filter="data")
+    (source,) = (x for x in tmp_path.iterdir() if x.is_dir())
+    variables = {key: x for key, x in os.environ.items() if key != wheels.VARIABLE}
+    subprocess.run(
+        [*line, "-t", "wheel"], cwd=source, check=True, capture_output=True, env=variables
+    )
+    (wheel,) = tmp_path.glob("*-py3-none-any.whl")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert "rigidsym/_engines/processor.c" in names
+    assert not [name for name in names if "/shipped/" in name]
