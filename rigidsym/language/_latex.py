@@ -352,15 +352,17 @@ def dotted(head: str) -> str:
 of = Printer().of
 
 
-def latex(text: str, along: str | None = None) -> str:
+def latex(text: str, along: str | None = None, most: int | None = MOST_TERMS) -> str:
     r"""Convert an expression of the ledger to LaTeX.
 
-    along: the name by which D differentiates, if it is not the time.
+    along: the name by which D differentiates, if it is not the time.  most: the number of terms of
+    a sum that are shown; None for all.
 
     >>> latex("(c2 - c3)/c1*Omega2**2")
     '\\frac{\\left(c_{2} - c_{3}\\right) \\Omega_{2}^{2}}{c_{1}}'
     """
-    return (Printer(along=along).of if along else of)(parse(text))
+    plain = not along and most == MOST_TERMS
+    return (of if plain else Printer(most=most, along=along or "").of)(parse(text))
 
 
 def word(text: str) -> str:

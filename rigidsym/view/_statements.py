@@ -404,10 +404,15 @@ def _display(
 ) -> Paragraph:
     """Return a paragraph with equations of the ledger."""
     pairs = [*pairs]
-    shown = aligned_rows((language.latex(x), sign, language.latex(y)) for x, y in pairs)
+    shown = aligned_rows((_whole(x), sign, _whole(y)) for x, y in pairs)
     plain = {r"\neq": "!=", r"\geq": ">="}.get(sign, sign)
     texts = tuple(text_rows(x, y, plain) for x, y in pairs)
     return Paragraph(sentence, (), tuple(shown), texts, after)
+
+
+def _whole(text: str, along: str | None = None) -> str:
+    """Return an expression in LaTeX with all terms of its sums."""
+    return language.latex(text, along, most=None)
 
 
 # Facts
@@ -473,12 +478,12 @@ def _statement(fact: "Fact", along: str | None) -> tuple[Paragraph, int]:
     equations: list[tuple[str, str, str]] = []
     texts: list[str] = []
     for count, (left, right) in enumerate(pairs):
-        value, plain = language.latex(right, along), right
+        value, plain = _whole(right, along), right
         if fact.kind == "root":
             value, plain = rf"\sqrt{{{value}}}", f"sqrt({right})"
         if fact.kind == "nonnegative":
             value, plain = rf"{value} \geq 0", f"{right} >= 0"
-        more = (language.latex(left, along), sign, value)
+        more = (_whole(left, along), sign, value)
         if equations and len(aligned_rows([*equations, more])) > MOST_ROWS:
             return Paragraph((), (), tuple(aligned_rows(equations)), tuple(texts)), len(
                 pairs

@@ -30,7 +30,7 @@ STICKS_OUT = 1.0
 VARIANTS = [
     Setting(),
     Setting((3, 1, 3), 2, sympy.Integer(1), -1),
-    Setting(lagrangian=f"{Setting().lagrangian} + h1*Omega1"),
+    Setting(lagrangian=f"{Setting().lagrangian} + h1*Omega1 - c12*Omega1*Omega2"),
     Setting((3, 2, 1), 1, sympy.Integer(1), group="SO3"),
 ]
 # How each form shows the name of a fact, without what LaTeX needs to break and to escape it.
@@ -157,7 +157,9 @@ def test_latex_compiles_and_nothing_sticks_out(k, tmp_path):
     if pdflatex is None:
         pytest.skip("pdflatex is not installed (Debian: texlive-latex-recommended)")
     source = tmp_path / "article.tex"
-    source.write_text(written("latex") if k is None else article(derived(k), "latex"), "utf-8")
+    text = written("latex") if k is None else article(derived(k), "latex")
+    assert r"\cdots" not in text  # no sum is shown in part
+    source.write_text(text, "utf-8")
     command = [pdflatex, "-interaction=nonstopmode", "-halt-on-error", source.name]
     ran = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     log = (tmp_path / "article.log").read_text("utf-8", errors="replace")
