@@ -9,7 +9,7 @@ import re
 from string import ascii_lowercase
 
 from rigidsym.language._expression import to_text
-from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join
+from rigidsym.proof.algebra import LedgerBuilder, Part, extend, join, unit_quaternion
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper._answers import Question, asked, question, without_trivial
@@ -17,7 +17,7 @@ from rigidsym.proof.paper._printed import in_names
 from rigidsym.proof.paper._shared import SEEN_FROM_SPACE
 
 CONSTANT_M = Part(
-    witness={"N1": "0", "N2": "0", "N3": "0"},
+    witness={"N1": 0, "N2": 0, "N3": 0},
     reading={f"N{k}": f"component {k} of M(0)" for k in (1, 2, 3)},
 )
 # M(0) by (22): what R M R^-1 is, entry by entry.
@@ -26,22 +26,14 @@ SEEN = Part(
     definitions={f"N{k}": f"2*({_SEEN[place]})" for k, place in ((1, 1), (2, 2), (3, 3))},
     reading=CONSTANT_M.reading,
 )
-TIME = Part(witness={"t": "0"}, rates={"t": "1"}, reading={"t": "time, s"})
-PHASE = Part(witness={"gamma": "0"}, reading={"gamma": "the phase of sn in (34)"})
+TIME = Part(witness={"t": 0}, rates={"t": 1}, reading={"t": "time, s"})
+PHASE = Part(witness={"gamma": 0}, reading={"gamma": "the phase of sn in (34)"})
 MODULUS = Part(
     witness={"modulus": "7/15"},
     relations=("modulus**2 - mu",),
     reading={"modulus": "a square root of the parameter mu"},
 )
-QUATERNIONS = Part(
-    witness={f"{x}{k}": str(int(k == 0)) for x in "pr" for k in range(4)},
-    relations=tuple(f"{x}3**2 + {x}2**2 + {x}1**2 + {x}0**2 - 1" for x in "pr"),
-    reading={
-        f"{x}{k}": f"component {k} of {name}"
-        for x, name in (("p", "R_int"), ("r", "Rbar(0)"))
-        for k in range(4)
-    },
-)
+QUATERNIONS = (unit_quaternion("p", "R_int"), unit_quaternion("r", "Rbar(0)"))
 # A motion in rational numbers, so that nothing printed has to be rounded: moments (16/25,
 # 3600/6409, 1), rates (53/64, -6409/6000, 24/25), axis i = 1 being the middle one.
 ROOT_I, ROOT_J, S_J = "265/192", "1325/448", "1755625/200704"
@@ -59,14 +51,14 @@ MOTION = Part(
     },
 )
 BY_S_I = Part(units=("zeta",))
-START = Part(witness={"C_i": "0"}, reading={"C_i": "the argument at t = 0"})
+START = Part(witness={"C_i": 0}, reading={"C_i": "the argument at t = 0"})
 UNDER_ROOT = Part(
     witness={"root_over_c": "1325/768"},
     relations=("root_over_c**2*c_i - s_i",),
     reading={"root_over_c": "sqrt(s_i/c_i)"},
 )
 ON_THIRD_AXIS = Part(
-    witness={"c_i": "1", "r": "1", "q": "5/4", "v": "1", "x": "3/4", "y": "5/4", "w": "1"},
+    witness={"c_i": 1, "r": 1, "q": "5/4", "v": 1, "x": "3/4", "y": "5/4", "w": 1},
     units=("c_i", "r", "q", "v"),
     definitions={"Omega_i": "r*x"},
     relations=("y**2 - x**2 - 1", "w**2 + r**2*x**2 - q**2"),
@@ -84,11 +76,11 @@ NAMED = Part(
     definitions={"root_of_discriminant": "alpha*(root_j - root_k)"},
     reading={"root_of_discriminant": "a root of beta^2 - 4 alpha chi"},
 )
-ARGUMENT = Part(witness={"u": "0"}, rates={"u": "nu"}, reading={"u": "zeta of footnote 1"})
+ARGUMENT = Part(witness={"u": 0}, rates={"u": "nu"}, reading={"u": "zeta of footnote 1"})
 HALVES = Part(units=("side", "cos_half_phi3", "sin_phi2", "cos_phi3"))
 OUTER_MATCHED, INNER_MATCHED = Part(relations=("S2 - side*S1",)), Part(relations=("S4 - S3",))
 TRUE_ANGLES = Part(relations=("side - 1",))
-WRONG_OUTER, WRONG_INNER = Part(witness={"S2": "-1"}), Part(witness={"S4": "-1"})
+WRONG_OUTER, WRONG_INNER = Part(witness={"S2": -1}), Part(witness={"S4": -1})
 # The same motion, by the names of the chapter on phi1.
 AXIS_1 = Part(
     witness={
@@ -104,11 +96,11 @@ AXIS_1 = Part(
     },
 )
 THIRD_KIND = Part(
-    witness={"t": "0", "C_11": "0", "D_19": "0", "Pi": "0", "s_2": S_J},
+    witness={"t": 0, "C_11": 0, "D_19": 0, "Pi": 0, "s_2": S_J},
     units=("xi", "s_2", "K - c1*zeta*sn", "K + c1*zeta*sn"),
     definitions={"Omega1": "zeta*sn", "s_1": "zeta**2", "alpha": "xi**2/s_2"},
     relations=("mu*s_2 - s_1",),
-    rates={"t": "1", "Pi": "xi/(1 - n_printed*sn**2)"},
+    rates={"t": 1, "Pi": "xi/(1 - n_printed*sn**2)"},
     reading={
         "t": "time, s",
         "C_11": "the phase of f",
@@ -161,7 +153,7 @@ SETTINGS: dict[str, tuple[str, tuple[Part, ...]]] = {
     "printed_36": ("theorem1_amplitude", (AXIS_1, PHASE)),
     "printed_36_mended": ("theorem1_amplitude", (AXIS_1, PHASE)),
     "printed_36_of_modulus": ("theorem1_amplitude", (AXIS_1, PHASE, MODULUS)),
-    "printed_37": ("moving_body", (QUATERNIONS,)),
+    "printed_37": ("moving_body", QUATERNIONS),
 }
 # Where to look for a difference first.
 POINTS: dict[str, list[dict[str, str]]] = {
