@@ -127,8 +127,7 @@ CONSTANTS |= {x: GIVEN.definitions[x].subs(CONSTANTS) for x in (p, r)}
 
 def _by(value: Any, rates: Iterable[Any], forces: Iterable[Any]) -> Computation:
     """Return a formula of the addition form for other quantities with equations like Euler's."""
-    others = named((*OMEGA_0, *ALPHA), (*rates, *forces))
-    return compute(value).subs(others, simultaneous=True)
+    return compute(value).xreplace(named((*OMEGA_0, *ALPHA), (*rates, *forces)))
 
 
 def _moduli(rates: Iterable[Any], forces: Iterable[Any]) -> dict[Symbol, Computation]:
