@@ -305,7 +305,8 @@ class _Rows:
             rule = f"looks like another unit: add --units {proposed or f'{name}=UNIT'}"
             raise InputError("header", column.title, rule)
         stated = any(one.unit for x, one in self.columns.items() if QUANTITIES[x] == quantity)
-        if stated or name in _STATED:
+        foreign = quantity != "time" and column.name != name
+        if stated or foreign or name in _STATED:
             what = name if stated else quantity
             like = {"angle": "deg", "rate": "deg/s", "time": "ms"}[quantity]
             rule = f"{column.title} has none: add --units {what}={like} or {what}="

@@ -73,10 +73,10 @@ _ALIASES = {"time": "t", "time2": "t2"}
 # {i}, {p} and {roll} are the number of the component and the letters by which others call it.
 _ERROR = "(sigma|sig|error|err|e|std|unc|d|s)"
 _LIKE = {
-    "t": r"(time|utc|tai|gps|date|datetime|timestamp|epoch|m?jd|[bh]jd|seconds?|sec|t)"
+    "t": r"(time|zeit|utc|tai|gps|date|datetime|timestamp|epoch|m?jd|[bh]jd|seconds?|sec|t)"
     r"(utc|tdb|tt|tai|gps|stamp)?(since\w+)?",
-    "q0": r"(q|quat|quaternion)(w|s|r|scalar|real)|scalar|w",
-    "q": r"(q|quat|quaternion)({x}|{i})",
+    "q0": r"(q|quat|quaternion)(0|w|s|r|scalar|real)|scalar|w",
+    "q": r"(q|quat|quaternion)({x}|{i}|{k})",
     "omega": r"(w|omega|om|gyro?|g|rate|angvel|angularvelocity|angularrate|angrate)({x}|{k})"
     r"|{p}|{roll}rate",
     "v": r"(v|u|n|dir|direction|axis|pole|spin)({x}|{k})",
@@ -263,11 +263,9 @@ def _matched(
     form: Form, listed: Sequence[Column], attitude: str, taken: Iterable[Column]
 ) -> dict[str, Column] | None:
     """Return the columns that look like all of a form, by name, or None."""
-    if form.name == "quaternion-scalar-last" and attitude != form.name:
-        return None
     shapes = [_shape(name) for name in form.columns]
     if form.name == "quaternion-scalar-last":
-        shapes[-1] = f"{_LIKE['q0']}|q4"
+        shapes[-1] = "(q|quat|quaternion)4" + (f"|{_LIKE['q0']}" if attitude == form.name else "")
     if form.name == "euler":
         axes = attitude.removeprefix("euler") if attitude.startswith("euler") else "321"
         if len(set(axes)) < 3:

@@ -38,7 +38,7 @@ class Delimited:
 def parse(
     text: str, delimiter: str = ",", header_line: int | None = None, data_line: int = 1
 ) -> Delimited:
-    """Parse a table with a line of names, or without one if its first line has only numbers.
+    """Parse a table with a line of names, or without one if half of its first line is numbers.
 
     Empty lines and lines that begin with # or % are comments.
 
@@ -70,8 +70,8 @@ def parse(
     else:
         header = listed.pop(0)[1]
     rest = [one for one in listed if one[0] >= data_line]
-    if len(header) == 1 and rest and len(rest[0][1]) == 1:
-        marks = ("tab", ";", "|", "space")
+    if len(header) == 1 and rest:
+        marks = ("tab", ";", "|", "space") if len(rest[0][1]) == 1 else ("tab", ";", "|")
         used = [x for x in marks if DELIMITERS.get(x, x) in header[0] and delimiter != x]
         if used:
             rule = f"is one column: add --delimiter {shlex.quote(used[0])}"
@@ -102,8 +102,9 @@ def _splitter(delimiter: str) -> Callable[[str], list[str]]:
 
 
 def is_numeric(cells: Sequence[str]) -> bool:
-    """Return True if all cells that are not empty are numbers, and some cell is not empty."""
-    return all(NUMBER.fullmatch(x.replace(",", ".")) for x in cells if x) and any(cells)
+    """Return True if half of the cells or more are numbers, so that they are no names."""
+    numbers = sum(bool(NUMBER.fullmatch(x.replace(",", "."))) for x in cells)
+    return 0 < len(cells) <= 2 * numbers
 
 
 def _row(header: list[str], line: int, cells: list[str]) -> tuple[int, tuple[str, ...]]:

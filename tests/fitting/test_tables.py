@@ -218,6 +218,19 @@ WRONG = {
         "line 2, t = '0,5': must be a number where the line has t, q0, q1, q2, q3; "
         "add --decimal , if that is the decimal mark",
     ),
+    "capitals": (
+        "UTC,Q1,Q2,Q3,Q4,err_x,err_y,err_z\n2024-01-01T00:00:00Z,0,0,0,1,9,9,9\n", "",
+        "header = UTC: looks like t: add --columns t=UTC,q1=Q1,q2=Q2,q3=Q3,q4=Q4,sigma_q1=err_x,"
+        "sigma_q2=err_y,sigma_q3=err_z --attitude quaternion-scalar-last --time-format iso",
+    ),
+    "rates without a unit": (
+        "t,gx,gy,gz\n0,1,2,3\n", "--columns omega1=gx,omega2=gy,omega3=gz --sigma rates=1deg/s",
+        "units.rate = missing: gx has none: add --units rate=deg/s or rate=rad/s",
+    ),
+    "a decimal comma and another delimiter": (
+        "t_ms;gx;gy;gz\n1,5;2,5;3,5;4,5\n", "",
+        "header = 't_ms;gx;gy;gz': is one column: add --delimiter ';'",
+    ),
     "no errors": (
         ATTITUDES, "",
         "sigma.attitudes = missing: a standard deviation is needed: add --sigma "
