@@ -86,7 +86,8 @@ def load(
         Columns with these names need not be listed.
     units : str or mapping
         Units by quantity or column, as "time=ms,rate=deg/s,angle=deg,sigma_q=arcsec"; those in
-        brackets in the header by default, and then s, rad and rad/s.
+        brackets in the header by default, and then s, rad and rad/s.  Angles need a unit, and so do
+        rates and errors in columns of other names.
     sigma : str or mapping
         Errors by kind, as "attitudes=0.1deg,rates=0.01deg/s"; numbers are in rad and rad/s.
     time_format : {"seconds", "iso", "jd", "mjd", "unix"}
