@@ -6,6 +6,7 @@ import subprocess
 import sys
 from functools import cache
 from itertools import chain
+from pathlib import Path
 
 import pytest
 import sympy
@@ -428,3 +429,10 @@ def test_nine_in_ten_published_facts_are_computed():
     assert published[Standing.STATED] == 0
     by_hand = [fact.id for fact in of(Standing.COMPUTED) if joined(fact)]
     assert len(of_the_paper().formulas.intersection(by_hand)) <= 5
+
+
+def test_the_page_on_proofs_has_these_counts():
+    page = Path(__file__).parents[2] / "notebooks" / "site" / "pages" / "proofs.md"
+    rows = dict(re.findall(r"^\| (\w+) \| (\d+ \| \d+) \|$", page.read_text("utf-8"), re.M))
+    published = of_the_paper().published["facts"]
+    assert rows == {str(kind): f"{len(of(kind))} | {published[kind]}" for kind in Standing}
