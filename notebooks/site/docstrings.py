@@ -45,8 +45,9 @@ def converted(lines: Iterable[str]) -> list[str]:
     sections: list[str] = []
     for blank, group in groupby(lines[first:], key=lambda line: not line.strip()):
         rows = list(group)
-        verbatim = blank or rows[0].lstrip().startswith(">>>")
-        sections += rows if verbatim else map(_inline, rows)
+        doctests = (k for k, row in enumerate(rows) if row.lstrip().startswith(">>>"))
+        words = 0 if blank else next(doctests, len(rows))
+        sections += [*_inline(rows[:words]), *rows[words:]]
     return [*result, *NumpyDocstring(sections).lines()]
 
 
@@ -56,15 +57,16 @@ def _paragraph(lines: list[str]) -> Iterator[str]:
     elif any(re.fullmatch(r"\s*-{4,}\s*", line) for line in lines) or lines[0].startswith("    "):
         yield from ("::", "", *(f"    {line}" for line in lines))
     else:
-        yield from map(_inline, lines)
+        yield from _inline(lines)
 
 
-def _inline(line: str) -> str:
-    bullet = re.match(r"\s*(?:[*-] )?", line)
-    start = bullet[0] if bullet else ""
-    parts = line[len(start) :].split("`")
-    written = (f"``{part}``" if k % 2 else _plain(part) for k, part in enumerate(parts))
-    return start + "".join(written)
+def _inline(lines: list[str]) -> list[str]:
+    """Lines of words, in which code may go on from one line to the next."""
+    parts = "\n".join(lines).split("`")
+    written = (
+        f"``{' '.join(part.split())}``" if k % 2 else _plain(part) for k, part in enumerate(parts)
+    )
+    return re.sub(r"(?m)^(\s*)\\([*-] )", r"\1\2", "".join(written)).split("\n")
 
 
 def _plain(text: str) -> str:
