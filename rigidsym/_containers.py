@@ -45,9 +45,10 @@ def plain(field: str, value: Any) -> Any:
     count, unit = found
     if unit.denominator == 1:
         return count * float(unit)
-    # In two parts, because a double has not all digits of nanoseconds.
-    whole, rest = np.divmod(count, unit.denominator)
-    return whole + rest / unit.denominator
+    # In two parts of one sign, because a double has not all digits of nanoseconds.
+    rest = np.fmod(count, unit.denominator)
+    whole, multiple = (count - rest) // unit.denominator, float(unit.numerator)
+    return whole * multiple + rest * multiple / unit.denominator
 
 
 def unwrapped(field: str, value: Any) -> Any:

@@ -58,6 +58,9 @@ def test_times_of_numpy_and_python():
         same(step(BODY, (1, 0, 0, 0), RATES, one), step(BODY, (1, 0, 0, 0), RATES, 60.0))
     days = np.array([0, 10**15 + 1], "m8[ns]")
     same(MOTION(days), MOTION([0.0, 1e6 + 1e-9]))
+    same(MOTION(np.array([1, -5], "m8[3ms]")), MOTION([0.003, -0.015]))
+    same(MOTION(np.array([-1, -1001], "m8[ms]")), MOTION([-0.001, -1.001]))
+    same(MOTION(np.array([0, 5], "M8[1500ms]")), MOTION([0.0, 7.5]))
     months = np.array(["2026-01", "2026-03"], "M8[M]")
     same(MOTION(months), MOTION([0.0, 59 * 86400.0]))
     assert inputs.times(np.array([1, -3], "m8[ms]")) == (
