@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from picture_motions import MOTIONS, MOVING, picture
 
-from rigidsym import InputError, Regime, plan
+from rigidsym import InputError, Regime, TorqueFreeMotion, plan
 from rigidsym.manoeuvre import directions_of
 from rigidsym.manoeuvre._problem import problem
 from rigidsym.quaternions import product, rotated
@@ -298,3 +298,12 @@ def test_other_renderers_are_plotlys(shown, monkeypatch):
     figure.show()
     assert asked == [{"renderer": "browser"}, {}]
     assert shown == []
+
+
+@pytest.mark.parametrize("draw", [*PICTURES, sphere_and_body])
+def test_what_is_no_motion_is_refused(draw):
+    tensor = TorqueFreeMotion.from_tensor(np.diag(INERTIA), (0.1, 0.2, 0.3))
+    line = r"^motion = .*: must be a TorqueFreeMotion .*principal"
+    for given in (np.zeros((3, 4)), INERTIA, tensor):
+        with pytest.raises(InputError, match=line):
+            draw(given)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rigidsym._inputs import Times
-from rigidsym.errors import InputError, package
+from rigidsym.errors import InputError, package, written
 from rigidsym.quaternions import product, rotated
 from rigidsym.solution._polhode import Regime
 from rigidsym.view import _geometry as geometry
@@ -44,6 +44,16 @@ _TRIANGLES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)]
 _TRIANGLES += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
 
 
+def _check(motion: object, picture: str) -> None:
+    """Raise InputError for what is no motion about principal axes, and need plotly."""
+    package(PLOTLY, picture)
+    if not hasattr(motion, "exact"):
+        step = "of a motion from a tensor, draw its .principal"
+        raise InputError(
+            "motion", written(motion, repr), "must be a TorqueFreeMotion", next_step=step
+        )
+
+
 def momentum_sphere(motion: "TorqueFreeMotion", family: int = 5) -> "Figure":
     """Draw the momentum sphere in body axes, with polhodes coloured by regime.
 
@@ -66,7 +76,7 @@ def momentum_sphere(motion: "TorqueFreeMotion", family: int = 5) -> "Figure":
     ImportError
         If plotly is not installed.
     """
-    package(PLOTLY, "momentum_sphere")
+    _check(motion, "momentum_sphere")
     size = float(np.linalg.norm(momentum(motion)))
     if not size:
         raise InputError("omega0", "zero", "a body at rest has no momentum sphere")
@@ -212,7 +222,7 @@ def rolling_ellipsoid(motion: "TorqueFreeMotion", times: Times | None = None) ->
     ImportError
         If plotly is not installed.
     """
-    package(PLOTLY, "rolling_ellipsoid")
+    _check(motion, "rolling_ellipsoid")
     if not any(motion.exact["omega0"]):
         raise InputError("omega0", "zero", "the ellipsoid of a body at rest is a point")
     shown = geometry.chosen(motion, times, ROLLING_FRAMES)
@@ -277,7 +287,7 @@ def tumbling_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Fi
     ImportError
         If plotly is not installed.
     """
-    package(PLOTLY, "tumbling_body")
+    _check(motion, "tumbling_body")
     shown = geometry.chosen(motion, times, BODY_FRAMES)
     q, _ = motion(shown)
     path, _ = motion(np.linspace(shown[0], shown[-1], AXIS_PATH))
@@ -335,7 +345,7 @@ def sphere_and_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "
     ImportError
         If plotly is not installed.
     """
-    package(PLOTLY, "sphere_and_body")
+    _check(motion, "sphere_and_body")
     shown = geometry.chosen(motion, times, PAIR_FRAMES)
     whole, body = momentum_sphere(motion, PAIR_FAMILY), tumbling_body(motion, shown)
     here = moments(motion) * motion(shown)[1]
