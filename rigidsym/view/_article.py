@@ -338,7 +338,7 @@ def aligned(line: "Step") -> str:
 
 def _joined(rows: Iterable[str]) -> str:
     first, *others = rows
-    if not others:
+    if not others and first.count("&") < 2:  # matrices have marks of their own
         return first.replace("&", "")
     below = r" \\ ".join((first, *others))
     return rf"\begin{{aligned}}{below}\end{{aligned}}"

@@ -22,7 +22,15 @@ from rigidsym.proof.algebra._computation import Standing, joined, reasons, stand
 from rigidsym.proof.derivation import derive
 from rigidsym.proof.steps import Rate, Scope, Step, differentiate, matrix, rate_of, solve
 from rigidsym.proof.steps._names import symbol, symbols
-from rigidsym.view._article import FORMATS, _told, article, latex, opening, pretty
+from rigidsym.view._article import (
+    FORMATS,
+    _told,
+    article,
+    latex,
+    markdown_display,
+    opening,
+    pretty,
+)
 from rigidsym.view._prose import displayed_formula
 from rigidsym.view._statements import numbers
 
@@ -352,6 +360,12 @@ def both() -> Step:
 )
 def test_a_line_of_latex_is_aligned_and_tagged_by_the_papers_numbers(step, text):
     assert step()._repr_latex_() == f"$${text}$$"
+
+
+def test_a_single_row_keeps_the_columns_of_its_matrices():
+    row = r"R &= \left[\begin{matrix}1 & 0 \\ 0 & 1\end{matrix}\right]"
+    assert markdown_display([row]) == rf"\begin{{aligned}}{row}\end{{aligned}}"
+    assert markdown_display(["x &= 2"]) == "x = 2"
 
 
 def test_a_line_of_html_has_all_that_is_to_be_said_and_no_raw_angle_bracket():
