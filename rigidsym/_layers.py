@@ -145,7 +145,7 @@ def _last(name: str, value: Any, options: Mapping[str, Any]) -> str:
     named = [axis] if axis in value.dims else value.dims
     found = [dimension for dimension in named if value.sizes[dimension] == size]
     if len(found) != 1:
-        rule = f"one dimension must have {size} numbers, or the one of them be named {axis!r}"
+        rule = f"one dimension must have {size} numbers; if several have, its name must be {axis!r}"
         raise InputError(name, f"a DataArray of sizes {dict(value.sizes)}", rule)
     unit, degrees = value.attrs.get("units"), options.get("degrees", False)
     if axis == "axis" and unit in ("rad/s", "deg/s") and degrees != (unit == "deg/s"):

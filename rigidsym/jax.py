@@ -168,6 +168,8 @@ def states(motion: motions.TorqueFreeMotion, t: Any) -> States:
     >>> states(motion, [[0.0, 90.0, 180.0]])[0].shape
     (1, 3, 4)
     """
+    if not isinstance(motion, motions.TorqueFreeMotion):
+        raise InputError("motion", repr(motion), "must be a TorqueFreeMotion")
 
     def found(columns: int, times: Any) -> tuple[Any, ...]:
         shapes = [(*times.shape, width) for width in (4, 3, *(3, 3) * bool(columns))]

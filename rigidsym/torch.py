@@ -165,6 +165,8 @@ def states(motion: motions.TorqueFreeMotion, t: Any) -> States:
     >>> states(motion, [[0.0, 90.0, 180.0]])[0].shape
     torch.Size([1, 3, 4])
     """
+    if not isinstance(motion, motions.TorqueFreeMotion):
+        raise InputError("motion", repr(motion), "must be a TorqueFreeMotion")
     times = _tensor("t", t)
     compute = partial(_motion, motion)
     q, omega = _followed(compute, None, None, None, times[..., None])[:2]

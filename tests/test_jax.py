@@ -193,6 +193,7 @@ def test_derivatives_beyond_binary64_are_nan():
 
 
 REFUSED = {
+    "motion = 'paper': must be a TorqueFreeMotion": lambda: rigid.states("paper", 1.0),
     "t[1] = nan: must be finite": lambda: rigid.propagate(BODY, (1, 0, 0), [0.0, np.nan]),
     "inertia = [1. 2. 4.]: no body has": lambda: rigid.propagate((1, 2, 4), (1, 0, 0), T),
     "inertia = [1. 2. 4.]: no body ": lambda: rigid.step((1, 2, 4), (1, 0, 0, 0), (1, 0, 0), 1),

@@ -115,7 +115,7 @@ def test_labelled_arrays_that_do_not_fit_are_refused(xr, labelled):
             lambda: propagate(inertia.rename(axis="body", body="axis"), rates, 1.0),
             "inertia = .*sizes",
         ),
-        (lambda: propagate(square, RATES[0], 1.0), r"inertia = .*be named 'axis'"),
+        (lambda: propagate(square, RATES[0], 1.0), r"inertia = .*name must be 'axis'"),
         (lambda: propagate(xr.DataArray(3.0), RATES[0], 1.0), "inertia = a DataArray of sizes {}"),
         (
             lambda: propagate(inertia, rates.assign_attrs(units="deg/s"), 1.0),

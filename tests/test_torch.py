@@ -130,6 +130,7 @@ def test_second_derivatives_are_refused():
 
 
 REFUSED = {
+    "motion = 'paper': must be a TorqueFreeMotion": lambda: rigid.states("paper", 1.0),
     "t[1] = nan: must be finite": lambda: rigid.propagate(BODY, (1, 0, 0), [0.0, np.nan]),
     "inertia = [1. 2. 4.]: no body has": lambda: rigid.propagate((1, 2, 4), (1, 0, 0), T),
     "dt = 100.0: |omega dt| must": lambda: rigid.step(BODY, (1, 0, 0, 0), (1, 0, 0), 100),

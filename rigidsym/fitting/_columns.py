@@ -253,7 +253,11 @@ class _Rows:
             rule += "axis of the body, its components, as --axis 0,0,1"
             raise InputError("axis", "missing", rule)
         if isinstance(axis, str) and axis != SPIN:
+            if axis.count(",") != 2:
+                raise InputError("axis", repr(axis), "must be spin, or three numbers, as 0,0,1")
             axis = [float(inputs.exact(f"axis[{k}]", x)) for k, x in enumerate(axis.split(","))]
+            if not any(axis):
+                raise InputError("axis", self.layout.axis, "must not be zero")
         if form.name == "angles":
             for k in np.flatnonzero(np.abs(values[:, 1]) > np.pi / 2 * (1 + 1e-12))[:1]:
                 self._refuse(lines[k], "lat", "is beyond the pole: check --columns and --units")

@@ -88,6 +88,9 @@ class Layout:
         for name, unit in units.items():
             quantity = QUANTITIES.get(name, name)
             if not QUANTITIES.get(name, name in DEFAULTS):
+                if name == unit:
+                    rule = "must be QUANTITY=UNIT,QUANTITY=UNIT, as time=ms,rate=deg/s"
+                    raise InputError("units", repr(name), rule)
                 raise unknown("units", name, (*DEFAULTS, *(x for x, y in QUANTITIES.items() if y)))
             needed(f"units.{name}", quantity, str(unit))
         errors = {}

@@ -51,7 +51,9 @@ def read_text(field: str, path: str | Path, encoding: str = "utf-8", next_step: 
         rule = f"cannot be read: {error.strerror}"
         raise InputError(field, path, rule, next_step=step) from None
     except LookupError:
-        raise InputError("encoding", repr(encoding), "is no encoding of text") from None
+        raise InputError(
+            "encoding", repr(encoding), "is no encoding of text, such as utf-8 or cp1252"
+        ) from None
     except UnicodeError:
         rule = f"is not {encoding.upper()} text"
         raise InputError(field, path, rule, next_step=next_step) from None

@@ -195,7 +195,7 @@ def test_another_encoding_is_asked_for_and_read(tmp_path):
     text = "t,omega1 [°/s],omega2 [°/s],omega3 [°/s]\n0,180,0,0\n1,0,180,0\n"
     path.write_bytes(text.encode("cp1252"))
     refused(lambda: load(path, sigma="rates=1"), "is not UTF-8 text (add --encoding cp1252, utf-16")
-    refused(lambda: load(path, encoding="x"), "encoding = 'x': is no encoding of text")
+    refused(lambda: load(path, encoding="x"), "encoding = 'x': is no encoding of text, such as")
     (rates,) = load(path, sigma="rates=1", encoding="cp1252").observations["rates"]
     assert rates.seen[0, 0] == np.pi
 
@@ -312,6 +312,7 @@ def test_a_wrong_input_is_one_line_with_the_option_to_add(name, tmp_path, monkey
     [
         (lambda: Layout(units="rate=foot"), "units.rate = 'foot': must be a unit of rate: r"),
         (lambda: Layout(units={"q0": "deg"}), "units = 'q0': must be one of: time, angle, rate"),
+        (lambda: Layout(units="ms"), "units = 'ms': must be QUANTITY=UNIT,QUANTITY=UNIT, as time"),
         (lambda: Layout(sigma="0.1"), "sigma = 0.1: must be KIND=ERROR, as attitudes=0.1deg"),
         (lambda: Layout(sigma="rates=fast"), "sigma.rates = 'fast': must be a number with a unit"),
         (lambda: Layout(columns=["t"]), "columns = ['t']: must be NAME=VALUE,NAME=VALUE, or a ta"),
@@ -340,6 +341,10 @@ def test_a_wrong_input_is_one_line_with_the_option_to_add(name, tmp_path, monkey
         (lambda: parse_table("t,lon,lat\n0,9,91\n",
                              Layout(sigma="vectors=1", units="angle=deg", axis="spin")),
          "line 2, lat = '91': is beyond the pole: check --columns and --units"),
+        (lambda: parse_table("t,v1,v2,v3\n0,9,9,9\n", Layout(sigma="vectors=1", axis="up")),
+         "axis = 'up': must be spin, or three numbers, as 0,0,1"),
+        (lambda: parse_table("t,v1,v2,v3\n0,9,9,9\n", Layout(sigma="vectors=1", axis="0,0,0")),
+         "axis = 0,0,0: must not be zero"),
         (lambda: parse_table("t,q0,q1,q2,q3,sigma_q\n0,1,0,0,0,0\n"),
          "line 2, sigma_q = '0': a standard deviation must be positive"),
         (lambda: parse_table(""), "observations = the file: has no lines of data"),
