@@ -1,6 +1,6 @@
 """Values of pandas, xarray and SciPy, and dates and times, as arrays of numbers.
 
-No library is imported for a check: a value can be of a library only once that is imported.
+The type checks import no library: before a library is imported, no value can have its types.
 """
 
 import sys

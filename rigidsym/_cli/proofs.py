@@ -83,7 +83,7 @@ def _chapters(derivation: "Derivation") -> None:
 
 
 def _joined(derivation: "Derivation") -> list[tuple["Fact", tuple[Any, ...]]]:
-    """Return the computed facts in which arithmetic put typed expressions, and these."""
+    """Return the computed facts that contain typed expressions, each with these expressions."""
     from rigidsym.proof.algebra._computation import joined
 
     facts = (fact for chapter in derivation.chapters for fact in chapter.facts)

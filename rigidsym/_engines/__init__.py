@@ -208,7 +208,7 @@ def _compiled(module: str, asked: str) -> Any:
 def _obtained(name: str) -> tuple[Engine | Stepper | Exception, list[str]]:
     """Build or load a C engine, and return it with the warnings to give.
 
-    Without a C engine the first result is the error that says why.
+    If there is no C engine, the first result is the error with the reason.
     """
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym._engines.build import CompilerError, library

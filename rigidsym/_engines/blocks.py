@@ -44,7 +44,7 @@ def fill(
     compute : function
         Called with the slices of a block, one for each axis of `shape`, and a pair of arrays.
     axes : int
-        How many axes of `shape` are those of bodies; one of times may follow.
+        Number of leading axes of `shape` that count bodies; an axis of times may follow.
 
     Raises
     ------

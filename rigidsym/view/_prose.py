@@ -96,7 +96,7 @@ def _row(line: str) -> str:
 
 
 def _raised(line: str) -> str:
-    """Return a line in which a power that is a name has parentheses, and vectors a cross."""
+    """Put named exponents of a line in parentheses, and write products of vectors with a cross."""
     return re.sub(r"\^([A-Za-z]\w*)", r"^(\1)", re.sub(r"(?<=[\w)]) x (?=[\w(])", _CROSS, line))
 
 
