@@ -1,5 +1,7 @@
 """The public function `integrate`, which integrates the motion of bodies under a torque."""
 
+import inspect
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -99,6 +101,15 @@ def integrate(
     bodies, start = _started(inertia, q0, omega0, engine, allow_nonphysical)
     if not callable(torque):
         raise InputError("torque", repr(torque), "must be a function of t, q and omega")
+    try:
+        found = inspect.signature(torque)
+    except ValueError:
+        found = None  # functions in C may have none
+    try:
+        _ = found and found.bind(0.0, q0, omega0)
+    except TypeError:
+        rule = "must be a function of t, q and omega"
+        raise InputError("torque", f"a function of {found}", rule) from None
     with_rates = inputs.is_true("rate_dependent", rate_dependent)
     splitting = Splitting(bodies, torque, methods.checked(method), with_rates)
     at = batches.array("times", times)

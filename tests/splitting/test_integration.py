@@ -163,6 +163,7 @@ BAD = {
     "rates that are no numbers": ({"omega0": (1.0, np.inf, 0.0)}, r"^omega0\[1\] = inf"),
     "batches": ({"inertia": [BODY] * 2, "omega0": [RATES] * 3}, "leading shapes must broadcast"),
     "no torque": ({"torque": None}, "^torque = None: must be a function"),
+    "a torque of the time alone": ({"torque": lambda t: t}, r"^torque = a function of \(t\): must"),
     "a torque of a wrong shape": (
         {"torque": lambda *_: np.zeros(2)},
         r"^torque = an array of shape \(2,\)",
