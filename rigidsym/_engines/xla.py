@@ -2,6 +2,7 @@
 
 import ctypes
 import tempfile
+import threading
 from functools import cache
 from importlib import resources
 from pathlib import Path
@@ -22,18 +23,26 @@ _BOUND = (
 _FLAGS = ("-std=gnu11", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
 
 
-@cache
+_LOCK = threading.Lock()
+
+
 def registered() -> bool:
     """Compile the handlers for this process, and register them with JAX.
 
     Returns False where there is no C engine or no C compiler: then JAX calls Python.
     """
+    with _LOCK:  # XLA refuses other handlers of these names
+        return _registered()
+
+
+@cache
+def _registered() -> bool:
     from jax import ffi
 
     try:
         library = _compiled(ffi.include_dir())
         engines: tuple[Any, ...] = exactly("c"), exact_stepper("c-step")
-    except (CompilerError, InputError):
+    except (CompilerError, InputError, OSError):  # no place to compile, or to load from
         return False
     functions = vars(engines[0].library) | vars(engines[1].library)
     addresses = (ctypes.cast(functions[name], ctypes.c_void_p) for name in _BOUND)

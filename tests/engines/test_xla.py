@@ -11,7 +11,17 @@ from rigidsym._engines import xla
 def test_without_a_compiler_nothing_is_registered(monkeypatch):
     pytest.importorskip("jax")
     monkeypatch.setenv("CC", "no-such-compiler")
-    assert not xla.registered.__wrapped__()
+    assert not xla._registered.__wrapped__()
+
+
+def test_without_a_place_to_compile_nothing_is_registered(monkeypatch):
+    pytest.importorskip("jax")
+
+    def nowhere(*_, **__):
+        raise FileNotFoundError("no temporary directory")
+
+    monkeypatch.setattr(xla.tempfile, "TemporaryDirectory", nowhere)
+    assert not xla._registered.__wrapped__()
 
 
 @pytest.mark.parametrize("library", ["jax", "torch"])
