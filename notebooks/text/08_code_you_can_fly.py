@@ -247,8 +247,8 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# And the time it takes? `engine="c"` is this very source, compiled once for this machine and kept
-# in the user's cache. Timings differ from run to run, so here are only coarse statements; the
+# And the time it takes? `engine="c"` is this very source. A wheel brings it compiled; otherwise it is
+# compiled once for this machine and kept in the user's cache. Timings differ from run to run, so here are only coarse statements; the
 # page [How accurate, how fast](site/pages/accuracy.md) has figures, and
 # `python tests/benchmarks/generated.py` measures them.
 

@@ -36,9 +36,9 @@ COLUMNS = (
     "omega0 (rad/s)",
     "cost (N m s)",
     "energy (J)",
-    "peak rate (rad/s)",
+    "peak (rad/s)",
     "miss (rad)",
-    "miss for a burst 1 %, 1° off (deg)",
+    "burst 1 %, 1° (deg)",
 )
 
 

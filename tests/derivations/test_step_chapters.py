@@ -12,6 +12,8 @@ from rigidsym.proof.algebra._computation import Computed, Standing, standing
 CONTEXTS = ("landen", "scaling", "doubling", "turn", "thirds", "second_half", "step", "kick")
 # Landen's sn begins his step; the others are names of differences.
 CHOSEN = {"landen.s", "step.c_ab", "step.c_ad", "step.c_bd"}
+# A root repeats the relation of its context.
+CHOSEN |= {"second_half.R", "step.K", "thirds.R"}
 
 
 @pytest.fixture(scope="module")

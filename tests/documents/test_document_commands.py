@@ -29,7 +29,6 @@ _NOT_RUN = {
         "python3 -m venv .venv", ". .venv/bin/activate", "pip install uv", "pip install -e .",
         'pip install -e ".[lab]"', "pip install pre-commit", "pre-commit install",
         'pip install "rigidsym[jax]"', 'pip install "rigidsym[torch]"',
-        "pip install torch --index-url https://download.pytorch.org/whl/cpu",
         "uv sync --group all", "apt-get install chromium chromium-driver",
         "apt-get install texlive-latex-recommended",
     ),

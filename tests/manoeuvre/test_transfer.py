@@ -75,4 +75,4 @@ def test_data_and_text_have_the_miss(best):
     assert data["miss_burst_size"] == best.sensitivity.size
     assert data["miss_burst_direction"] == best.sensitivity.direction
     assert best.missed in repr(best)
-    assert "1 deg of burst" in best._repr_html_()
+    assert "burst 1 %, 1 deg off" in best._repr_html_()
