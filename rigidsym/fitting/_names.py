@@ -151,7 +151,12 @@ def named(
             near = nearest(name, QUANTITIES)
             step = f"did you mean {near}?" if near else ""
             raise InputError("columns", given, f"is not one of: {LISTED}", next_step=step)
-        found[name] = _chosen(listed, f"columns.{given}", str(title))
+        one = _chosen(listed, f"columns.{given}", str(title))
+        twice = next((x for x, other in found.items() if other.place == one.place), "sigma")
+        if not (name.startswith("sigma") or twice.startswith("sigma")):
+            rule = f"is the column of {twice}, too: give each its own"
+            raise InputError(f"columns.{given}", title, rule)
+        found[name] = one
     used = {one.place for one in found.values()}
     for one in listed:
         if one.place in used or not one.title:

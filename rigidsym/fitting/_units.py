@@ -92,9 +92,8 @@ def measured(field: str, quantity: str, value: float | str) -> float:
         return value
     parts = _NUMBER.fullmatch(value)
     if not parts:
-        rule = (
-            f"must be a number with a unit, such as 0.1{'deg/s' if quantity == 'rate' else 'deg'}"
-        )
+        unit = "deg/s" if quantity == "rate" else "deg"
+        rule = f"must be a positive number with a unit, such as 0.1{unit}"
         raise InputError(field, repr(value), rule)
     unit = needed(field, quantity, parts[2] or DEFAULTS[quantity])
     return float(converted(Decimal(parts[1]), unit))
