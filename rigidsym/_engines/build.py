@@ -157,13 +157,19 @@ def library(remarks: list[str], engine: str = "c") -> Library:
     library.
     """
     sources = package_sources(engine)
+    broken = None
     try:
         if brought := shipped.library(engine, sources):
             check_arithmetic(brought)
             return brought
     except LibraryError as error:
-        remarks.append(f"engine: {error}: it is compiled")
-    compiler = find()
+        broken = error
+    try:
+        compiler = find()
+    except MissingCompilerError as missing:
+        raise broken or missing from None
+    if broken:
+        remarks.append(f"engine: {broken}: it is compiled")
     flags = PORTABLE_FLAGS if engine.endswith(_PORTABLE) else FLAGS
     determining = [dict(sources), flags, compiler.command, compiler.version, processor()]
     key = hashlib.sha256(json.dumps(determining).encode()).hexdigest()[:32]
